@@ -61,7 +61,7 @@ def module(name: str) -> ModuleType:
 
 
 def write_notes() -> None:
-    """Rewrite the sentences of the page from its tables."""
+    """Rewrite the sentences on the page of benchmarks from the numbers in its tables."""
     from . import tables
 
     text = tables.noted(PAGE.read_text(encoding="utf-8"), [module(name) for name in PARTS])

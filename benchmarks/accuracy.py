@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.accuracy: stated and true errors, as a page of the documentation.
+"""python -m benchmarks.accuracy: page on errors that samcontact states, and true errors.
 
 The true error follows from a closed form, or from a much finer run.
 """
@@ -32,7 +32,7 @@ CASE_2D = "2d, rigid on perfectly plastic"
 FINITE_ELEMENT_ERRORS = {"approach": 0.002, "max_pressure": 0.005, "max_von_mises": 0.01,
         "max_equivalent_plastic_strain": 0.01, "max_residual_von_mises": 0.02,
         "imprint_depth": 0.02}  # fmt: skip
-"""Relative accuracy of the finite elements, from their page; that of 2d follows."""
+"""Relative accuracy of the finite elements, from their page; the accuracy of 2d follows."""
 FINITE_ELEMENT_ERROR_2D = 0.04
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.accuracy --docs -->
@@ -83,7 +83,7 @@ The tables give true and stated errors [%], relative to the maximum value in the
 
 
 class Judged(NamedTuple):
-    """True and stated error of one quantity of a case at one prescribed accuracy."""
+    """True error and error stated by samcontact for one quantity at one prescribed accuracy."""
 
     case: str
     accuracy: float
@@ -96,7 +96,7 @@ class Judged(NamedTuple):
 
 
 def judged(name: str, truth: dict[str, float], accuracy: float) -> Record:
-    """Relative stated and true errors of the non-zero quantities of a case.
+    """Relative errors of the non-zero quantities of a case: as stated by samcontact, and true.
 
     The time is processor time.
     """
@@ -138,7 +138,7 @@ def run(of: str, accuracy: float) -> Record:
 
 
 def quantities(records: list[Record]) -> list[Judged]:
-    """Return the rows of all quantities of the records."""
+    """Return a `Judged` for each quantity of each record."""
     return [
         Judged(record["of"], record["accuracy"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])
@@ -198,7 +198,7 @@ def elements() -> str:
 
 
 def elements_of() -> dict[str, dict[str, float]]:
-    """Finite element values in SI units; stress and strain are largest on the axis."""
+    """Finite element values in SI units; stress and strain have their maxima on the axis."""
     found: dict[str, dict[str, float]] = {}
     for key, name in (("2b1500", "T1, 1500 N"), ("2a", "2a, rigid on M50")):
         summary = fem.load(key).summary

@@ -28,7 +28,7 @@ Case = dict[str, Any]
 
 
 def pressed(body1: Case, body2: Case, load: float, surface: Case = BALL, **more: Any) -> Case:
-    """Return a case with one load, and unloading if a body is elastic-plastic."""
+    """Return a case with one load, followed by unloading if a body is elastic-plastic."""
     path = [{"load": load}]
     if not {body1["law"], body2["law"]} <= {"elastic", "rigid"}:
         path.append({"load": 0.0})
@@ -107,7 +107,8 @@ CASES = ELASTIC | YIELDING | ROLLING
 
 
 def closed_form(case: Case) -> dict[str, float]:
-    """Values of elastic paraboloids at the largest load or approach (Hertz); else nothing."""
+    """Hertz values of elastic paraboloids at the largest load or approach; empty for other
+    cases."""
     if not {case["body1"]["law"], case["body2"]["law"]} <= {"elastic", "rigid"}:
         return {}
     if case["surface"]["shape"] != "paraboloid":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.accuracy_cost: cost of a prescribed accuracy against manual grids."""
+"""python -m benchmarks.accuracy_cost: cost of a prescribed accuracy and of manual grids."""
 
 from __future__ import annotations
 
@@ -57,13 +57,13 @@ class Solved(NamedTuple):
 
 
 def error_of(values: dict[str, float], truth: dict[str, float]) -> float:
-    """Return the relative error of the worst quantity."""
+    """Return the maximum relative error of all quantities."""
     return max(abs(values[name] / exact - 1) for name, exact in truth.items() if exact != 0)
 
 
 @cache
 def by_hand(name: str, levels: range = LEVELS) -> list[Solved]:
-    """Solve a case on single grids with given numbers of increments."""
+    """Solve a case on manually chosen grids with given numbers of increments."""
     case = SectionsOfCase.model_validate({"title": "by hand", "accuracy": 0.1, **CASES[name]})
     refinable, truth = RefinableCase(case), known()[name]
     refinable.settle(refinable.run(0, INCREMENTS[0]))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Processor and wall time of one and two threads while other processes load the machine.
 
-One and two threads take turns, so that other work of the machine affects both. While other
-processes are busy, two threads should cost at most 1.3 times the processor time of one, and not be
-slower.
+Runs with one and with two threads alternate, so that other work of the machine affects both. While
+other processes are busy, two threads should cost at most 1.3 times the processor time of one
+thread, and not take longer.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ CASES = ("three balls on a flat", "two find_load")
 
 
 def balls() -> None:
-    """Three runs of four increments, on 41 x 41 x 24 cells."""
+    """Run four increments on 41 x 41 x 24 cells, three times."""
     for _ in range(3):
         grid = sc.Grid(41, 41, 25e-6, 25e-6, 24, 20e-6)
         steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
@@ -68,7 +68,7 @@ def measured(case: str, threads: int) -> tuple[float, float]:
 
 
 def solve(case: str) -> None:
-    """Run the case after a first solve that loads all libraries."""
+    """Measure a case, after a first solution that loads all libraries."""
     warnings.simplefilter("ignore")
     work = balls if case == CASES[0] else searches
     balls()

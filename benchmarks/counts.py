@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operator applications per increment, and cost and benefit of the increment control."""
+"""Operator applications per increment; cost and benefit of automatic sub-increments."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def load_up(meter: Meter, across: int, path: str, method: str) -> dict[str, Any]
 def there_and_back(
     meter: Meter, across: int, method: str
 ) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
-    """Return fields to compare and columns. A method is a number of increments or a tolerance."""
+    """Return fields to compare, and columns; method: number of increments, or a tolerance."""
     automatic = method.startswith("increment_tol")
     half = 1 if automatic else int(method.split()[0]) // 2
     tol = float(method.split()[1]) if automatic else None
@@ -110,7 +110,7 @@ def make_reference(meter: Meter, across: int, method: str, file: str) -> dict[st
 
 
 def cycle(meter: Meter, across: int, method: str, file: str) -> dict[str, Any]:
-    """Return the largest differences from the smallest increments, relative to the maximum."""
+    """Return the maximum relative differences from the run with the smallest increments."""
     fields, work = there_and_back(meter, across, method)
     with np.load(file) as fine:
         errors = {name: largest_error(field, fine[name]) for name, field in fields.items()}

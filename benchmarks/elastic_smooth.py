@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hertz point contact against its closed form."""
+"""Hertz point contact compared with the closed form."""
 
 from __future__ import annotations
 

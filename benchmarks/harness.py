@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measurements in new processes: time, peak memory and solver counters.
 
-A part is a module with a NAME, a TITLE, the function `tasks(quick, folder)` that lists its
-measurements, and functions `f(meter, **arguments)` that the tasks name. Such a function prepares a
-case, passes what is to be measured to the meter, and returns a dictionary: "cells", "errors" (by
-quantity) and any other numbers worth a column.
+A part is a module with a NAME, a TITLE, a function `tasks(quick, folder)` that lists its
+measurements, and functions `f(meter, **arguments)`, whose names the tasks contain. Each of these
+functions prepares a case, passes the work to be measured to the meter, and returns a dictionary:
+"cells", "errors" (by quantity) and other numbers for the table.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def peak_memory() -> int:
 
 
 class Meter:
-    """Meter of calls: their time, and the memory that they add to the process."""
+    """Meter of the time of calls, and of the memory that the calls add to the process."""
 
     def __init__(self) -> None:
         self.time = 0.0
@@ -91,7 +91,7 @@ class Meter:
 
 
 def largest_error(computed: Any, reference: Any) -> float:
-    """Return the largest difference relative to the largest reference value."""
+    """Return the maximum difference relative to the maximum reference value."""
     return float(np.abs(np.subtract(computed, reference)).max() / np.abs(reference).max())
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cost of frictional heating: an equal contact with equal increments, cold and heated."""
+"""Cost of frictional heating: one contact with equal increments, cold and heated."""
 
 from __future__ import annotations
 

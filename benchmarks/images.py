@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cost and error of the periodicity of the fast residual stress: several image tolerances.
+"""Cost and error of the fast residual stress due to its periodicity, by image tolerance.
 
-The strain is smooth, (1 - r^2)^4, so that nothing but the images differs from a box eight times
+The plastic strain is smooth, (1 - r^2)^4. Only the images cause a difference from a box eight times
 as wide.
 """
 

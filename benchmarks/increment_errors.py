@@ -54,7 +54,7 @@ def pressed(load: float, count: int) -> Path:
 
 
 def shaken(load: float, force: float, count: int) -> Path:
-    """Return loading, then a tangential force in one direction, its reversal and its return."""
+    """Return a path: loading, then a tangential force that is applied, reversed and reapplied."""
     shares = np.arange(1, count + 1) / count
     forces = np.concatenate([shares, 1 - 2 * shares, -1 + 2 * shares]) * force
     return pressed(load, count) + [
@@ -63,7 +63,7 @@ def shaken(load: float, force: float, count: int) -> Path:
 
 
 def rolled(load: float, size: float, count: int) -> Path:
-    """Return loading, then rolling over `CELLS_ROLLED` cells in `count` increments."""
+    """Return a path: loading, then rolling over `CELLS_ROLLED` cells in `count` increments."""
     distance = CELLS_ROLLED / count * size
     return pressed(load, count) + [{"load": load, "advance": (distance, distance)}] * count
 
@@ -120,7 +120,7 @@ def solved(setup: Setup, count: int) -> tuple[sc.Simulation, Path, list[sc.State
 
 
 def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State]) -> float:
-    """Return the largest relative difference of a field from a run in more increments.
+    """Return the maximum relative difference of a field from a run with more increments.
 
     Strains are compared in the last state, other fields in all states.
     """
@@ -161,7 +161,7 @@ def errors(setup: Setup, counts: Sequence[int], many: int) -> dict[str, list[tup
 def stated_errors(names: Sequence[str] = tuple(SETUPS), runs: int | None = None) -> str:
     """Return true increment errors, and their ratio to the estimated errors.
 
-    runs: number of increment counts to run for each case; None: all.
+    runs: number of increment counts to run for each case; None for all counts.
     """
     rows = []
     for name in names:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bodies with properties that vary with depth: one coating, five layers, a yield profile.
 
-Layers differ so little from the substrate that all bodies deform equally. Times are processor
-times, of bodies solved alternately, without the first increment, which computes tables.
+Layers differ so little from the substrate that all bodies deform equally. The bodies are solved
+alternately. Times are processor times without the first increment, which computes tables.
 """
 
 from __future__ import annotations

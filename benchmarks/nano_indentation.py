@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nano-indentation case in 26 increments: time of the fast method relative to the exact one."""
+"""Nano-indentation in 26 increments: time of the fast method relative to the exact method."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Residual stress of a real plastic zone: exact and fast method against a converged field.
 
-The plastic strain is that of two balls at the largest load, one fine axisymmetric solution, sampled
-at the cell centres of a box around the plastic zone. The reference samples it on cells an odd
-number of times smaller, so that the coarse cell centres are among the fine ones.
+The plastic strain is from a fine axisymmetric solution for two balls at the largest load, and is
+sampled at the cell centres of a box around the plastic zone. For the reference it is sampled in
+cells that are smaller by an odd factor, so that each coarse cell centre is also a fine cell centre.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def make_profile(meter: Meter, material: str, across: int, file: str) -> dict[st
 
 
 def plastic_box(profile: dict[str, np.ndarray], cells: int) -> sc.Grid:
-    """Return a box of the plastic zone plus one cell, with `cells` cubes per radius of the zone."""
+    """Return a box that exceeds the plastic zone by a cell; `cells`: cubes per zone radius."""
     i, k = np.nonzero(profile["equivalent"] > 1e-7)
     d = profile["r"][i.max()] / cells
     n = 2 * (cells + 1) + 1

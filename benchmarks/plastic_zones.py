@@ -41,7 +41,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def gap(grid: sc.Grid) -> np.ndarray:
-    """Return the gap of a self-affine rigid flat in a bowl."""
+    """Return the gap of a rigid, self-affine rough flat, increased near the borders [m]."""
     rough = sc.surfaces.rough_self_affine(
         grid, 1e-6, 0.8, wavelength_min=MIN_WAVELENGTH * CELL, roll_off=ROLL_OFF * CELL, seed=7
     )
@@ -56,7 +56,7 @@ def gap(grid: sc.Grid) -> np.ndarray:
 def run(
     meter: Meter, n: int, percent: float, zones: str, parts: Sequence[float] = LOADING
 ) -> tuple[sc.Simulation, list[sc.State]]:
-    """Return states under parts of the load for a contact area of about `percent`."""
+    """Return states under fractions of the load that gives a contact area of about `percent`."""
     grid = sc.Grid(n, n, CELL, CELL, dz=CELL)
     surface, area = gap(grid), (n * CELL) ** 2
 
@@ -112,7 +112,7 @@ def solve(
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence per size: subdomains compared with one box in time, memory and fields."""
+    """Return a sentence per size that compares subdomains with one box: time, memory, fields."""
     lines = []
     for across in sorted({row["across"] for row in rows}):
         at = [row for row in rows if row["across"] == across]

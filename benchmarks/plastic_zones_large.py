@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rough contacts of plastic_zones on grids whose single box hardly fits into memory."""
+"""Rough contacts of `plastic_zones` on grids so large that one box hardly fits into memory."""
 
 from __future__ import annotations
 

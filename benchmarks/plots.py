@@ -39,7 +39,7 @@ def label(column: str) -> str:
 
 
 def axes_of(rows: pd.DataFrame, part: ModuleType) -> tuple[list[str], list[str]]:
-    """Return the columns along x and y: those of the part, by default work and errors."""
+    """Return the columns along x and y as the part sets them, by default work and errors."""
     if hasattr(part, "AXES"):
         across, up = part.AXES
         return list(across), list(up)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.resolution: resolution of rough contact, as a page of the docs.
+"""python -m benchmarks.resolution: page of the documentation on resolution of rough contact.
 
 One rough surface, a sum of waves, is pressed onto steel on increasingly fine grids.
 """
@@ -117,7 +117,7 @@ def surface(n: int) -> tuple[np.ndarray, float]:
 
 
 def gap(grid: sc.Grid) -> np.ndarray:
-    """Return the gap of a rigid rough flat with raised borders [m]."""
+    """Return the gap of a rigid rough flat, increased near the borders [m]."""
     rough, rms = surface(grid.nx)
     side = np.maximum(abs(grid.x[:, None]), abs(grid.y)) / (0.5 * SIDE)
     return rough + BOWL * rms * side**8
@@ -126,7 +126,8 @@ def gap(grid: sc.Grid) -> np.ndarray:
 def run(of: str, fine: int, parts: int) -> list[Record]:
     """Return a row for each load, on a grid with `fine` cells per shortest wavelength.
 
-    Each load is reached from the previous one in `parts` increments; memory is that of all loads.
+    Each load is reached from the previous load in `parts` increments. The memory is the maximum
+    over all loads.
     """
     n, cell = WAVES * fine, MIN_WAVELENGTH / fine
     grid = sc.Grid(n, n, cell, cell, dz=cell)

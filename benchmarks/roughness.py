@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Self-affine surface as a sum of waves, so that every grid samples the same surface.
 
-`samcontact.surfaces.rough_self_affine` filters noise of the grid itself: another grid is another
-surface.
+`samcontact.surfaces.rough_self_affine` filters noise on the given grid, so another grid gives
+another surface.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ import numpy as np
 
 
 def wave_amplitudes(highest: int, hurst: float, seed: int, lowest: int = 1) -> np.ndarray:
-    """Complex amplitudes [kx, ky] of waves of kx and ky periods over the side, kx = -highest ..
-    highest, ky = 0 .. highest, isotropic: the power falls as k^(-2 (1 + hurst)) for lowest <= k <=
-    highest and is zero elsewhere."""
+    """Complex amplitudes [kx, ky] of waves with kx = -highest .. highest and ky = 0 .. highest
+    periods over the side. They are isotropic; the power decreases as k^(-2 (1 + hurst)) for lowest
+    <= k <= highest and is zero elsewhere."""
     rng = np.random.default_rng(seed)
     kx, ky = np.arange(-highest, highest + 1)[:, None], np.arange(highest + 1)[None, :]
     k = np.hypot(kx, ky)

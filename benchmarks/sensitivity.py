@@ -2,8 +2,8 @@
 """python -m benchmarks.sensitivity: sensitivity of the gallery's stated numbers to the mesh.
 
 Each part of the gallery is computed again with halved cells, layers and increments and with a grid
-a quarter larger and deeper, one at a time. A number that changes by more than is stated needs a
-finer mesh, a limit or a remark. --docs writes docs/sensitivity.md from the stored table.
+a quarter larger and deeper, one at a time. A number that changes by more than its stated tolerance
+needs a finer mesh, a limit or a remark. --docs writes docs/sensitivity.md from the stored table.
 """
 
 from __future__ import annotations

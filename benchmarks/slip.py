@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Partial slip: work of shear and pressure solutions, compared with Cattaneo and Mindlin.
 
-Also rolling with creepage, steady and incremental.
+Rolling with creepage, steady and incremental, is included.
 """
 
 from __future__ import annotations
@@ -101,7 +101,7 @@ def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
 
 
 def press_dissimilar(meter: Meter, n: int, last: int) -> dict[str, Any]:
-    """A rigid ball on a body with nu = 0, mu = 0.3, the contact radius growing in equal steps."""
+    """Press a rigid ball on a body (nu = 0, mu = 0.3) to contact radii in equal steps."""
     grid = sc.Grid(n, n, 1 / n, 1 / n)
     solver = sc.ContactSolver(
         grid, sc.Material.rigid(), sc.Material.elastic(1.0, 0.0), sc.Coulomb(MU)

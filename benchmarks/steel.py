@@ -26,8 +26,10 @@ def balls(
     lower: sc.Material = STEEL,
     **settings: object,
 ) -> sc.Simulation:
-    """Return a simulation with `across` cells per Hertz radius; half-width and depth are in
-    Hertz radii."""
+    """Return a simulation with `across` cells per Hertz radius, the unit of `width` and `depth`.
+
+    width: half of the width of the grid.
+    """
     d = hertz(load).a / across
     n = 2 * int(width * across) + 1
     grid = sc.Grid(n, n, d, d, int(depth * across), d)

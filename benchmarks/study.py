@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies: points to run, their stored records, and a page generated from the records.
 
-A study is a module of this package, or the module `page` of a folder, with a `STUDY`. Its command
-is `python -m benchmarks.NAME`. A point is a dictionary of arguments, of which `of` names its group;
-a record contains its point, the results of the run, and `on`, version and processor.
+A study is a module of this package, or the module `page` of a folder, with a `STUDY`. The command
+of a study is `python -m benchmarks.NAME`. A point is a dictionary of arguments; its entry `of`
+names the group of the point. A record contains a point, the results of its run, and `on` (version
+and processor).
 """
 
 from __future__ import annotations
@@ -193,7 +194,7 @@ def by_group(records: Iterable[Record]) -> dict[str, list[Record]]:
 
 
 def table(heading: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Markdown."""
+    """Return a Markdown table."""
     lines = [heading, ["---"] * len(heading), *rows]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 

@@ -74,7 +74,7 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
 
 
 def rows_of(section: str) -> list[dict[str, Any]]:
-    """Return the rows of the table of a section: numbers as written, without missing cells."""
+    """Return the rows of the table in a section: numbers as written, empty cells omitted."""
     lines = [line for line in section.splitlines() if line.startswith("|")]
     head, _, *rest = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     return [
@@ -112,9 +112,9 @@ def environment() -> str:
 
 
 def with_sections(old: str, text: str, titles: list[str]) -> str:
-    """Return the text between the markers with new sections in place of old ones, by title.
+    """Return the text between the markers, with sections replaced by new ones of equal title.
 
-    The part before the first section is that of the new text.
+    The text before the first section is taken from the new text.
     """
     head, *new = _sections(text)
     kept = dict(map(_titled, _sections(old)[1:])) | dict(map(_titled, new))

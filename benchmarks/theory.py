@@ -107,7 +107,7 @@ def rolling_reach(steps: int = 100) -> str:
 
 
 def rollers(ratio: float, friction: float, hardening: float) -> tuple[sc.Simulation, list]:
-    """Return rollers 6 half-widths apart on cells of b/10 (p0 in multiples of k), and one pass."""
+    """Return a simulation of rollers 6 half-widths b apart on cells of b/10, and one pass."""
     shear_limit, width = 50e6, 1e-4
     body = sc.Material.perfect_plastic(210e9, 0.3, math.sqrt(3) * shear_limit)
     if hardening:
@@ -181,7 +181,7 @@ def compared(found: sc.GridErrors, truth: dict[str, float]) -> dict[str, float]:
 
 
 def hertz_ratios(cells: int, ratio: float) -> dict[str, float]:
-    """Return ratios for closed forms; for circular contacts including the stress."""
+    """Return ratios for closed forms; for circular contacts, the stress is included."""
     modulus = sc.hertz.effective_modulus(STEEL, STEEL)
     exact = sc.hertz.elliptic(7.5e-3, ratio * 7.5e-3, modulus, load=1500.0)
     truth = {"approach": exact.approach, "max_pressure": exact.p0,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One and two threads: contact, increments and subdomains; sweeps in one and two processes.
+"""Times on one and two threads (contact, increments, subdomains) or processes (sweeps).
 
 Times are wall-clock times, so the machine must have two free processors.
 """

@@ -35,9 +35,9 @@ def finest(
     grid: int = INCREMENTS_ON,
     increments: tuple[int, ...] = INCREMENTS,
 ) -> dict[str, float]:
-    """Return the best values within a time limit, by one order; closed forms if there are any.
+    """Return values extrapolated from runs within a time limit, or closed forms where known.
 
-    All grids use the fewest increments; one grid with more of them gives a correction.
+    All grids use the fewest increments; a run with more increments on one grid gives a correction.
     """
     refinable = RefinableCase(
         SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case})
@@ -82,7 +82,7 @@ def points(quick: bool) -> list[Record]:
 
 
 def known() -> dict[str, dict[str, float]]:
-    """Return the stored records by case and quantity."""
+    """Return the stored reference values by case and quantity."""
     return {record["of"]: record["values"] for record in STUDY.records()}
 
 

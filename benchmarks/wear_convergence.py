@@ -71,7 +71,7 @@ FILTERS: dict[str, dict[str, Any]] = {
 def solve(
     point: Record, side: float, depth: float, load: float, rough: bool, cycles: int
 ) -> sc.wear.WearResult:
-    """Compute the wear with the ball and the steel of the thesis."""
+    """Compute the wear for the ball and the steel of Boucly's thesis."""
     dx, dz = point["dx"], point["dz"]
     count = 2 * round(0.5 * side / dx) + 1
     grid = sc.Grid(count, count, dx, dx, round(depth / dz), dz)

@@ -42,10 +42,10 @@ CRITICAL = sc.critical.green(0.5, sc.hertz.effective_modulus(STEEL, STEEL), 0.32
 @dataclass
 class Results:
     runs: dict[float, CollisionResult]
-    """Results by interference over the critical interference."""
+    """Results by ratio of the interference to the critical interference."""
     elastic: CollisionResult
     again: CollisionResult
-    """Three passes."""
+    """Result of three passes."""
     energies: dict[int, float]
     """Net energy over the critical energy at 9 critical interferences, by number of increments."""
     mesh: str
@@ -98,7 +98,7 @@ def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def asymmetry(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the maximum deviation of a curve from (anti)symmetry, relative to the maximum."""
+    """Return the maximum asymmetry (sign 1: of an even curve; -1: odd), relative to the peak."""
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
@@ -146,7 +146,7 @@ def forces(results: Results) -> list[Number | Statement]:
 
 
 def at_exit(result: CollisionResult) -> float:
-    """Extrapolate the load ratio to the end of contact by a parabola fitted to four increments."""
+    """Return the load ratio at the end of contact, extrapolated by a parabola of 4 increments."""
     series = result.series.isel({"pass": 0})
     touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
     end = result.collision.half_distance

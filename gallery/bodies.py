@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials and grids of several parts."""
+"""Materials and grids that several parts of the gallery use."""
 
 from __future__ import annotations
 
@@ -29,10 +29,11 @@ def square(
     per_cell: int = 1,
     layer: float | None = None,
 ) -> sc.Grid:
-    """Return a square grid of half-width `width` times a and depth `depth` times a (0: no layers).
+    """Return a square grid; `width` and `depth` are its half-width and depth in multiples of a.
 
-    The centre of one cell lies at the origin. cells: number of cells per length a [m]; per_cell:
-    number of layers per cell size, unless `layer` gives the layer thickness [m].
+    The centre of one cell lies at the origin. With depth 0 the grid has no layers. cells: number of
+    cells per length a [m]; per_cell: number of layers per cell size, unless `layer` gives the layer
+    thickness [m].
     """
     n, d = 2 * int(width * cells) + 1, a / cells
     if depth == 0.0:

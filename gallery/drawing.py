@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Style of the figures of several parts."""
+"""Common style of the figures of the gallery."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def axes(
     layout: Any = "constrained",
     **shared: Any,
 ) -> tuple[Figure, Any]:
-    """Return a figure with the given number of axes; `shared` is passed to `Figure.subplots`."""
+    """Return a figure with rows and columns of axes; `shared` is passed to `Figure.subplots`."""
     figure = Figure(figsize=size, layout=layout)
     return figure, figure.subplots(rows, columns, **shared)
 

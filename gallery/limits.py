@@ -20,7 +20,7 @@ class Limit:
 
 
 def first_order(counts: Sequence[float], values: Sequence[float], what: str) -> Limit:
-    """Extrapolate values at three or more increasing counts (cells, increments) by v + c/count."""
+    """Return the limit v of values, fitted by v + c/count at three or more increasing counts."""
     pairs = list(zip(counts, values, strict=True))
     *_, coarse, fine = ((m * v - n * u) / (m - n) for (n, u), (m, v) in pairwise(pairs))
     listed = (", ".join(f"{x:.4g}" for x in row) for row in (values, counts))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Changes of the stated values of a part with the mesh, from the table stored in benchmarks."""
+"""Changes of the computed values of a gallery page with the mesh, stored in benchmarks."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ error.
 
 @dataclass(frozen=True, order=True)
 class Move:
-    """Change of a value with the mesh [%], and whether the mesh is the mesh of the page."""
+    """Change of a value with the mesh [%]; `own`: whether found on the mesh of the page."""
 
     percent: float
     own: bool
@@ -38,7 +38,7 @@ class Move:
 
 @dataclass(frozen=True)
 class Moves:
-    """Row of a page: quantity, computed numbers, and their change for each kind of mesh change."""
+    """Quantity of a page, its computed numbers, and the change due to each change of the mesh."""
 
     quantity: str
     values: list[float]
@@ -50,7 +50,7 @@ class Moves:
 
 
 def words(quantity: str) -> str:
-    """Return the text of a quantity without its numbers; coarse meshes have fewer numbers."""
+    """Return the letters of a quantity, as a key: its numbers may differ between meshes."""
     return "".join(letter for letter in quantity if letter.isalpha())
 
 
@@ -91,7 +91,7 @@ def note(table: list[Moves]) -> str:
 
 
 def column(table: list[Moves]) -> dict[str, str]:
-    """Return the maximum change of each quantity by its `words`; coarse ones in brackets."""
+    """Return the maximum change of each quantity; changes on coarse meshes are in brackets."""
     mixed = note(table) == BOTH_MESHES_NOTE
     largest: dict[str, Move] = {}
     for moves in table:

@@ -86,7 +86,7 @@ def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def control_difference(results: Results) -> float:
-    """Return the maximum load difference of both runs at equal approach, over the peak load."""
+    """Return the maximum load difference of both runs at equal approach, divided by peak load."""
     split = results.top + 1
     found = []
     for part in (slice(0, split), slice(split - 1, None)):
@@ -111,7 +111,7 @@ def imprints(states: list[sc.State]) -> np.ndarray:
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    """Return the stated values of the thesis and the computed ones."""
+    """Return the values that the thesis states, each with the computed value."""
     grid, top = results.grid, results.by_load[results.top]
     elastic = hertz(LOAD)
     difference = control_difference(results)

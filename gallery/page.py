@@ -29,7 +29,7 @@ UNSTATED = ("not stated", "not compared")
 
 @dataclass(frozen=True)
 class Picture:
-    """Figure with file name and caption, which starts with the figure number in the thesis."""
+    """Figure with file name and caption; the caption starts with the thesis's figure number."""
 
     name: str
     caption: str
@@ -58,12 +58,12 @@ class Part(Protocol):
 
 
 def digits(value: float) -> str:
-    """Return a number with four digits, or with all digits before the decimal point if more."""
+    """Return a number with four digits, or rounded to an integer if it has more integer digits."""
     return f"{value:.4g}" if abs(value) < 1e4 else f"{value:.0f}"
 
 
 def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
-    """Return the Markdown table of stated and computed values and their sensitivity to the mesh."""
+    """Return the Markdown table of values from the thesis, computed values and sensitivities."""
     largest = moves.column(moved)
     heads = ["quantity", "thesis", "samcontact", "difference", "mesh"]
     heads += ["sensitivity"] * bool(moved)
@@ -95,7 +95,7 @@ def table(entries: list[Number | Statement], moved: list[moves.Moves]) -> str:
 
 
 def write(name: str, part: Part, results: Any, folder: Path) -> list[Number | Statement]:
-    """Write the page and the figures of a part, and return its stated values."""
+    """Write page and figures of a part; return the values of the thesis with computed values."""
     folder.mkdir(parents=True, exist_ok=True)
     entries = part.stated(results)
     text = [

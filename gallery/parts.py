@@ -60,7 +60,7 @@ def part_of(name: str) -> str:
 
 
 def make(parts: Sequence[str], folder: Path, quick: bool = False) -> int:
-    """Write pages and figures of parts; return the number of stated values that differ."""
+    """Write pages and figures of parts; return how many values differ from the thesis."""
     failed = 0
     for name in parts:
         start = time.perf_counter()

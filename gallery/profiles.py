@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stresses, profiles and lists of numbers used by several parts."""
+"""Functions for stresses, profiles and lists of numbers that several parts use."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def von_mises(stress: np.ndarray) -> np.ndarray:
 
 
 def succession(values: np.ndarray, negligible: float) -> list[str]:
-    """Describe the signs of a stress from the surface down, without negligible values."""
+    """Describe the signs of a stress from the surface down; negligible values are omitted."""
     found: list[str] = []
     for value in values[np.abs(values) > negligible]:
         sign = "tensile" if value > 0 else "compressive"

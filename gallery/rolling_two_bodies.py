@@ -196,7 +196,7 @@ def again(results: Results) -> float:
 
 
 def lean(run: Run) -> tuple[float, float]:
-    """Return x/a of the maximum pressure and of the resultant force under a rolling ball."""
+    """Return the positions x/a of maximum pressure and resultant force under a rolling ball."""
     p = run.pressure_along[-1]
     return top(run.x, p)[1] / run.a, float(np.sum(p * run.x) / np.sum(p)) / run.a
 

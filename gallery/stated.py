@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values stated in the thesis, one row of `statements.toml` each, and the computed ones.
+"""Values that the thesis states (rows of `statements.toml`), and the computed values.
 
-Fields of a row: `quantity`; `thesis`, a number or words; for numbers `unit`, `tolerance` and
-`converged`; for words `ours`, the format of the computed values, and `contradicted`; `mesh`, if it
-is equal in every run; `remark`. A table in place of a value gives one value for each condition
-`at`, e.g. a load. Texts contain `str.format` placeholders, which the part fills.
+A row has the fields `quantity`, `thesis` (a number or words), `remark`, and `mesh` if all runs have
+the same mesh. A row with a number also has `unit`, `tolerance` and `converged`. A row with words
+also has `ours`, the format of the computed values, and `contradicted`. A field may be a table with
+one value for each condition `at`, e.g. a load. Texts contain `str.format` placeholders, which the
+gallery part fills.
 """
 
 from __future__ import annotations
@@ -76,33 +77,33 @@ class Listing(string.Formatter):
 
 @cache
 def table() -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the rows of each part, by name."""
+    """Read `statements.toml`; return the rows by gallery part and name."""
     text = Path(__file__).with_name("statements.toml").read_text(encoding="utf-8")
     found: dict[str, dict[str, dict[str, Any]]] = tomllib.loads(text)
     return found
 
 
 class Stated:
-    """Rows of a part; `fields` fill the placeholders of their texts, or replace the texts."""
+    """Rows of a gallery part; `fields` fill placeholders in the rows, or replace their fields."""
 
     def __init__(self, part: str, **fields: Any) -> None:
         self.part, self.fields = part, fields
 
     def on(self, mesh: str, **fields: Any) -> Stated:
-        """Return these rows with `mesh` as the mesh of rows that state none."""
+        """Return these rows with `mesh` as the mesh of all rows without a mesh of their own."""
         return Stated(self.part, **self.fields, mesh=mesh, **fields)
 
     def values(self, name: str) -> dict[Any, Any]:
-        """Return the stated values of a row with several values, by condition."""
+        """Return the thesis's values in a row, as a dictionary by condition, e.g. by load."""
         found: dict[str, Any] = table()[self.part][name]["thesis"]
         return {_key(key): value for key, value in found.items()}
 
     def number(self, name: str, ours: float, **fields: Any) -> Number:
-        """Return the row with this name, with the number computed in the unit of the row."""
+        """Return the row with this name; `ours`: the computed number, in the unit of the row."""
         return Number(**self._filled(name, (), fields), ours=ours)
 
     def trend(self, name: str, holds: bool, *ours: Any, **fields: Any) -> Statement:
-        """Return the trend with this name; `holds`: whether it holds; `ours`: computed values."""
+        """Return the trend in the row with this name; `ours`: the computed values."""
         return Statement(**self._filled(name, ours, fields), holds=bool(holds))
 
     def _filled(self, name: str, ours: tuple[Any, ...], fields: dict[str, Any]) -> dict[str, Any]:

@@ -23,7 +23,7 @@ BALL = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(CERAMIC, STEEL_52100), 
 
 
 def ellipse(k: float, p0: float = BALL.p0, E_star: float = BALL.E_star) -> sc.hertz.EllipticContact:
-    """Return the Hertz contact of ellipticity k whose semi-axis along x equals the ball's."""
+    """Return the Hertz contact of ellipticity k with the contact radius of `BALL` along x."""
     across, reference = 1.0, sc.hertz.point(RADIUS, E_star, p0=p0)
     if k > 1:
 
@@ -141,7 +141,7 @@ class Run:
     vertical: Cycle
     """State of the lower body at full load, before rolling."""
     vertical_pressure: np.ndarray
-    """Pressure in the plane y = 0 in this state."""
+    """Pressure in the plane y = 0 at full load, before rolling."""
     loading: np.ndarray
     """Load, maximum pressure and maximum plastic strain of each loading increment."""
     cycles: list[Cycle] = field(default_factory=list)
@@ -251,7 +251,7 @@ def both_cycles(
     name: str,
     points: Callable[[Run, int], tuple[np.ndarray, np.ndarray]],
 ) -> None:
-    """Draw one curve per run after one (dashed) and two cycles; `name` is a format for its key."""
+    """Draw a curve of each run after one (dashed) and two cycles; `name`: format of labels."""
     for n, (key, run) in enumerate(runs.items()):
         for cycle, style in zip(range(len(run.cycles)), ("--", "-"), strict=False):
             label = name.format(key) if cycle == len(run.cycles) - 1 else None

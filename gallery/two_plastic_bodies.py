@@ -53,7 +53,7 @@ class Case:
     hydrostatic: np.ndarray
 
     def at(self, load: float) -> tuple[float, float]:
-        """Return p_max and plastic strain at a load (interpolated)."""
+        """Return maximum pressure and plastic strain, interpolated at a load."""
         return (
             float(np.interp(load, self.load, self.p_max)),
             float(np.interp(load, self.load, self.gamma)),
@@ -70,7 +70,7 @@ class Results:
     cases: dict[str, Case]
     peak: sc.hertz.PointContact
     beyond: tuple[np.ndarray, np.ndarray]
-    """Hertz pressure and plastic strain of E_EP around 2 %."""
+    """Hertz pressure and plastic strain of E_EP, around a plastic strain of 2 %."""
     mesh: str
     low_mesh: str
 
@@ -131,7 +131,7 @@ def compute(quick: bool) -> Results:
 
 
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return loads, and the excess of p_max of E_EP over p_max of a pair [%], equation (2.168)."""
+    """Return loads, and the difference of p_max between pair E_EP and another [%], eq. (2.168)."""
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 
@@ -167,7 +167,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def stated_axis(results: Results) -> list[Number | Statement]:
-    """Return the rows on the residual hydrostatic stress on the axis."""
+    """Return the statements on the residual hydrostatic stress on the axis."""
     one, two = results.cases["E_EP"], results.cases["EP_EP"]
     a, p0, mesh = results.peak.a, results.peak.p0, results.mesh
     (low, depth), (low2, depth2) = (top(c.z / a, -c.hydrostatic / p0) for c in (one, two))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A rigid ball on a body that yields: mean pressure from first yield to the fully plastic range.
 
-The strains are chosen small, by a yield stress that is small against E: far smaller than in a
-hardness test. Then the theory of small strains is exact, and of perfect plasticity the only number
-left is E* a/(Y R).
+The yield stress is much smaller than E, so that the strains are far smaller than in a hardness
+test. The theory of small strains is then exact, and results of perfect plasticity depend on the
+number E* a/(Y R) only.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Indentation(NamedTuple):
 
     @property
     def stiffness(self) -> float:
-        """E* a/(Y R), with Y at the representative strain."""
+        """Ratio E* a/(Y R), with Y at the representative strain."""
         return self.radius / self.yield_stress
 
     @property
@@ -46,9 +46,9 @@ class Indentation(NamedTuple):
 
 
 def press(material: sc.Material, radius: float, mean_pressure: float, cells: int) -> Indentation:
-    """Load until about this contact radius [m], at about this mean pressure [Pa].
+    """Load until the contact radius [m] and the mean pressure [Pa] are about the given ones.
 
-    The contact area is that of the cells under pressure.
+    The contact area is the area of the cells under pressure.
     """
     size, half = radius / cells, int(1.3 * cells)
     grid = sc.Grid(2 * half + 1, 2 * half + 1, size, size, dz=size)
@@ -72,7 +72,7 @@ def press(material: sc.Material, radius: float, mean_pressure: float, cells: int
 
 
 def perfect(stiffness: float, cells: int) -> Indentation:
-    """Indent a perfectly plastic body to about this E* a/(Y R)."""
+    """Indent a perfectly plastic body to about the given E* a/(Y R)."""
     Y = YIELD_STRAIN * E
     guess = min(float(cavity(stiffness)), 2.9)
     if stiffness < 3.0:
@@ -82,7 +82,7 @@ def perfect(stiffness: float, cells: int) -> Indentation:
 
 
 def hardening(exponent: float, to_radius: float, cells: int) -> Indentation:
-    """Indent a body with power-law hardening of this exponent.
+    """Indent a body with power-law hardening of the given exponent.
 
     At a contact radius of 0.02 R, E* a/(Y R) is 40 with Y at the representative strain.
     """
@@ -108,10 +108,10 @@ def first_yield() -> float:
 def cavity(stiffness: float | np.ndarray) -> np.ndarray:
     """Return the mean pressure over Y by the expanding cavity model.
 
-    A core below the ball under even pressure grows by the volume that the ball displaces, with
-    tan(beta) = a/R, in a sphere that yields out to c: (c/a)^3 is the logarithm's argument, and the
-    core bears 2/3 Y (1 + ln) by Hill. Along the axis of a core that yields itself there is 2/3 Y
-    more. K. L. Johnson, J. Mech. Phys. Solids 18 (1970) 115-126; Contact Mechanics (1985), 6.3.
+    A core under uniform pressure below the ball grows by the volume that the ball displaces, with
+    tan(beta) = a/R, inside a sphere that yields to the radius c. By Hill, the core bears 2/3 Y (1 +
+    ln (c/a)^3). If the core itself yields, the stress along its axis is 2/3 Y larger. K. L.
+    Johnson, J. Mech. Phys. Solids 18 (1970) 115-126; Contact Mechanics (1985), 6.3.
     """
     ratio = (1.0 - NU**2) * np.asarray(stiffness)  # E a/(Y R)
     return 2.0 / 3.0 * (2.0 + np.log((ratio + 4.0 * (1.0 - 2.0 * NU)) / (6.0 * (1.0 - NU))))

@@ -30,7 +30,7 @@ EXPONENTS = (0.1, 0.2, 0.3)
 RADII = (0.02, 0.04)
 
 TABOR = (2.6, 3.0)
-"""2.8 +- 0.2."""
+"""Tabor's constraint factor, 2.8 +- 0.2."""
 METALS = {  # Y [Pa], with the order of magnitude of E*/Y
     "bearing steel": 2.0e9,
     "steel, worked": 0.65e9,
@@ -156,7 +156,7 @@ def hardening_table(rows: Prints) -> list[dict[str, Any]]:
 
 
 def meyer(rows: Prints) -> dict[float, float]:
-    """Return the exponent of the imprint radius in the load, for each hardening exponent."""
+    """Return Meyer's exponent (load as a power of the imprint radius), by hardening exponent."""
     found = {}
     for n in EXPONENTS:
         first, last = (one for exponent, one in rows if exponent == n)
@@ -166,7 +166,7 @@ def meyer(rows: Prints) -> dict[float, float]:
 
 
 def spread(rows: Prints) -> float:
-    """Return the maximum relative difference of mean pressures from those on the finest grid."""
+    """Return the maximum relative difference of mean pressures from results on the finest grid."""
     last = dict(rows)
     return max(abs(one.constraint / last[prescribed].constraint - 1) for prescribed, one in rows)
 

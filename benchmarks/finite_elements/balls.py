@@ -128,7 +128,7 @@ def finite_elements(folder: Path, across: int, flatter: float | None = None) -> 
 
 
 def numbers_of(file: Path) -> dict[str, float]:
-    """Return load, stresses, strain and imprint depth from the output at the end of both steps."""
+    """Return load, stresses, strain and imprint depth from the outputs of both steps."""
     tables = calculix.tables_of(file)
     loaded, released = tables["stresses", "AXIAL"]
     strain = tables["equivalent plastic strain", "AXIAL"][0]
@@ -167,7 +167,7 @@ def measure_accuracy(accuracy: float) -> dict[str, float]:
 
 
 def measure_slopes(flatter: float) -> dict[str, float]:
-    """Return finite element results of an elastic contact over those of Hertz (slope effect)."""
+    """Return ratios of finite element results of an elastic contact to Hertz's (slope effect)."""
     with tempfile.TemporaryDirectory() as folder:
         run = finite_elements(Path(folder), SLOPES_ON, flatter)
     approach = 1e-3 * deck.APPROACH / flatter

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Decks for CalculiX: an elastic paraboloid on an elastic-plastic half-space, loaded and unloaded.
 
-Axisymmetric, quadratic elements with reduced integration, graded towards a far border; face to face
-contact. Millimetres, newtons, megapascals.
+The model has axisymmetric quadratic elements with reduced integration, which become larger towards
+a distant border. Contact is face to face. Units are millimetres, newtons and megapascals.
 """
 
 from __future__ import annotations
@@ -99,10 +99,10 @@ def to_approach(approach: float, increments: int) -> list[str]:
 
 
 def write(path: Path, per_radius: int, flatter: float | None = None) -> int:
-    """Write the deck with this many elements per Hertz radius; return the number of elements.
+    """Write a deck with a given number of elements per Hertz radius; return their total number.
 
-    flatter: elastic bodies, the radius multiplied by this factor, and the approach of the same
-    Hertz contact.
+    flatter: factor on the radius; the bodies are then elastic, and the approach is the one of an
+    equal Hertz contact.
     """
     scale = flatter or 1.0
     lower = block(per_radius, False, scale, 1, 1)

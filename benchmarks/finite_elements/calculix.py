@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run CalculiX on a deck, and read what it prints."""
+"""Execution of CalculiX on a deck, and reading of its output."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Common parts of the CalculiX decks: sets, both materials, contact, steps.
 
-Millimetres, newtons, megapascals.
+Units are millimetres, newtons and megapascals.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ The time for writing the input deck is not included.
 
 
 def cases(quick: bool) -> list[Record]:
-    """Return the points: each contact by each code and mesh size, and further runs of the balls."""
+    """Return all points: contacts, codes and mesh sizes, and additional runs of the balls."""
     sizes = {
         name: {
             "samcontact": problem.CELLS[:2] if quick else problem.CELLS,

@@ -23,12 +23,12 @@ Points = list[tuple[float, float]]
 
 
 def both(found: dict[str, Runs]) -> dict[str, Runs]:
-    """Return the runs of the two codes without further runs."""
+    """Return the runs of the two codes, without the additional runs."""
     return {code: found[code] for code in ("CalculiX", "samcontact")}
 
 
 def limit(runs: Runs, quantity: str) -> float:
-    """Return the limit, extrapolated with order two from the two finest meshes."""
+    """Return the limit of fine meshes, extrapolated with order two from the two finest ones."""
     (coarse, a), (fine, b) = sorted((int(size), run[quantity]) for size, run in runs.items())[-2:]
     ratio = (fine / coarse) ** 2
     return float((ratio * b - a) / (ratio - 1))
@@ -55,7 +55,7 @@ def points_against(truth: dict[str, float], runs: Runs, quantities: Quantities) 
 
 
 def time_at(known: Points, error: float) -> float | None:
-    """Return the time at an error, interpolated in logarithms; None outside the known errors."""
+    """Return the time to reach an error, interpolated in logarithms; None outside the data."""
     errors, times = np.log(sorted(known)).T
     if not errors[0] <= np.log(error) <= errors[-1]:
         return None

@@ -101,7 +101,7 @@ def finite_elements(folder: Path, across: int) -> dict[str, float]:
 
 
 def numbers_of(file: Path) -> dict[str, float]:
-    """Return approach, stresses, strain and imprint depth from the output at the end of both steps.
+    """Return approach, stresses, strain and imprint depth from the outputs of both steps.
 
     Raises
     ------

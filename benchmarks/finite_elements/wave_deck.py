@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Decks for CalculiX: a rigid wavy surface pressed onto an elastic-plastic half-space and lifted.
 
-Three-dimensional, a quarter of the period with sides that slide, quadratic elements with reduced
-integration, graded with depth; face to face contact. Millimetres, newtons, megapascals.
+The model is three-dimensional: a quarter of the period, whose sides slide, in quadratic elements
+with reduced integration that become longer with depth. Contact is face to face. Units are
+millimetres, newtons and megapascals.
 """
 
 from __future__ import annotations
@@ -77,7 +78,8 @@ def with_middles(corners: FloatArray) -> FloatArray:
 def block(
     name: str, x: FloatArray, z: FloatArray, wavy: bool, first_node: int, first_element: int
 ) -> Block:
-    """Elements with corners at x, y = x and z; a wavy one is lifted by the wave."""
+    """Elements with corners at `x` along x and y, and at `z`; a wavy block is lifted by the
+    wave."""
     across, down = with_middles(x), with_middles(z)
     nodes: dict[At, int] = {}
     lines = [f"*NODE, NSET=OF{name}"]
@@ -120,7 +122,7 @@ def steps(pushed: int) -> list[str]:
 
 
 def write(path: Path, across: int) -> int:
-    """Write the deck with this many elements per half period; return those of the lower body."""
+    """Write a deck with elements per half period; return the element count of the lower body."""
     x = np.linspace(0.0, 0.5 * PERIOD, across + 1)
     z = -depths(across)[::-1]
     lower = block("LOWER", x, z, False, 1, 1)

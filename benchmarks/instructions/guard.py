@@ -32,7 +32,7 @@ ALLOWANCE = re.compile(
 
 
 class Skip(Exception):
-    """No comparison is possible."""
+    """Exception if no comparison is possible."""
 
 
 def allowances(messages: str) -> dict[str, float]:
@@ -109,13 +109,13 @@ def find_base(revision: str) -> str:
 
 
 class BuildError(Exception):
-    """A build failed; the message is its output."""
+    """Error for a failed build; the message is the output of the build."""
 
 
 def build(source: Path) -> Path:
     """Build the driver of a source tree; returns the program.
 
-    Flags and folder depth are those of the package build, so that ccache finds the objects.
+    Flags and folder depth are as in the package build, so that ccache finds the objects.
     """
     folder = source / "build" / "instructions"
     options = [

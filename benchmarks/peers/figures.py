@@ -22,7 +22,7 @@ def style(code: str) -> dict[str, str]:
 
 
 def draw_precision(axes: Axes, codes: dict[str, Ladder], problem: str) -> None:
-    """Draw error against time, relative to samcontact at the error of `COUNTED_AT`."""
+    """Draw error against time; times are relative to samcontact at the error `COUNTED_AT`."""
     unit = time_at(points(codes[OURS], MEASURE[problem], TIME), COUNTED_AT[problem])
     for code, ladder in codes.items():
         curve = points(ladder, MEASURE[problem], TIME)
@@ -34,7 +34,7 @@ def draw_precision(axes: Axes, codes: dict[str, Ladder], problem: str) -> None:
 
 
 def draw_ratios(axes: Axes, places: dict[int, dict[str, Ladder]], problem: str) -> None:
-    """Draw the time relative to samcontact at equal error, against the cells across."""
+    """Draw the time relative to samcontact at equal error against the number of cells across."""
     for code in CODES:
         found = {}
         for n, codes in places.items():
@@ -51,7 +51,7 @@ def draw_ratios(axes: Axes, places: dict[int, dict[str, Ladder]], problem: str) 
 
 
 def figure(data: dict[str, Any], problem: str) -> Figure | None:
-    """Return the figure of a problem, with a row for each case."""
+    """Return the figure of a problem, with a row of axes for each case."""
     by_case: dict[str, dict[int, dict[str, Ladder]]] = {}
     for (name, case, n), codes in by_place(data).items():
         if name == problem and OURS in codes:

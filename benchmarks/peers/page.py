@@ -64,7 +64,7 @@ def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
 
 
 def row_counts(problem: str, tol: float) -> bool:
-    """Return whether the row is no reference; the error of a reference is zero."""
+    """Whether a row is a measurement, not a reference (whose error is zero)."""
     return tol not in tight(problem).values()
 
 
@@ -78,8 +78,9 @@ def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]
 
 
 def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
-    """Return the time to reach an error, interpolated in logarithms between the tolerances
-    on both sides; that of the loosest if it is sufficient; None if it is never reached."""
+    """Return the time to reach an error, interpolated in logarithms between the two nearest
+    tolerances. It is the time of the loosest tolerance if this is sufficient, and None if the error
+    is never reached."""
     reached = [i for i, (found, _) in enumerate(curve) if found <= error]
     if not reached:
         return None
@@ -94,7 +95,7 @@ def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
 def ratio_at(
     codes: dict[str, Ladder], code: str, measure: str, time: str, error: float
 ) -> float | None:
-    """Return the time of a code over that of samcontact, at equal error."""
+    """Return the time of a code divided by the time of samcontact at equal error."""
     ours, other = (time_at(points(codes[name], measure, time), error) for name in (OURS, code))
     return other / ours if ours and other else None
 
@@ -108,13 +109,13 @@ def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
 
 
 def table(lines: list[dict[str, Any]]) -> str:
-    """Return the Markdown table of rows with equal keys."""
+    """Return the Markdown table of dictionaries with equal keys, one per row."""
     return table_of([{name: "" if value is None else cell(value) for name, value in line.items()}
                      for line in lines])  # fmt: skip
 
 
 def where(place: Place, codes: dict[str, Ladder]) -> str:
-    """Return the name of a problem in a table, with its contact fraction if there are several."""
+    """Return the name of a problem in a table, with the contact fraction if there are several."""
     _, case, _ = place
     row = next(iter(codes[OURS].values()))[0]
     return f"{case}, {100 * row['contact_fraction']:.2g} %" if case else "one"
@@ -157,7 +158,7 @@ def times_of(problem: str) -> dict[str, str]:
 def converged(
     target_problem: str, data: dict[str, Any], case: str = ""
 ) -> Iterator[tuple[int, str, dict[str, Any]]]:
-    """Return cells across, code and row of the tightly converged contacts of a problem."""
+    """Return cells across, code and row for each tightly converged contact of a problem."""
     for key, rounds in data["rows"].items():
         problem, of, n, code, tol = key.split("|")
         worked = rounds and "failed" not in rounds[0]
@@ -228,7 +229,7 @@ def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any
 
 
 def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Return rows of the stress, which is one application without a tolerance."""
+    """Return rows for the stress: one application of an operator, without a tolerance."""
     for (problem, _, n), codes in by_place(data).items():
         if problem != "stress" or OURS not in codes:
             continue

@@ -35,7 +35,7 @@ PULLED = ("force given", "shift given")
 
 @dataclass(frozen=True)
 class Elastic:
-    """A rigid body of a given gap pressed on an elastic half-space."""
+    """A rigid body with a given gap, pressed on an elastic half-space."""
 
     gap: np.ndarray
     side: float
@@ -58,7 +58,7 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Slipping(Elastic):
-    """Solve without tangential displacement by pressure, then load tangentially along x."""
+    """Contact pressed, then loaded along x; pressure causes no tangential displacement."""
 
     force: float | None = None
     shift: float | None = None
@@ -93,14 +93,14 @@ def hertz_theory() -> sc.hertz.PointContact:
 
 
 def hertz(n: int) -> Elastic:
-    """Return the ball whose contact covers four fifths of the width."""
+    """Return the contact of a ball that covers four fifths of the width."""
     side = 2 * hertz_theory().a / 0.8
     grid = sc.Grid(n, n, side / n, side / n)
     return Elastic(sc.surfaces.paraboloid(grid, RADIUS), side, HERTZ_LOAD)
 
 
 def slipping(n: int, case: str) -> Slipping:
-    """The Hertz contact, pulled by half of what friction holds, or shifted as far as that does."""
+    """Hertz contact under half of the friction limit, or under the corresponding displacement."""
     given, theory = hertz(n), hertz_theory()
     limit = FRICTION * HERTZ_LOAD
     if case == "force given":
@@ -123,8 +123,8 @@ def rough(n: int, case: str) -> Elastic:
 
 
 def periodic(n: int, case: str) -> Elastic:
-    """Self-affine, Hurst exponent 0.8: one surface for all grids. Heights are those at i/n of the
-    side, so that every point of a grid is one of a grid with a multiple of its cells."""
+    """Self-affine surface with Hurst exponent 0.8, equal on all grids. Heights are evaluated at i/n
+    of the side, so that a grid with a multiple of n cells contains all points of this grid."""
     amplitudes = wave_amplitudes(WAVES, 0.8, seed=1)
     k = np.arange(-WAVES, WAVES + 1)[:, None] + np.arange(WAVES + 1)[None, :]
     gap = -heights(n, amplitudes * np.exp(-1j * np.pi / n * k), ROUGH_RMS)
@@ -140,8 +140,8 @@ def elastic(problem: str, case: str, n: int) -> Elastic:
 
 
 def plastic(n: int, side: float = PLASTIC_SIDE, periodic: str = "") -> Plastic:
-    """Cubic cells; elastically the pressure would be four times the yield stress over a radius of
-    1 mm. The side is in such radii."""
+    """Contact on cubic cells. Without yielding, the Hertz pressure would be four times the yield
+    stress, and the contact radius 1 mm; the side is given in such radii."""
     a, p0 = 1e-3, 4 * YIELD_STRESS
     layers = round(n * DEPTH / side)
     radius = 2 * E_STAR * a / (np.pi * p0)

@@ -133,7 +133,7 @@ def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
 
 
 def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dict[str, float]:
-    """Return errors relative to the tightly converged and, if there is one, the exact solution."""
+    """Return errors relative to the tightly converged solution and to the exact one, if known."""
     code = task.code if task.code in tight(task.problem) else "samcontact"
     file = reference_file(task, code)
     errors = fine_errors(task, found)
@@ -177,7 +177,7 @@ def sphere_of(problem: problems.Plastic) -> Any:
 
 
 def stress_errors(problem: problems.Plastic, found: Outcome) -> dict[str, float]:
-    """Within 1.5 contact radii of the axis, below the surface, where the closed form is smooth."""
+    """Error of the stress below the surface within 1.5 contact radii, where it is smooth."""
     assert found.stress is not None
     grid, z = problem.grid, depths(problem)[1:]
     half = round(1.5 * problem.n / problems.STRESS_SIDE)
@@ -209,7 +209,7 @@ def errors_of(task: Task, problem: Any, found: Outcome) -> dict[str, float]:
 
 
 def run_here(task: Task) -> dict[str, Any]:
-    """Set up and solve once; repeat the solve without set-up if it is short."""
+    """Set up and solve once; if the solution is short, repeat it without set-up."""
     warnings.simplefilter("ignore")
     kind = code_class(task.code, task.problem)
     problem, arguments = prepare(task)
@@ -248,14 +248,14 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def typical(times: list[float], clock: str) -> float:
-    """Return the minimum time; for processor time the mean, because its clock may be coarse."""
+    """Return the minimum wall time or the mean processor time, whose clock may be coarse."""
     if not times:
         return 0.0
     return min(times) if clock == "perf_counter" else sum(times) / len(times)
 
 
 def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[float]:
-    """Return times of solves without set-up, repeated for about half a second in total."""
+    """Return the times of solutions without set-up, repeated for about half a second in total."""
     times: list[float] = []
     min_count = 4 if first < 2.0 else 1 if first < 20.0 else 0
     while len(times) < min_count or (first < REPEAT_FOR > sum(times) and len(times) < REPEATS):
@@ -295,10 +295,10 @@ class Server:
 
 
 def own_memory() -> None:
-    """Copy the memory shared with the parent process, as a process started by a user has it.
+    """Copy the memory shared with the parent process; a normal process shares no memory.
 
-    The system would otherwise copy it page by page during the measurement, which takes a third of a
-    short solve.
+    The system would otherwise copy the memory page by page during the measurement, which takes a
+    third of the time of a short solution.
     """
     gc.collect()
     page = os.sysconf("SC_PAGE_SIZE")

@@ -77,7 +77,7 @@ def references(problem: str, case: str, n: int, available: dict[str, str]) -> li
 
 
 def alternating(problem: str, case: str, n: int, available: dict[str, str]) -> Iterator[Task]:
-    """Yield the tasks of all codes in turn, from the loosest tolerance on."""
+    """Iterate over the tasks of all codes in turn, from the loosest to the tightest tolerance."""
     codes = codes_for(problem, available)
     ladders = {code: code_class(code, problem).tolerances for code in codes}
     for step in range(max(map(len, ladders.values()))):
@@ -117,7 +117,7 @@ class Results:
 
 
 def rounded_json(data: Any) -> str:
-    """Return JSON with one row per line; five digits are more than any measurement has."""
+    """Return JSON with one row per line and numbers of five digits; no measurement has more."""
 
     def short(value: Any) -> Any:
         if isinstance(value, float):

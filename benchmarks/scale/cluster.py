@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Data sent by transforms of a surface distributed over processes: counted, not measured.
 
-Each process has rows of the surface. It transforms them, all processes exchange a block with each
-other (a transpose), and each transforms whole columns; after the product in wavenumbers the same
-backwards, so that a displacement takes two transposes.
+Each process holds rows of the surface and transforms them. Every two processes then exchange a
+block (a transpose), and each process transforms whole columns. After the product in wavenumbers
+these steps are reversed, so that a displacement requires two transposes.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ BANDS = 1 / 2**2 + 2 / 8**2
 
 
 class Count(NamedTuple):
-    """Number of planes transformed forth and back in a solution."""
+    """Number of planes transformed forwards and backwards in a solution."""
 
     number: float
     padded: bool
 
 
 def bytes_of_a_transpose(n: int, padded: bool) -> int:
-    """Return the bytes of n rows as half spectra, twice as long if padded."""
+    """Return the bytes of the half spectra of n rows, which are twice as long if padded."""
     return COMPLEX * n * ((2 * n if padded else n) // 2 + 1)
 
 
@@ -46,9 +46,10 @@ def message(n: int, ranks: int, padded: bool) -> float:
 def planes(job: str, largest: dict[str, dict[str, Any]]) -> Count:
     """Return the planes of a solution, from the counts of the largest measured solution.
 
-    Larger rough surfaces repeat themselves; finer cells and the ball that slips are on a padded
-    plane. An iteration of zones sends the strain of its layers one way and their stress the other,
-    half a displacement each; the contact of an increment is that of the elastic surface.
+    Larger rough surfaces are periodic; finer cells and partial slip of the ball require a padded
+    plane. An iteration of the zones sends the strain of their layers forwards and the stress
+    backwards, which each cost half a displacement. The contact of an increment is counted as an
+    elastic contact.
     """
     row = largest[job]
     if job != "zones":

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Main jobs at any size: equal contact problems with increasing numbers of cells.
 
-Larger rough surfaces have more of an equal roughness, and therefore more contact spots; the other
-jobs have finer cells. Cells are those of the surface for elastic jobs and for plastic subdomains,
-and those of the volume for the others.
+Larger rough surfaces have equal roughness over a larger area, and therefore more contact spots; the
+other jobs have finer cells. For elastic jobs and plastic subdomains, the cells of the surface are
+counted; for the other jobs, the cells of the volume.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ MAX_EXPONENT = 1.15
 
 
 class Job(NamedTuple):
-    """Kind of contact problem: its function below, sizes that span three decades of cells, limit of
-    the bytes per cell at the largest size, and limit of the exponent of time over all sizes."""
+    """Kind of contact problem: name of a function below, sizes over three decades of cells, limit
+    of the bytes per cell at the largest size, and limit of the exponent of time over all sizes."""
 
     name: str
     function: str
@@ -107,7 +107,7 @@ def slipping(meter: Meter, n: int, method: str = "tol 1e-4") -> dict[str, Any]:
 
 
 def slipping_fine(meter: Meter, n: int) -> dict[str, Any]:
-    """Solve the partial slip contact to a smaller tolerance."""
+    """Solve the contact of `slipping` to a smaller tolerance."""
     return slipping(meter, n, "tol 1e-6")
 
 
@@ -164,7 +164,7 @@ def coated(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def measure(meter: Meter, job: str, n: int) -> dict[str, Any]:
-    """Run a job by function name, after its smallest size, which loads all libraries."""
+    """Run a job by function name, after a run of its smallest size, which loads all libraries."""
     function = globals()[job]
     (smallest,) = (known.sizes[0] for known in JOBS if known.function == job)
     function(Meter(), smallest)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Page on growth of time and memory, and on the needs of a surface too large for a machine."""
+"""Page on growth of time and memory, with needs of a surface too large for one machine."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ def caches(rows: Rows) -> str:
 
 
 def transforms(rows: Rows) -> str:
-    """Return the transforms of the smallest and the largest size, a line for each job."""
+    """Return the numbers of transforms for the smallest and largest sizes, a line for each job."""
     ends = [(job, of(rows, job)) for job in counted(rows)]
     return "\n".join(
         f"- {job.name}: {found[0]['transforms']:.0f} to {found[-1]['transforms']:.0f}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand load cycles: drift after the first few."""
+"""A thousand load cycles, and the drift after the first few cycles."""
 
 from __future__ import annotations
 

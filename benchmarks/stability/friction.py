@@ -52,9 +52,9 @@ def sliding(row: str) -> dict[str, Any]:
 
 
 def slipping(row: str) -> dict[str, Any]:
-    """Solve contacts under half the friction limit, in full sliding, and rolling with spin.
+    """Solve contacts under half of the friction limit, in full sliding, and in rolling with spin.
 
-    A solution that does not converge has no number.
+    There is no number for a solution that does not converge.
     """
     name, _, stated = row.rpartition(", ")
     mu = math.inf if stated == "∞" else float(stated)

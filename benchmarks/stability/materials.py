@@ -19,7 +19,7 @@ SHARES = ("0", "1e-6", "1e-3", "0.01", "0.1", "0.3", "0.5", "0.7", "0.9")
 
 
 def contact(body: sc.Material, cells: int, p0: float) -> tuple[sc.hertz.PointContact, sc.Grid]:
-    """Return the Hertz contact of two such bodies, and a grid that contains it."""
+    """Return the Hertz contact of two identical bodies, and a grid that contains the contact."""
     exact = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(body, body), p0=p0)
     size = 3.2 * exact.a / cells
     return exact, sc.Grid(cells, cells, size, size)
@@ -41,8 +41,8 @@ def flow(
 
 
 def poisson(row: str) -> dict[str, Any]:
-    """Contacts with one Poisson's ratio: identical elastic bodies, an elastic-plastic body, and
-    a ball under half of the friction limit, on an identical and on a rigid body."""
+    """Solve contacts with one Poisson's ratio: identical elastic bodies, an elastic-plastic body,
+    and a ball under half of the friction limit on an identical and on a rigid body."""
     nu = float(row)
     body = sc.Material.elastic(E, nu)
     exact, grid = contact(body, 33, 2.4e9)
@@ -79,7 +79,7 @@ def slip_error(found: Any, mu: float) -> float:
 
 
 def hardened(row: str) -> dict[str, Any]:
-    """Isotropic and kinematic hardening with a tangent modulus over E, and one case of sliding."""
+    """Solve isotropic, kinematic and sliding cases for a ratio of the tangent modulus to E."""
     share = float(row)
     perfect = sc.Material.perfect_plastic(E, 0.3, YIELD)
     isotropic = sc.Material.linear_hardening(E, 0.3, YIELD, share * E) if share else perfect

@@ -158,7 +158,7 @@ def periodic(unit):
 
 
 def zones(unit):
-    """Solve small plastic zones of asperities; their boxes must be equal in all units."""
+    """Solve small plastic zones of asperities; the boxes of zones must be equal in all units."""
     size = 1e-6 * unit.m
     grid = sc.Grid(64, 64, size, size, 8, size)
     x, y, away = grid.x[:, None], grid.y, 16 * size

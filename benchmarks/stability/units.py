@@ -21,7 +21,7 @@ CASES = SLIDING | scaled_setups.CASES
 
 
 def differences(name: str) -> dict[str, float]:
-    """Return the largest difference of all fields from those in SI units, for each system."""
+    """Return the maximum difference of all fields from the fields in SI units, for each system."""
     expected = CASES[name](Units())
 
     def worst(system: tuple[float, ...]) -> float:

@@ -68,12 +68,12 @@ def at(rows: list[Pressed], pressure: float) -> Pressed:
 
 
 def by_model(rows: list[Pressed]) -> float:
-    """Return the pressure at the permissible deformation [Pa]."""
+    """Return the Hertz pressure at the permissible deformation [Pa], interpolated from results."""
     return reaches(rows, [row.deformation for row in rows])
 
 
 def power(rows: list[Pressed], low: float, high: float) -> float:
-    """Return the exponent of the pressure in the deformation."""
+    """Return the exponent of a power law for the deformation as a function of the pressure."""
     first, last = at(rows, low), at(rows, high)
     return math.log(last.deformation / first.deformation) / math.log(high / low)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rolling-bearing contacts, loaded once and unloaded: sum of both imprint depths."""
+"""Rolling-bearing contacts, loaded once and unloaded: sum of the imprint depths in both bodies."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12
 
 
 def reaches(rows: list[Pressed], values: list[float]) -> float:
-    """Return the pressure [Pa] at which `values` reach the permissible one; NaN if they do not."""
+    """Return the pressure [Pa] at which `values` reach the permissible value; NaN if never."""
     logs = np.log(np.maximum(values, 1e-12))
     if not values[0] < ALLOWED < values[-1]:
         return math.nan

@@ -92,7 +92,7 @@ def outline(ax: Axes, at: Point, colour: np.ndarray) -> None:
 
 
 def surface(ax: Axes, reached: float) -> None:
-    """Draw the plastic zones near the surface, with the values that the thesis states."""
+    """Draw the plastic zones near the surface, with values from the thesis."""
     ax.set_title("near the surface", fontsize=10)
     ax.set_xlim(0, 4.4)
     ax.set_ylim(1.0, 0)

@@ -29,7 +29,7 @@ FRICTION_QUICK = (0.0, 0.1, 0.2, 0.3, 0.4, 0.5)
 
 @dataclass(frozen=True)
 class Point:
-    """Results at one interference, relative to the critical values; strain relative to Y/E."""
+    """Results at one interference, divided by the critical values; strain divided by Y/E."""
 
     ratio: float
     load: float
@@ -39,7 +39,7 @@ class Point:
     """Number of cells per contact radius."""
     substeps: int
     core: float
-    """Area in the plane y = 0, x >= 0, over a_c^2, that is elastic between surface and zone."""
+    """Elastic area between surface and plastic zone in the plane y = 0, x >= 0, over a_c^2."""
     top: tuple[float, float]
     """Depths over a_c of the upper and lower end of the plastic zone on the axis."""
     outline: tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -53,11 +53,11 @@ class Surface:
     friction: float
     cells: int
     layers: tuple[float, float]
-    """Interference ratio at which the first and the second layer yield."""
+    """Interference ratios at which the first and the second layer of cells yield."""
 
     @property
     def ratio(self) -> float:
-        """Interference ratio at which the surface yields (extrapolated linearly)."""
+        """Interference ratio at which the surface begins to yield (linear extrapolation)."""
         return 1.5 * self.layers[0] - 0.5 * self.layers[1]
 
 
@@ -108,7 +108,7 @@ def simulation(
 
 
 def flatten(above: float, top: float, cells: int, parts: int, tol: float) -> list[Point]:
-    """Solve one range of interferences, with `cells` cells per contact radius at its top.
+    """Solve one range of interferences, with `cells` cells per contact radius at the largest one.
 
     Each step between `RATIOS` is divided into `parts` increments.
     """
@@ -151,7 +151,7 @@ def point(ratio: float, state: sc.State) -> Point:
 
 
 def reach_surface(friction: float, cells: int, increments: int, limit: float) -> Surface:
-    """Return the interferences at which the first and the second layer of cells yield.
+    """Return the interference ratios at which the first and the second layer of cells yield.
 
     cells: number of cells per critical contact radius. increments, limit: number of increments and
     largest interference ratio of the path.

@@ -18,7 +18,7 @@ REACHED = 5.0
 
 
 def stated(results: Results) -> list[Number | Statement]:
-    """Return the stated values of the thesis and the computed ones."""
+    """Return the values that the thesis states, each with the computed value."""
     mesh = f"{results.cells // 2} to {results.cells} cells per contact radius"
     reached = results.surface[0]
     entries: list[Number | Statement] = [
@@ -74,7 +74,7 @@ def strain_limit(results: Results, mesh: str) -> Statement:
 
 
 def against(name: str, results: Results, mesh: str) -> Statement:
-    """Compare the load with a model: at most 7 % difference up to 30 critical interferences."""
+    """Compare the load with a model: at most 7 % apart up to 30 times the critical interference."""
     model = getattr(sc.flattening, name.lower().replace("-", "_"))
     differences: dict[str, list[float]] = {"load": [], "area": [], "pressure": []}
     for ratio in COMPARED:

@@ -33,7 +33,7 @@ def contact_radius(x: np.ndarray, pressure: np.ndarray) -> float:
 
 
 def crossing(mu: list[float], difference: list[float]) -> float:
-    """Interpolate the first µ at which a difference changes from negative to positive."""
+    """Return the first µ at which a difference changes from negative to positive, interpolated."""
     for k in range(1, len(mu)):
         if difference[k - 1] < 0 <= difference[k]:
             share = difference[k - 1] / (difference[k - 1] - difference[k])
@@ -131,7 +131,7 @@ def by_friction(values: dict[float, float], form: str = ".2f") -> str:
 
 
 def bound(mu: float, pressure: float) -> float:
-    """Return the minimum plastic strain at a surface point with this pressure and the shear µp.
+    """Return the minimum plastic strain at a surface point under a pressure p and the shear µp.
 
     The von Mises stress is at least sqrt(3) µp there, and must not exceed the yield stress.
     """
@@ -203,7 +203,7 @@ def stated_depths(results: Results) -> list[Statement]:
 
 
 def rivals(case: Plastic, a: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress above and below the depth z = 0.2 a."""
+    """Return the maxima of the von Mises stress above and below the depth z = 0.2 a."""
     near = case.z < 0.2 * a
     return float(case.largest_by_depth[near].max()), float(case.largest_by_depth[~near].max())
 

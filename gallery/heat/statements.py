@@ -41,7 +41,7 @@ def mesh_of(results: Results, factor: float) -> str:
 
 
 def largest_residual(case: Plastic) -> tuple[float, float]:
-    """Return the maximum residual stress and its depth; near the surface, extrapolated to z = 0."""
+    """Return the maximum residual stress and its depth; a surface maximum is extrapolated."""
     if case.residual_largest[1] > case.z[0]:
         return case.residual_largest
     return at_surface(case.residual), 0.0
@@ -87,7 +87,7 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def slope(curve: Onset, low: float, high: float) -> tuple[float, float]:
-    """Return the slope of a line fitted to part of a curve [MPa s/m], and the deviation from it."""
+    """Return the slope of a line fitted to part of a curve [MPa s/m], and the curve's deviation."""
     part = (curve.factor >= low) & (curve.factor <= high)
     fit = np.polyfit(curve.factor[part], curve.p0[part], 1)
     deviation = np.abs(np.polyval(fit, curve.factor[part]) / curve.p0[part] - 1)

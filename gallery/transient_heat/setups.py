@@ -79,7 +79,7 @@ class Results:
 
 
 def solver(cells: int, heat: sc.Heat) -> tuple[sc.ContactSolver, np.ndarray]:
-    """Return the contact solver of an elastic flat, and its pressure."""
+    """Return the contact solver of an elastic flat, and the contact pressure [Pa]."""
     grid = square(HERTZ.a, cells, 1.8)
     found = sc.ContactSolver(grid, ELASTIC, UNYIELDING, heat=heat)
     return found, found.solve(sc.surfaces.paraboloid(grid, RADIUS), load=LOAD).pressure

@@ -26,9 +26,10 @@ STATED = Stated("transient_heat")
 
 
 def still_missing(time: float) -> float:
-    """Return the difference from the steady temperature of a stationary source at long times [K].
+    """Return the temperature [K] by which a stationary source is below its steady state.
 
-    A point source has Q/(2 pi k r) erfc(r/sqrt(4 kappa t)): Carslaw & Jaeger (1959), section 10.4.
+    Long times t are assumed, and the temperature Q/(2 pi k r) erfc(r/sqrt(4 kappa t)) due to a
+    point source: Carslaw & Jaeger (1959), section 10.4.
     """
     heat = FACTOR * LOAD
     return heat / (2 * math.pi * CONDUCTIVITY * math.sqrt(math.pi * DIFFUSIVITY * time))

@@ -39,7 +39,6 @@ def steady(
     start: RollingSolution | None = None,
     tol: float = ContactSettings.tol,
     on_border: str = ContactSettings.on_border,
-    on_stall: str = ContactSettings.on_stall,
     max_iterations: int = ContactSettings.max_iterations,
 ) -> RollingSolution:
     """Solve the contact in steady rolling towards +x.
@@ -51,8 +50,8 @@ def steady(
     Parameters
     ----------
     grid : Grid
-        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; without
-        it, a single row of cells is a strip of width dy.
+        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; otherwise
+        a single row of cells is a strip of width dy.
     body1, body2 : Material
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
@@ -63,7 +62,7 @@ def steady(
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
     friction : Coulomb
-        Friction law; `Coulomb(math.inf)`: no slip, Kalker's linear theory.
+        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
         `None` for a component, or for both, leaves that direction to `tangential_load`.
@@ -77,7 +76,7 @@ def steady(
         torque has zero creepage.
     start : RollingSolution, optional
         Solution for similar creepages or forces, used as initial guess of the iteration.
-    tol, on_border, on_stall, max_iterations
+    tol, on_border, max_iterations
         As in `ContactSolver`; `tol` is also a bound of the error of the shear traction, and of the
         error of prescribed forces relative to their maximum possible values.
 
@@ -91,11 +90,6 @@ def steady(
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`.
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
-
-    Warns
-    -----
-    ConvergenceWarning
-        With on_stall="warn", instead of a ConvergenceError: `converged` is False.
 
     Notes
     -----
@@ -119,7 +113,6 @@ def steady(
         friction,
         tol=tol,
         on_border=on_border,
-        on_stall=on_stall,
         max_iterations=max_iterations,
     )
     solution = solve_driven(solver, gap, load, approach, _Rolling(given, friction, start))
@@ -128,7 +121,7 @@ def steady(
 
 
 def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> None:
-    """Raise ValueError if the grid does not allow steady rolling along x, or the rotation."""
+    """Raise ValueError if the grid does not allow steady rolling along x, or rotation about z."""
     if grid.along_x:
         raise ValueError(
             f"grid.periodic must be '' or 'y' (plane strain), got {grid.periodic!r}: steady "
@@ -164,8 +157,8 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        tol, most, refuse, accept = settings
-        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse, accept)
+        tol, most, refuse = settings
+        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

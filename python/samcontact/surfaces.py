@@ -70,7 +70,8 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     grid : Grid
         Grid on which the gap is evaluated.
     Rx, Ry : float
-        Radii of curvature in the planes y = 0 and x = 0 [m]; inf: no curvature. Default of Ry: Rx.
+        Radii of curvature in the planes y = 0 and x = 0 [m]; inf for no curvature. Ry is Rx by
+        default.
 
     Returns
     -------
@@ -205,10 +206,11 @@ def from_heights(
     grid : Grid
         Grid on which the gap is evaluated.
     heights_lower : array_like, shape (nx, ny)
-        Heights of the lower surface (body 2) [m], upwards, out of body 2; -inf: no surface.
+        Heights of the lower surface (body 2) [m], upwards, out of body 2; -inf where there is no
+        surface.
     heights_upper : array_like, shape (nx, ny), optional
-        Heights of the upper surface (body 1) [m], upwards, into body 1; +inf: no surface.
-        Default: flat.
+        Heights of the upper surface (body 1) [m], upwards, into body 1; +inf where there is no
+        surface. Default: flat.
 
     Returns
     -------
@@ -272,7 +274,8 @@ def rough_self_affine(
     ValueError
         An argument is outside its range, or no Fourier mode of the grid lies between the cut-offs.
     MemoryError
-        The grid requires more memory than is available. The other surfaces also raise it.
+        The grid requires more memory than is available. The other functions of this module also
+        raise this error.
     """
     rms_height = non_negative("rms_height", rms_height)
     if not 0.0 <= number("hurst", hurst) <= 1.0:

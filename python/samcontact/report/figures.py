@@ -191,7 +191,7 @@ def _temperature(results: ContactResults) -> Iterator[Made]:
 
 
 def _imprint(results: ContactResults) -> Iterator[Made]:
-    """Yield residual imprint and stress after the last increment, for a body without a track."""
+    """Iterate over figures of residual imprint and stress at the end; none if there is a track."""
     if results.track is not None:
         return
     data, number = results.dataset, results.number(-1)
@@ -270,7 +270,7 @@ def _convergence(results: ContactResults) -> Iterator[Made]:
         label = CONTACT[name].heading
         lower.plot(number, data[name].values, marker, markersize=3, label=label)
     lower.set_xlabel("increment")
-    lower.set_ylabel("number")
+    lower.set_ylabel("number per increment")
     lower.legend(**_LEGEND_ABOVE)
     finish(counted(lower))
     text = "Residuals, tolerance and iterations of each increment; see the table."

@@ -39,8 +39,8 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
         File to write, customarily ending in .html, in an existing folder. An existing file is
         replaced.
     shakedown : xarray.Dataset, optional
-        Content of ``shakedown.nc``, for a case with a repeated path: adds response, table and
-        figure.
+        Content of ``shakedown.nc``, for a case with a repeated path. Its long-term response is
+        added to the page, with a table and a figure.
 
     Returns
     -------

@@ -52,7 +52,8 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
 
 
 def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
-    """Compare the integrated pressure with the load of the case, or without a case as stored."""
+    """Compare the integrated pressure with the load of the case or, without one, the stored
+    load."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     total = area * dataset["pressure"].values.sum(axis=(1, 2))
     targets = dataset["load"].values.copy()
@@ -158,14 +159,14 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
 def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELLS) -> Check:
     """Check whether the grid resolves the contact.
 
-    suffix: addition to the name of the check, such as the Hertz estimate.
+    suffix: text added to the name of the check, e.g. that the number of cells is a Hertz estimate.
     """
     name = f"cells across the contact at maximum load{suffix}"
     return Check(name, cells, few, at_least=True)
 
 
 def layers_across_plastic_zone(layers: ArrayLike, body: int) -> Iterator[Check]:
-    """Check whether the layers resolve the plastic zone; yield no check without plastic strain."""
+    """Check whether the layers resolve the plastic zone; omitted without plastic strain."""
     highest = np.max(np.nan_to_num(layers))
     if highest > 0:
         name = f"layers across the plastic zone, body {body}"

@@ -25,11 +25,12 @@ if TYPE_CHECKING:
     from ..plotting.contact_results import ContactResults
 
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted work, relative to the work input; it depends on the increments."""
+"""Limit of the unaccounted work, relative to the work input; this work depends on the
+increments."""
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Check friction law, tangential forces and energy; yield no checks with full sliding."""
+    """Check friction law, tangential forces and energy; return no check for full sliding."""
     if "friction_work" not in dataset:
         return
     law = law_of_attributes(dataset.attrs)
@@ -86,7 +87,7 @@ def _force_difference(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[s
 
 
 def figures(results: ContactResults) -> Iterator[tuple[str, str, Figure]]:
-    """Yield caption, description and figure for each figure of partial slip."""
+    """Iterate over the figures of partial slip, each with caption and description."""
     data = results.dataset
     for name, figure in slip_figures(results).items():
         title = figure.axes[0].get_title()

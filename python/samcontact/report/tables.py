@@ -66,7 +66,7 @@ class Table(NamedTuple):
 
 
 def parameters(dataset: xr.Dataset) -> list[Row]:
-    """Return the parameters of the stored case, or of the attributes of a run without a case."""
+    """Return the parameters of the stored case; without a case, from the attributes of the run."""
     text = dataset.attrs.get("case", "")
     if not text:
         return _from_attributes(dataset)
@@ -175,7 +175,7 @@ def results_table(dataset: xr.Dataset) -> Table:
 def maxima_table(
     dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
 ) -> Table:
-    """Return a table of the maximum magnitude of each variable along a dimension (increment...)."""
+    """Return a table of the maximum magnitude of each variable along a dimension."""
     numbers, rows = dataset[dim].values, []
     for name in names:
         if quantities[name].shown in ("cells", "layers"):  # of the resolution
@@ -291,7 +291,7 @@ def values_table(
 
 
 def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
-    """Yield the body and the values of a variable; body None: the variable is not of one body."""
+    """Iterate over pairs (body, values) of a variable; a variable of neither body has body None."""
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values
     elif name in dataset:
@@ -303,7 +303,7 @@ def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None
 
 
 def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
-    """Return a table cell for a value in SI units; below `small` [SI], it is shown as zero."""
+    """Return a table cell for a value in SI units; a value below `small` is shown as zero."""
     number = float(value)
     if not np.isfinite(number):
         return Cell("none", "")
@@ -313,7 +313,7 @@ def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
 def hertz_table(
     dataset: xr.Dataset, peak: int, reference: HertzContact, body: int
 ) -> list[tuple[str, str, str, str]]:
-    """Return rows for a comparison: quantity, Hertz value, simulated value and difference [%]."""
+    """Return table rows with quantity, Hertz value, simulated value and difference [%]."""
     return [
         (
             row.heading,

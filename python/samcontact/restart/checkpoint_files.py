@@ -14,7 +14,7 @@ from .lock import LOCK_FILES
 CASE_FILE = "case.txt"
 """Name of the file that identifies the case of the checkpoints."""
 CASE_MARK = "samcontact run "
-"""First words of this file."""
+"""First words of the file `CASE_FILE`."""
 
 
 def foreign(folder: Path) -> Path | None:
@@ -39,7 +39,7 @@ def remove_checkpoints(folder: Path) -> None:
 
 
 def _files(folder: Path) -> Iterator[Path]:
-    """Yield all files and symbolic links below a folder, at any depth; links are not followed."""
+    """Iterate over all files and links below a folder, at any depth; links are not followed."""
     for path, folders, files in os.walk(folder):
         yield from (Path(path, name) for name in sorted(files))
         yield from (Path(path, name) for name in folders if Path(path, name).is_symlink())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical texts of user-defined functions and objects, from their code and the data it uses."""
+"""Canonical texts of user-defined functions and objects, from their code and its data."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def _code(code: CodeType) -> list[Any]:
 
 
 def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Yield the global names used by a function, with their values."""
+    """Iterate over the global names used by a function, with their values."""
     names = set(_names(code))
     imported = {name: sys.modules[name] for name in names - set(scope) if name in sys.modules}
     yield from _used(names, imported | scope, "", set())
@@ -116,10 +116,10 @@ def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]
 def _used(
     names: set[str], scope: dict[str, Any], prefix: str, seen: set[int]
 ) -> Iterator[tuple[str, Any]]:
-    """Yield name and value of the parts of a scope that a function uses.
+    """Iterate over the parts of a scope that a function uses, as pairs of name and value.
 
-    User modules are replaced by the parts of the module with names that occur in the function. This
-    may include parts that the function does not use, which does no harm.
+    For a user module, only parts with names that occur in the function are listed. Some of these
+    parts may be unused, which does no harm.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]
@@ -148,7 +148,7 @@ def _is_slot(part: Any) -> bool:
 
 
 def _instance(value: Any, text: Text) -> str:
-    """Return the text of the pickled form of an object; raise UnidentifiedError without one."""
+    """Return the text of the pickled form of an object; UnidentifiedError if it has none."""
     try:
         made = value.__reduce_ex__(4)
     except Exception as error:  # the user class may raise anything

@@ -49,7 +49,7 @@ def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckp
 
 @contextmanager
 def readable(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Convert errors in the context that are due to invalid content to DamagedCheckpointError."""
+    """Context that converts errors due to invalid content to DamagedCheckpointError."""
     try:
         yield
     except CheckpointError:
@@ -133,7 +133,7 @@ def require_self_contained(file: h5py.Group) -> None:
 
 
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
-    """Raise ForeignCheckpointError if a checkpoint is of another run or another version.
+    """Raise ForeignCheckpointError if a checkpoint was written by another run or version.
 
     now: identity of the present run. tree: content of the checkpoint.
     """

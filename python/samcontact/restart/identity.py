@@ -24,7 +24,8 @@ _UNIDENTIFIED_PREFIX = "unidentified: "
 def identity(**parts: Any) -> Identity:
     """Return the canonical texts of arguments: numbers, arrays, dataclasses, functions, lists.
 
-    For an argument that cannot be identified, the text states the reason for `require_identified`.
+    For an argument that cannot be identified, the text is the reason, which `require_identified`
+    includes in its error message.
     """
     return {name: _identified(part) for name, part in parts.items()}
 
@@ -65,7 +66,7 @@ def differences(now: Identity, before: Identity) -> str:
 
 
 def canonical(value: Any) -> str:
-    """Return the canonical text of a value: equal in every process, and for 1 and 1.0.
+    """Return the canonical text of a value, which is equal in every process, and for 1 and 1.0.
 
     Raises UnidentifiedError for a function or object with unknown dependencies.
     """

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
-    """Add residuals, maximum plastic strains, and distances of contact and yielding to grid edges.
+    """Add residuals, maximum plastic strains, and distances of contact and plastic zone to edges.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
     """Return the distance of the plastic zone to the grid edge [cells] and its thickness [layers].
 
     Both lists have one value per increment. Plastic strain of a moving body leaves the grid along
-    x, so the two sides across x are ignored.
+    x, so the two sides perpendicular to x are ignored.
     """
     margins, layers, moved = [], [], False
     for state in states:
@@ -122,7 +122,8 @@ def free_cells(
     shape : sequence of int
         Shape of the grid.
     along_x, along_y : bool, optional
-        Whether the two sides across x, and those across y, are part of the edge.
+        Whether the edge includes the two sides perpendicular to x, and the two sides perpendicular
+        to y.
 
     Returns
     -------

@@ -150,7 +150,7 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """Give all states as many layers as the deepest of the stored states and the last state."""
+    """Return all states with an equal number of layers, enough for `stored` and the last state."""
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 
@@ -233,7 +233,7 @@ def _add_maxima(dataset: xr.Dataset, states: Sequence[State], bodies: dict[int, 
 
 
 def _chosen(dataset: xr.Dataset, volume: str | Sequence[int]) -> list[int]:
-    """Return the positions (from 0) of the increments for which volume fields are stored."""
+    """Return the indices (from 0) of the increments for which volume fields are stored."""
     count = dataset.sizes["increment"]
     if not isinstance(volume, str):
         return sorted({integer("volume", number, 1, count) - 1 for number in volume})

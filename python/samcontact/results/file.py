@@ -120,7 +120,7 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Raise ValueError if values are stored in other files, or if a link leads to no dimension.
+    """Raise ValueError for values in other files, or dimension links that lead to no dimension.
 
     HDF5 follows dimension links without checking their type, and crashes if they are plain numbers.
     """

@@ -33,7 +33,8 @@ def parts_of_a_run() -> Iterator[None]:
 
 
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
-    """Return the given body number or, if None, the body of [output] or with volume fields."""
+    """Return the body number, by default the body of [output] or the only one with volume
+    fields."""
     if body is not None:
         return int(choice("body", body, (1, 2)))
     selected = int(dataset.attrs.get("body", 2))

@@ -40,9 +40,9 @@ def to_vtk(
     For a body that has moved, the residual fields along its whole track at the end of the run are
     also written; x = 0 is the initial contact position on the body.
 
-    The axes x and y are those of the contact; z points upwards, out of body 2. Body 2 is at z < 0
+    Axes x and y are the axes of the contact; z points upwards, out of body 2. Body 2 is at z < 0
     and body 1 at z > 0, so both can be shown together. Shear components xz and yz of body 2 refer
-    to these axes: their sign is opposite to that in the dataset. Values are cell values in SI
+    to these axes: their sign is opposite to the sign in the dataset. Values are cell values in SI
     units.
 
     Parameters

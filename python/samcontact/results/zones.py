@@ -113,7 +113,7 @@ def _value_outside(name: str) -> float:
 
 
 def _state_fields(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
-    """Return the numbers of cells with plastic strain, and the field in them, [component][cell]."""
+    """Return the indices of cells with plastic strain, and the fields in these cells by name."""
     shape = (*state.grid.surface_shape, len(state.depths))
     numbers = []
     parts: dict[str, list[FloatArray]] = {name: [] for name in _FIELDS}

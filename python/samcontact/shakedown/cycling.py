@@ -32,7 +32,7 @@ from .results import (
 )
 
 _MAX_FLOW_CHANGE = 0.02
-"""Maximum difference between the plastic flows of successive cycles, relative to the last."""
+"""Maximum difference between the plastic flows of successive cycles, relative to the last cycle."""
 _MAX_RATE_CHANGE = 0.1
 """Maximum relative change of the ratcheting rate over `_RATE_CYCLES` cycles."""
 _RATE_CYCLES = 20
@@ -75,11 +75,12 @@ def run(
     Returns
     -------
     ShakedownResult
-        "elastic shakedown": a cycle adds less than tol yield strains of equivalent plastic strain.
-        "plastic shakedown": a cycle changes the plastic strain by less than tol yield strains, and
-        its plastic flow equals the flow of the preceding cycle to 2 %. "ratcheting": the strain
-        added per cycle has changed by less than 10 % over the last 20 cycles; a rate that decreases
-        more slowly than this cannot be distinguished from a steady rate.
+        "elastic shakedown": a cycle adds an equivalent plastic strain of less than tol yield
+        strains. "plastic shakedown": a cycle changes the plastic strain by less than tol yield
+        strains, and the plastic flow in this cycle equals the flow in the preceding cycle to 2 %.
+        "ratcheting": the strain added per cycle has changed by less than 10 % over the last 20
+        cycles; a rate that decreases more slowly than this cannot be distinguished from a steady
+        rate.
 
     Raises
     ------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Extrapolation of the plastic strain over many cycles, from its changes in the last three.
+"""Extrapolation of plastic strain over many cycles, from the changes in the last three cycles.
 
 Let d_n be the change of the plastic strain in cycle n. The changes tend to a limit like a geometric
 series; the limit is zero if flow ceases. The difference e = d_n - d_(n-1) is mu times the preceding
@@ -138,7 +138,7 @@ class Jump:
 
         The deviation of the first cycle corrects the error of the jump. The deviation of the second
         cycle is assumed to have grown uniformly over the skipped cycles; without a second cycle,
-        the deviation of the first is used instead.
+        the deviation of the first cycle is used instead.
         """
         missed = max(map(max_equivalent, self.away(first)))
         grown = (

@@ -100,7 +100,7 @@ def _smallest_ball(deviator: FloatArray) -> float:
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Return a path and its image with reversed shear, which residual shear cannot make smaller."""
+    """Return a path and its mirror image with opposite shear; their optimum residual shear is 0."""
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 
@@ -135,10 +135,10 @@ def _point_path(depth: float, nu: float, friction: float) -> FloatArray:
 def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> ShakedownLimit:
     """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
 
-    A body shakes down if some residual stress keeps the whole passage within the yield surface.
-    Residual stress after repeated passages is uniform along the surface. Equilibrium then allows
-    only the components sigma_xx and sigma_yy, with any variation with depth, so this limit is
-    exact.
+    A body shakes down if some residual stress keeps the stress within the yield surface during the
+    whole passage. Residual stress after repeated passages is uniform along the surface. Equilibrium
+    then allows only the components sigma_xx and sigma_yy, with any variation with depth, so this
+    limit is exact.
 
     Parameters
     ----------
@@ -250,8 +250,9 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Lower bound of elastic shakedown of a circular contact on a perfectly plastic body.
 
     A residual stress sigma_xx that is uniform along the rolling direction x is in equilibrium for
-    any variation with y and z. By Melan's theorem a body shakes down if this stress keeps the whole
-    passage within the yield surface; other residual stresses may allow a higher pressure.
+    any variation with y and z. By Melan's theorem a body shakes down if this residual stress keeps
+    the total stress within the yield surface during the whole passage; other residual stresses may
+    allow a higher pressure.
 
     Parameters
     ----------

@@ -25,7 +25,8 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     grid : Grid
         Grid with periodic = "x" or "xy".
     pressure : array_like, shape (nx, ny)
-        Contact pressure [Pa], e.g. of `hertz.line`, centred in a period of at least 6 half-widths.
+        Contact pressure [Pa], e.g. from `hertz.line`, centred in a period of at least 6
+        half-widths.
     cells : int, optional
         Number of cells by which the pressure moves in each step; must divide nx.
 

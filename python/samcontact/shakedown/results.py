@@ -43,9 +43,11 @@ class ShakedownResult(ShortRepr, HtmlTable):
         plastic flow cancels over each cycle. "ratcheting": each cycle adds as much plastic strain
         as the preceding one. "undecided": none of these responses is clear so far.
     rate : float
-        Plastic strain that the last cycle left, `net` of this cycle [-].
+        Maximum magnitude of the plastic strain change over the last cycle [-], the attribute `net`
+        of this cycle.
     flow : float
-        Accumulated equivalent plastic strain added by the last cycle, `flow` of this cycle [-].
+        Maximum equivalent plastic strain added by the last cycle [-], the attribute `flow` of this
+        cycle.
     cycles : tuple of Cycle
         Solved cycles, without undone extrapolations.
     solved : int

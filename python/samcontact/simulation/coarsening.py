@@ -94,7 +94,7 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
     """Convert a path to cells twice as long; return it and the new number of each increment.
 
-    Two successive increments with an equal odd number of cells of motion are merged into one.
+    Two successive increments that move the surfaces by an equal odd number of cells are merged.
     """
     steps: list[dict[str, Any]] = []
     which: list[int] = []
@@ -116,7 +116,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
 
 
 def _sum_of_two(step: Mapping[str, Any]) -> dict[str, Any]:
-    """Combine two equal increments: add their motions; forces are those of the second increment."""
+    """Combine two equal increments: add their motions, and use the forces of the second one."""
     moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
     if step.get("shift") is not None:
         moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
@@ -166,7 +166,7 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
 
     Notes
     -----
-    The fraction is that of the last octave of wavenumbers on this grid. If the slope spectrum is a
+    The fraction belongs to the last octave of wavenumbers on this grid. If the slope spectrum is a
     power law of the wavenumber, as for a self-affine surface, the next octave, which this grid
     cannot resolve, contains at least this fraction times the ratio of the last two octaves.
     """

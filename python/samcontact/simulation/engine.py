@@ -115,7 +115,7 @@ class Engine:
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
-        """Solve an increment; return it with the core state before and the core state after it.
+        """Solve an increment; return its step, and the core states before and after it.
 
         The core state before the increment is None unless the bodies might overlap.
         """

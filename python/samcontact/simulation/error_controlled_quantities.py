@@ -58,11 +58,11 @@ def value(state: State, name: str) -> float:
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """Return the local maxima of which a quantity is the largest; each converges separately.
+    """Return local maxima, the largest of which is the quantity; each converges separately.
 
     For a volume field they are the maximum below the surface and the maximum at the surface; for a
-    layer, the maximum inside the layer and those at its two faces. Which of them is the largest may
-    depend on the grid.
+    layer, the maximum inside the layer and the maxima at both faces. Which maximum is the largest
+    may depend on the grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)
@@ -91,7 +91,7 @@ def _bodies(state: State) -> tuple[Body, Body]:
 
 
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
-    """Return a field over the plastic box of a body, computed by the operators of the solver.
+    """Return a field over the box of plastic strain of a body, from the operators of the solver.
 
     `name` is "stress" or "residual_stress" (deviators) or "residual_displacement". None without
     plastic strain, with several plastic subdomains, or after the body has moved.
@@ -110,7 +110,7 @@ def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
 
 
 def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
-    """Return the scalar fields of which the overall maximum is the quantity."""
+    """Return the scalar fields whose overall maximum is the quantity."""
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
         return []
@@ -196,7 +196,7 @@ def peak_value(field: ArrayLike) -> float:
 
 
 def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
-    """Interpolate a maximum at a cell: add to its value the excess of the parabola of each axis."""
+    """Return the value at a cell plus the excess of the peak of a parabola along each axis."""
     risen = float(values[at])
     for axis in range(values.ndim):
         line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]

@@ -25,7 +25,7 @@ class History:
     """Number of increments at the last error estimate."""
 
     def add(self, given: Mapping[str, Any]) -> None:
-        """Add an increment; one with prescribed tractions ends the record."""
+        """Add an increment; an increment with prescribed tractions ends the record."""
         if given.get("pressure") is not None:
             self.forget()
         if self.steps is not None:

@@ -34,8 +34,8 @@ __all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
 MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
 _MIN_CELLS = {True: 6.0, False: 16.0}
-"""Cells across the contact on the coarsest grid used, with and without yielding. Without plastic
-flow, increments affect only a few cells, between stick and slip zones."""
+"""Cells across the contact on the coarsest grid used, with and without plastic flow. Without it,
+the size of increments affects only a few cells, between stick and slip zones."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
 """Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
@@ -101,7 +101,7 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether some of the states depend on the number of increments.
 
-    States depend on it with partial slip, and if a body has yielded, unless `increment_tol`
+    States with partial slip do, and so do states after a body has yielded, unless `increment_tol`
     controls the error.
     """
     last = states[-1]
@@ -168,8 +168,8 @@ def estimated(
     heat : Heat
         Heat of the first increment.
     repeat : callable
-        Function of a setup, a grid, an initial heat and a path that solves the path and returns the
-        states.
+        Function that solves a path and returns the states; its arguments are a setup, a grid, an
+        initial heat and the path.
     certified : bool, optional
         Whether to compute `IncrementErrors.values`.
 
@@ -238,7 +238,7 @@ def _compared(
 
 
 def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[str, float]:
-    """Convert differences to errors; factors: for strains, and for other quantities."""
+    """Convert differences to errors by two factors, for strains and for other quantities."""
     return {
         name: factors[0 if "strain" in name else 1] * share for name, share in differences.items()
     }

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Ends = list[tuple[int, int]]
-"""Pairs of increments of two paths that end at equal targets, by their positions (from 0)."""
+"""Pairs of increments of two paths that end at equal targets, by their indices (from 0)."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0
@@ -21,7 +21,7 @@ _MAX_REMAINING_FRACTION = 0.65
 
 
 def cleaned(step: Step) -> dict[str, Any]:
-    """Return the arguments of a step without those that are None, and without a zero advance."""
+    """Return the arguments of a step, without arguments that are None or an advance of zero."""
     kept = dict(step)
     for name, value in step.items():
         if value is None or (name == "advance" and tuple(value) == (0.0, 0.0)):

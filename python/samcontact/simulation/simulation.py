@@ -60,9 +60,9 @@ class Simulation(Configured, HtmlTable):
         the plastic strain increment and of the relative violation of the yield condition.
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
-        plastic strain relative to their maxima. Each part is solved in one step and in two halves,
-        then extrapolated to second order. ValueError is raised if more than 64 parts are needed; it
-        gives a tolerance for which 64 suffice. Default: no subdivision, first order.
+        plastic strain relative to their maxima. Each sub-increment is solved in one step and in two
+        halves, then extrapolated to second order. A ValueError with a sufficient tolerance is
+        raised if more than 64 are needed. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the grid edge; with "warn" the grid is never enlarged.
     on_stall : {"error", "warn"}, optional
@@ -98,11 +98,11 @@ class Simulation(Configured, HtmlTable):
 
     Notes
     -----
-    A grid is enlarged on both sides by cells of unchanged size: to 1.25 times the Hertz contact of
-    a paraboloid (in a run, at its maximum load), else by half in each direction whose edge was
-    reached. `grid` and arrays of its shape then refer to the larger grid. A state keeps its grid;
-    `run` returns all states on the last one. Above 64 times the cells, GridTooSmallError is raised.
-    Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
+    A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to 1.25 times the
+    Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
+    reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
+    grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
+    cells. Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
     """
 
     _last = "engine"
@@ -206,9 +206,9 @@ class Simulation(Configured, HtmlTable):
             Default: friction * pressure.
         advance : pair of floats, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
-            positive along +x [m]. Equal values: rolling towards -x; different values: sliding by
-            the difference, or creepage with `Coulomb`. Plastic strain moves with the body; the grid
-            stays with the contact. Whole cells are exact; fractions: see `State.origin`.
+            positive along +x [m]. Equal values mean rolling towards -x, different values sliding by
+            the difference (creepage with `Coulomb`). Plastic strain moves with the body; the grid
+            stays with the contact. Motion by whole cells is exact; otherwise see `State.origin`.
         shift : pair of floats, optional
             With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
             increment [m]. None for a component leaves that direction to `tangential_load`.
@@ -217,9 +217,9 @@ class Simulation(Configured, HtmlTable):
             prescribed force or displacement is held fixed.
         twist : float, optional
             With `Coulomb`: rotation of body 1 relative to body 2 about z at the origin, in this
-            increment [rad]; for rolling bodies, spin times mean distance. Excludes `torque`.
+            increment [rad]; for rolling bodies, spin times mean distance. Not with `torque`.
         torque : float, optional
-            Moment on body 2 at the end of the increment [N m]. With neither, rotation is prevented.
+            Final moment on body 2 [N m]. Without twist and torque, the bodies do not rotate.
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 switches it off.
         duration : float, optional
@@ -236,7 +236,7 @@ class Simulation(Configured, HtmlTable):
         ValueError
             Invalid arguments, or GridTooSmallError.
         ConvergenceError
-            See its `iterations` and `residual`. After any error the previous state remains.
+            Its attributes are `iterations`, `residual`. After any error the previous state remains.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError
@@ -275,7 +275,7 @@ class Simulation(Configured, HtmlTable):
         progress : bool, optional
             Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
-            Folder for checkpoints of all increments. A repeated call with it resumes the run.
+            Folder for checkpoints of increments. A repeated call with this folder resumes the run.
 
         Returns
         -------
@@ -392,8 +392,8 @@ class Simulation(Configured, HtmlTable):
     ) -> Simulation:
         """Load a checkpoint. On the same machine, further results are bit-identical.
 
-        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: function of a
-        grid, as used before; without it the grid is not enlarged. Raises CheckpointError (a
+        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: the function of
+        a grid used before; without it the grid is not enlarged. Raises CheckpointError (a
         ValueError) for a damaged file, another kind of file, or a different surface.
         """
         return loaded(cls, path, softening, gap)

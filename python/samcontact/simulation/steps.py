@@ -123,7 +123,7 @@ class StepArguments:
         return Step(kind, value, heat, heated, lasts or 0.0, travels, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Return the heating of both bodies for the core; duration of a transient increment [s]."""
+        """Return the heating of both bodies for the core; duration [s] is for transient heat."""
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)
@@ -222,7 +222,8 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
 def _require_motion_of_heat(
     heat: Heat, duration: float, advance: tuple[float, float], dx: float
 ) -> None:
-    """Require motions by whole cells, at the velocity of the heat; past heat is stored by cell."""
+    """Require motion by whole cells (heat history is stored per cell) at the velocity of the
+    heat."""
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:

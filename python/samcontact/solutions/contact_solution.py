@@ -170,9 +170,9 @@ class PartialSlipSolution(ShearedSolution):
         final pressure, and `error` is the complementarity error of the pressure for the final
         shear.
     energy_gap : float
-        Accuracy of the shear as an energy [J]: friction with these slips could dissipate at most
-        this much more, and twice the elastic energy of the error of the shear is at most this
-        large. NaN for infinite friction.
+        Error bound of the shear, as an energy [J]: friction with these slips could dissipate at
+        most this much more, and the elastic energy of the error of the shear is at most half of
+        this value. NaN for infinite friction.
     sweeps : int
         Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
     joint_steps : int
@@ -184,7 +184,7 @@ class PartialSlipSolution(ShearedSolution):
         transforms.
     tangential_work : float
         Computing work of all transforms for the shear, including transforms for the preconditioner
-        and on coarser grids, in units of one such evaluation [-].
+        and on coarser grids, in units of one evaluation of the shear displacement [-].
     """
 
     shift: FloatArray
@@ -217,7 +217,7 @@ class RollingSolution(ShearedSolution):
     friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
-        As in `PartialSlipSolution`; errors and iteration counts too.
+        As in `PartialSlipSolution`, which also describes the errors and iteration counts.
     """
 
     creepage: FloatArray

@@ -15,11 +15,11 @@ from ..problem.grid import Grid
 
 SIDES = ("above", "below")
 _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
-"""Weights of the cell means of a polynomial in n cells for its value at the face of the first."""
+"""Weights of the means of a polynomial in n cells that give its value at the first face."""
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
-    """Return the layered body; ValueError without interfaces, or if offset from the grid cells."""
+    """Return the layered body; ValueError if it has no layers or is offset from the grid cells."""
     found = bodies[body - 1]
     if not isinstance(found, Layered):
         raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")

@@ -14,19 +14,19 @@ from .._util.checks import FloatArray
 from ..problem.contact_law import in_contact
 
 MIN_EDGE_PRESSURE_RATIO = 1.05
-"""Minimum ratio of the pressure of a cell at a sharp edge to that of its inner neighbour."""
+"""Minimum ratio of the pressures in a cell at a sharp edge and in the next inner cell."""
 MIN_STEP_RATIO = 8.0
 """Minimum ratio of the height of a step to the bends of the gap next to it."""
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 18
-"""Number of cells that are processed together; it limits the memory."""
+"""Number of cells that are processed together, which limits the memory."""
 _MARGIN_CELLS = 5
 """Margin around a contact within which cells determine whether its edge is sharp."""
 
 
 def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
-    """Return slices of rows and columns in contact with a margin; all along a periodic axis."""
+    """Return slices along x and y of the contact plus a margin; all cells on a periodic axis."""
     found = []
     for axis, name in enumerate("xy"):
         at = np.flatnonzero(inside.any(axis=1 - axis))
@@ -38,7 +38,7 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
 
 
 class Outline(NamedTuple):
-    """Counts of cells and cell sides that describe the outline of a contact, and its pressure."""
+    """Counts of cells and cell sides at the outline of a contact, and the maximum pressure."""
 
     cells: int
     """Cells in contact."""
@@ -62,7 +62,7 @@ def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
 
 
 class Sides(NamedTuple):
-    """Sides of cells (i, j) across an axis; step: direction of the neighbouring cell, +1 or -1."""
+    """Sides of cells (i, j) normal to an axis; step: direction of the next cell, +1 or -1."""
 
     i: Ints
     j: Ints
@@ -87,7 +87,7 @@ def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sid
 
 
 def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
-    """Yield the sides between cells in contact and open cells, separately for four directions.
+    """Iterate over the sides between cells in contact and open cells, in each of four directions.
 
     The edge of the grid is not a side, except in a periodic direction.
     """
@@ -97,7 +97,7 @@ def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
 def sides_between(
     inside: NDArray[np.bool_], other: NDArray[np.bool_], periodic: str
 ) -> Iterator[Sides]:
-    """Yield the sides between cells of two masks, separately for four directions."""
+    """Iterate over the sides between cells of two masks, in each of four directions."""
     for axis, name in enumerate("xy"):
         for step in (1, -1):
             outside = np.roll(other, -step, axis)
@@ -145,7 +145,7 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
 def may_have_steps(gap: FloatArray, periodic: str) -> bool:
     """Whether the gap of undeformed bodies may have a step between two cells.
 
-    If it has none, `steps_next_to` finds no step at any side that is `away_from_border`.
+    If False, `steps_next_to` finds no step at any side that is `away_from_border`.
     """
     if not np.isfinite(gap).all():
         return True
@@ -173,8 +173,8 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
     """Whether a cell has a pressure above `MIN_EDGE_PRESSURE_RATIO` times both neighbours.
 
-    This is so at every contact edge towards which the pressure rises, and nowhere in a smooth
-    contact.
+    Every contact edge towards which the pressure rises has such a cell, and a smooth contact has
+    none.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T

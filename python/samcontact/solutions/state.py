@@ -41,10 +41,10 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     """Fields and scalars at the end of one increment, in SI units.
 
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
-    of the body (z into it); tension is positive. Methods take body = 1 or 2; those of volume fields
-    raise ValueError for a grid without layers or a rigid body. Their nz layers lie at `depths`.
-    Fields are read-only, and the most recent ones are cached. A pickle or copy is independent, with
-    a simulation of its own.
+    of the body (z into it); tension is positive. Methods take body = 1 or 2; methods for volume
+    fields raise ValueError for a grid without layers or a rigid body. The nz layers of volume
+    fields lie at `depths`. Fields are read-only, and the most recent ones are cached. A pickle or
+    copy is independent, with a simulation of its own.
     """
 
     domain: Domain
@@ -74,8 +74,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def depths(self) -> FloatArray:
         """Mid-layer depths of the volume fields [m], shape (nz,).
 
-        These are the depths of the grid. Without nz, at least 8 layers cover all plastic strain of
-        both bodies so far, and the stress down to 1.5 radii below the contact spots.
+        The depths are given by the grid. For a grid without nz, at least 8 layers cover all plastic
+        strain of both bodies so far, and the stress down to 1.5 radii below the contact spots.
         """
         return self.grid.depths(self.layers)
 
@@ -296,8 +296,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def max_plastic_strain_magnitude(self, body: int = 2) -> float:
         """Maximum magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
 
-        Reversed flow decreases it, but increases the equivalent plastic strain. Small-strain theory
-        limits this magnitude. 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        Reversed flow decreases this magnitude, but increases the equivalent plastic strain. The
+        small-strain theory limits it. 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
         """
         return self.max_strains[choice("body", body, (1, 2)) - 1][1]
 

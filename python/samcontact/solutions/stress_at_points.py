@@ -31,10 +31,10 @@ def stress_at_points(
     nu: float,
     points: tuple[ArrayLike, ArrayLike, ArrayLike],
 ) -> FloatArray:
-    """Stress due to pressure, s_x and s_y in the cells of a grid, at points [Pa], shape (6, ...).
+    """Stress [Pa] at points due to pressure, s_x and s_y in the cells of a grid, shape (6, ...).
 
     The closed forms of all loaded cells are summed (Love 1929; `kernels.pressure_stress` and
-    `kernels.shear_stress`). At cell centres the result equals that of `ContactSolver.stress`. At
+    `kernels.shear_stress`). At cell centres the result equals `ContactSolver.stress`. At
     points on the surface where loaded cells meet, the mean of the stresses half a cell to both
     sides is returned. The computing time is proportional to the number of points times the number
     of loaded cells; memory is constant.

@@ -58,7 +58,7 @@ class SurfaceState:
 
     @property
     def attraction_energy(self) -> float:
-        """Work against the attraction of the contact law to open the gap [J]; otherwise 0."""
+        """Work to open the gap against the attraction [J]; 0 without attraction."""
         return float(self._core.attraction_energy())
 
     @property
@@ -146,7 +146,7 @@ class SurfaceState:
     def contact_area(self) -> float:
         """Contact area [m^2], with the contact edge located within cells, see `contact_area`.
 
-        Under prescribed tractions, the area under pressure.
+        Under prescribed tractions, it is the area under pressure.
         """
         repulsion, grid = self.repulsion, self.grid
         gap = self.gap if np.isfinite(self.approach) and self.outline.rises else None
@@ -155,8 +155,8 @@ class SurfaceState:
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
         """Elastic stress due to pressure and shear at arbitrary points [Pa], shape (6, ...).
 
-        Stress due to plastic strain and initial stress are in `residual_stress`. Arguments, errors
-        and method are those of `ContactSolver.stress_at`.
+        Stress due to plastic strain and initial stress are not included; see `residual_stress`.
+        Arguments, errors and method are described in `ContactSolver.stress_at`.
         """
         number = choice("body", body, (1, 2))
         heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0

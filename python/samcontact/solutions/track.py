@@ -24,8 +24,8 @@ __all__ = ["Track"]
 class Track(FixedAttributes):
     """Residual fields of one body along its whole track, unloaded, in the frame of the body.
 
-    Created by `State.track`. Fields are read-only and cached like those of a state. The origin of x
-    is the position of the contact on the body at the start of the simulation.
+    Created by `State.track`. Fields are read-only and cached like the fields of a state. The origin
+    of x is the position of the contact on the body at the start of the simulation.
     """
 
     def __init__(self, core: Any, grid: Grid, body: int, margin: int, layers: int) -> None:

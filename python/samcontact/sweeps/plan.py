@@ -206,7 +206,7 @@ def _nearest(case: CaseFile, name: str) -> str:
 
 
 def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
-    """Yield the dotted names of all fields in the sections of a case."""
+    """Iterate over the dotted names of all fields in the sections of a case."""
     for name in type(model).model_fields:
         yield prefix + name
         value = getattr(model, name)

@@ -201,7 +201,7 @@ def _outcome(future: Future[Outcome]) -> Outcome:
 
 @contextmanager
 def _resolved(executor: Any) -> Iterator[Any]:
-    """Context with the executor that the argument `executor` stands for."""
+    """Context that provides the executor described by the argument `executor`."""
     if executor is None:
         yield None
     elif isinstance(executor, int):

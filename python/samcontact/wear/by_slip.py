@@ -28,8 +28,9 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure drop of the shortest wave due to the wear in one part, relative to the pressure.
-If it were 2 or more, the shortest waves would grow from part to part.
+"""Maximum pressure drop of the shortest wave due to the wear between two contact solutions,
+relative to the pressure. If it were 2 or more, the shortest waves would grow from one solution to
+the next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
@@ -88,7 +89,7 @@ def fretting(
     checkpoint, progress
         As for `run`.
     **settings
-        Other arguments of `Simulation`.
+        Further arguments of `Simulation`.
 
     Returns
     -------
@@ -98,9 +99,9 @@ def fretting(
     ------
     ValueError, TypeError
         An argument is outside its range (before the first cycle); a cycle requires more than 10 000
-        parts, or does not become periodic; a contact reaches the edge of the grid; a checkpoint
-        belongs to other arguments. The exception of a later cycle holds the result of the completed
-        cycles in its attribute `result`.
+        contact solutions, or does not become periodic; a contact reaches the edge of the grid; a
+        checkpoint was written by a run with different arguments. The exception of a later cycle
+        holds the result of the completed cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -180,7 +181,7 @@ def _closed(simulation: Simulation, setup: FrettingSetup) -> tuple[State, ...]:
 def _advance(
     setup: FrettingSetup, standing: WearProgress
 ) -> tuple[tuple[State, ...], WearProgress]:
-    """Advance by one cycle, in as many parts as stability requires."""
+    """Advance by one cycle, divided into as many contact solutions as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
     left, parts, work, removed = float(setup.repeats), 0, 0.0, np.zeros(setup.grid.surface_shape)
     first = _solve_repeat(setup, heights)

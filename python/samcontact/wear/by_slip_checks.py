@@ -57,7 +57,7 @@ class FrettingSetup:
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row and number of rows that can wear: all, as bodies do not move."""
+        """Return the first row and number of rows that can wear: all rows of the grid."""
         return 0, self.grid.nx
 
 

@@ -89,14 +89,14 @@ def _before(path: str | os.PathLike[str]) -> Path:
 
 
 def require_own(path: str | os.PathLike[str] | None) -> None:
-    """Raise ValueError if this file, or the file of the preceding cycle, is no checkpoint."""
+    """Raise ValueError if this file, or the file of the preceding cycle, is not a checkpoint."""
     if path is not None:
         for file in (file_path("checkpoint", path), _before(path)):
             require_marked(file)
 
 
 def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProgress) -> None:
-    """Write a checkpoint file; the old file is copied to `_before`, and stays if this fails."""
+    """Copy the existing checkpoint file to `_before`, and replace it; on failure it remains."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
@@ -117,7 +117,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 
 def latest(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
-    """Read a checkpoint file; if it is damaged, warn and read that of the preceding cycle."""
+    """Read a checkpoint file; if damaged, warn and read the file of the preceding cycle."""
     require_identified(_identity(problem))
     try:
         return read(path, problem)
@@ -135,7 +135,8 @@ def latest(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress |
 def read(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
     """Read the state from a checkpoint file; None if there is no file.
 
-    Raises CheckpointError if the file is damaged, of another kind, or from other arguments.
+    Raises CheckpointError if the file is damaged, is not a checkpoint of a wear computation, or was
+    written by a run with different arguments.
     """
     if not Path(path).exists():
         return None

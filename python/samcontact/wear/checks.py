@@ -88,7 +88,7 @@ def make_setup(
     friction: float,
     settings: dict[str, Any],
 ) -> WearSetup:
-    """Check all arguments and return them; the elastic contact is solved once for its size."""
+    """Check all arguments and return them; one elastic solution gives the size of the contact."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
@@ -132,12 +132,12 @@ def make_setup(
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Return the filter that smooths the edge of the wear; exactly one argument must be given."""
+    """Return the filter that smooths the edge of the wear, from its length or its window."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
         raise ValueError(
-            "exactly one of smoothing_length (metres) and window (cells, Boucly's filter; 1: no "
+            "exactly one of smoothing_length (metres) and window (cells, Boucly's filter; 1 for no "
             f"smoothing) must be given, got {given}"
         )
     if smoothing_length is None:

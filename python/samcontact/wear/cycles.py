@@ -76,14 +76,14 @@ def run(
         must be given.
     window : int or pair of int, optional
         Window of Boucly's filter in cells, see `smooth`; not larger than the contact. The results
-        with this filter depend on the cell size. 1: no smoothing.
+        with this filter depend on the cell size. 1 for no smoothing.
     order : int, optional
         Order of Boucly's filter. Default: 2.
     strain_depth : {"exact", "smoothed"}, optional
         Depth by which the remaining plastic strain is moved up to the new surface. "exact": the
-        depth to which the strain exceeded the threshold, so that it nowhere exceeds the threshold
-        at the new surface. "smoothed": the depth removed from the surface. Where the filter has
-        reduced this depth, overstrained material remains, and wears in a later cycle.
+        depth to which the strain exceeded the threshold, so that the strain nowhere exceeds the
+        threshold at the new surface. "smoothed": the depth removed from the surface. Where the
+        filter has reduced this depth, overstrained material remains, and wears in a later cycle.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
         resumes from it with bit-identical results; delete it to start again. If the file is
@@ -91,7 +91,7 @@ def run(
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Other arguments of `Simulation`, e.g. ``increment_tol`` or frictional heating; each cycle
+        Further arguments of `Simulation`, e.g. ``increment_tol`` or frictional heating; each cycle
         starts with unheated bodies.
 
     Returns
@@ -102,9 +102,9 @@ def run(
     ------
     ValueError, TypeError
         An argument is outside its range (before the first cycle); the plastic strain exceeds the
-        threshold at the bottom of the grid, or material wears at its sides; a checkpoint belongs to
-        other arguments. The exception of a later cycle holds the result of the completed cycles in
-        its attribute `result`.
+        threshold at the bottom of the grid, or material wears at its sides; a checkpoint was
+        written by a run with different arguments. The exception of a later cycle holds the result
+        of the completed cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of wear cycles with checkpoints, for both kinds of wear."""
+"""Repetition of cycles of wear, by plastic strain or by slip, with checkpoints."""
 
 from __future__ import annotations
 

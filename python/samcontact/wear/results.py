@@ -96,7 +96,7 @@ AnyCycle: TypeAlias = Cycle | FrettingCycle
 
 @dataclass(eq=False, repr=False)
 class BaseWearResult(ShortRepr):
-    """Results common to both kinds of wear."""
+    """Results common to wear by plastic strain and wear by slip."""
 
     grid: Grid
     worn: tuple[int, ...]

@@ -79,7 +79,8 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
 
 
 def _slopes(columns: FloatArray) -> FloatArray:
-    """Return the slopes of the monotone interpolant for layers of thickness 1, (columns, nz)."""
+    """Return the slopes of the monotone interpolant in layers of thickness 1, shape (columns,
+    nz)."""
     count = columns.shape[-1]
     interpolant = scipy.interpolate.PchipInterpolator(np.arange(count), columns, axis=-1)
     return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
@@ -96,7 +97,7 @@ def _hermite(
 
 
 def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
-    """Return the checked window along x and y [cells] and the order; (1, 1, 0): no smoothing."""
+    """Return the checked window along x and y [cells] and order; (1, 1, 0) without smoothing."""
     sides: list[int] = [1 if window is None else window] * 2 if _single(window) else list(window)  # type: ignore[arg-type,list-item]
     if len(sides) != 2:
         raise ValueError(
@@ -124,8 +125,8 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
     depth : array_like, shape (nx, ny)
         Wear depth [m], >= 0; 0 outside the array.
     window : int or pair of int, optional
-        Odd number of cells (along x and y) of a two-dimensional Savitzky-Golay filter; None or 1:
-        no smoothing.
+        Odd number of cells (along x and y) of a two-dimensional Savitzky-Golay filter; None or 1
+        for no smoothing.
     order : int, optional
         Order of the polynomials of this filter, in x and in y; < window.
 
@@ -259,7 +260,7 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
 def deviator_below_worn_surface(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
     """Apply `below_worn_surface` to each component of tensors, shape (..., 6, nx, ny, nz).
 
-    The trace is subtracted in columns with deviators, so that these remain deviators.
+    In columns in which the tensors are deviators, the trace is subtracted after the interpolation.
     """
     moved = below_worn_surface(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)
