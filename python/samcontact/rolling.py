@@ -39,6 +39,7 @@ def steady(
     start: RollingSolution | None = None,
     tol: float = ContactSettings.tol,
     on_border: str = ContactSettings.on_border,
+    on_stall: str = ContactSettings.on_stall,
     max_iterations: int = ContactSettings.max_iterations,
 ) -> RollingSolution:
     """Solve the contact in steady rolling towards +x.
@@ -76,7 +77,7 @@ def steady(
         torque has zero creepage.
     start : RollingSolution, optional
         Solution for similar creepages or forces, used as initial guess of the iteration.
-    tol, on_border, max_iterations
+    tol, on_border, on_stall, max_iterations
         As in `ContactSolver`; `tol` is also a bound of the error of the shear traction, and of the
         error of prescribed forces relative to their maximum possible values.
 
@@ -90,6 +91,11 @@ def steady(
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`.
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
+
+    Warns
+    -----
+    ConvergenceWarning
+        With on_stall="warn", instead of a ConvergenceError: `converged` is False.
 
     Notes
     -----
@@ -113,6 +119,7 @@ def steady(
         friction,
         tol=tol,
         on_border=on_border,
+        on_stall=on_stall,
         max_iterations=max_iterations,
     )
     solution = solve_driven(solver, gap, load, approach, _Rolling(given, friction, start))
@@ -157,8 +164,8 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        tol, most, refuse = settings
-        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse)
+        tol, most, refuse, accept = settings
+        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse, accept)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:
