@@ -143,7 +143,7 @@ def integer(
 
 
 def in_cells(name: str, length: float, step: float) -> float:
-    """Return a length [m] as a number of cells, at most `MAX_CELLS_ALONG_AXIS` (ValueError)."""
+    """Return a length [m] as a number of cells; ValueError if above `MAX_CELLS_ALONG_AXIS`."""
     if not abs(length) <= MAX_CELLS_ALONG_AXIS * step:
         raise ValueError(
             f"{name} must be <= {MAX_CELLS_ALONG_AXIS * step:.6g} m ({MAX_CELLS_ALONG_AXIS} cells "
@@ -153,7 +153,7 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
-    """Return `steps` as a list of dicts of `Simulation.step` arguments, with names in `known`."""
+    """Return `steps` as a list of dicts of `Simulation.step` arguments; `known`: allowed names."""
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
@@ -263,7 +263,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum of an array without its NaN values; 0 if this is infinite."""
+    """Return the minimum or maximum of an array without NaN values; 0 if it is infinite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
@@ -363,7 +363,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 
 def value_per_body(name: str, value: float | Sequence[float]) -> tuple[float, float]:
-    """Return a finite float >= 0 for each body; a single number is for body 2 (body 1: 0)."""
+    """Return a finite float >= 0 for each body; a single number applies to body 2 (body 1: 0)."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
@@ -392,7 +392,7 @@ def file_path(name: str, value: Any) -> Path:
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return the name and checked value of the one argument that is not None."""
+    """Return name and checked value of load or approach, of which one must be None."""
     name = exactly_one(load=load, approach=approach)
     # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

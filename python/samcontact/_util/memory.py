@@ -87,7 +87,7 @@ def blas_threads() -> int:
 def require_address_space(what: str, needed: float) -> None:
     """Raise MemoryError unless the process may allocate `needed` more bytes (``ulimit -v``).
 
-    It is used before loading libraries that do not survive a failed allocation: some versions of
+    Call this before loading libraries that do not survive a failed allocation: some versions of
     OpenBLAS retry indefinitely until SIGKILL, and HDF5 crashes.
     """
     there = _process_memory()

@@ -74,8 +74,8 @@ class GridErrors(HtmlTable):
         Fraction of the mean-square slope at wavelengths below four cells, for heights that are
         known on the grid only; NaN for other surfaces.
     increments : IncrementErrors or None
-        Estimated change of results by more increments, not included in `errors`; None if increments
-        do not affect the results, or if the change is unknown.
+        Estimated change of the results with more increments, which `errors` does not include; None
+        if increments do not affect the results, or if the change is unknown.
     """
 
     values: dict[str, FloatArray]
@@ -97,7 +97,7 @@ class GridErrors(HtmlTable):
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
 
     def add_to(self, dataset: xr.Dataset) -> None:
-        """Add ``X_error`` for each quantity X, and X itself if the dataset does not have it.
+        """Add ``X_error`` to a dataset for each quantity X, and X itself if it is missing.
 
         ``X_error`` is the error of X as stored in the dataset. It includes the difference between X
         and the value interpolated between cells. The relative error due to increments is the
@@ -131,8 +131,8 @@ def estimate_errors(
 ) -> GridErrors:
     """Estimate the grid errors of a run.
 
-    The run is repeated with half as many cells along x, y and z and the same increments, which
-    takes about 1/8 of its time. For elastic-plastic layers, the coarser cells are two to three
+    The run is repeated with half as many cells along x, y and z and the same increments. This takes
+    about 1/8 of the time of the run. For elastic-plastic layers, the coarser cells are two to three
     times as deep, so that each layer has a whole number of cells. Surfaces given as functions are
     evaluated on the coarser grid; heights known on one grid only are averaged.
 
@@ -166,8 +166,8 @@ def estimate_errors(
         The elastic-plastic layers cannot be divided into a whole number of deeper cells: the errors
         do not include the effect of dz.
     IncrementWarning
-        More increments would change fields by more than 5 %. Not issued again if the simulation has
-        issued it.
+        More increments would change fields by more than 5 %. The warning is not repeated if the
+        simulation has already issued it.
     """
     from ..cases import Case
     from ..simulation.simulation import Simulation
@@ -244,7 +244,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
             "elastic-plastic layers cannot be divided into deeper cells. To see the "
-            "effect of dz, solve again with half of it",
+            "effect of dz, solve again with half this dz",
             ResolutionWarning,
             stacklevel=3,
         )
@@ -313,14 +313,14 @@ def _slip_errors(
 
 
 def increments_note(attributes: Mapping[Any, Any]) -> str:
-    """Return, as text, how much more increments would change whole fields; "" if unknown."""
+    """Return the effect of more increments on whole fields as text; "" if it is unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
     return f"{increment_errors.error_summary(shares)} of its maximum" if shares else ""
 
 
 def slope_note(share: float) -> str:
-    """Return, as text, the fraction of surface slope below four cells; "" if `share` is NaN."""
+    """Return, as text, the fraction of slope at wavelengths below four cells; "" if it is NaN."""
     if not np.isfinite(share):
         return ""
     beyond = (
@@ -341,7 +341,7 @@ NO_LIMIT = "does not converge"
 class ErrorRow(NamedTuple):
     """Maximum of a quantity in a run: label, increment number, value and relative error.
 
-    With a prescribed accuracy, the error is the maximum error of the run over the maximum value.
+    With a prescribed accuracy, the error is the maximum error divided by the maximum value.
     """
 
     label: str

@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]: the error of the value divided by the slope d(value)/d(load).
+        Load and its error [N]; `load_error` is `error` divided by the slope d(value)/d(load).
     value, error : float
         Value of the quantity at this load and its estimated grid error, in SI units.
     states : list of State
@@ -130,7 +130,8 @@ class LoadSearch:
         return self._excess(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
-        """Return simulation, path and states of a load on the fine grid; solve if not in memory."""
+        """Return simulation, path and states for a load on the fine grid; solve them if
+        necessary."""
         if self._last is None or self._last[0] != _name(load):
             self._solve(_name(load), self._built(load))
         assert self._last is not None
@@ -181,7 +182,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names, in results files, of the quantities that are combined by maximum or sum."""
+        """Names, in results files, of the quantities that are combined into the target quantity."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -225,10 +226,10 @@ def find_load(
         factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
-        without a body number, the larger value of both bodies. The value is the larger one of
-        maximum load and end of path. Special names: "permanent_deformation", the sum of the
-        residual imprint depths of both bodies at the end of the path; "yield", the maximum ratio of
-        von Mises stress to yield stress, with depth profiles, in an elastic solution (1 at first
+        without a body number, the larger value of both bodies. The value used is the larger of the
+        values at maximum load and at the end of the path. Special names: "permanent_deformation",
+        the sum of the residual imprint depths of both bodies at the end of the path; "yield", the
+        maximum ratio of von Mises stress to local yield stress in an elastic solution (1 at first
         yield).
     value : float, optional
         Target value in SI units, > 0. Default: 1.
@@ -252,8 +253,8 @@ def find_load(
     ValueError
         No load reaches the value; the message gives the maximum, or a bound found before the
         search. An argument is out of range, the quantity is unknown, the case has no loads or has
-        wear, or `checkpoint` belongs to another call. With "yield": bodies are not elastic-plastic,
-        have layers, soften, or yield in the deepest layer of the grid.
+        wear, or a call with different arguments wrote `checkpoint`. With "yield": no body is
+        elastic-plastic, or one has layers, softens or yields in the deepest layer.
     """
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
@@ -313,7 +314,7 @@ def _marks(states: Sequence[State]) -> set[int]:
 
 
 def _name(load: float) -> str:
-    """Return the name, in files, of the fine-grid solution for a load [N]."""
+    """Return the name under which the fine-grid solution for a load [N] is stored."""
     return f"grid_{load!r}"
 
 

@@ -69,8 +69,8 @@ def to_accuracy(
     Raises
     ------
     ValueError
-        An argument is out of range, `checkpoint` belongs to another case, or surfaces of the case
-        are defined on one grid only. The message names the cause and a remedy.
+        An argument is out of range, `checkpoint` was written for another case, or surfaces of the
+        case are defined on one grid only. The message names the cause and a remedy.
 
     Warns
     -----

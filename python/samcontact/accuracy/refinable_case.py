@@ -161,14 +161,14 @@ class RefinableCase:
 
     @property
     def run_identity(self) -> Identity:
-        """Identity that stored runs must match; the prescribed accuracy enters as the tolerance."""
+        """Identity that stored runs must match, including the contact tolerance."""
         return identity(
             names=self.names, tol=self.tol, **self.case.model_dump(exclude=_FIELDS_WITHOUT_EFFECT)
         )
 
     @property
     def parts(self) -> list[int]:
-        """Number of values of which each quantity is the maximum, e.g. one for each material."""
+        """Number of values, e.g. one for each material, whose maximum is the quantity."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
@@ -273,7 +273,7 @@ class RefinableCase:
         return part
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the number of increments of one segment, from the number chosen for all."""
+        """Return the number of increments of a segment, from the number chosen for all segments."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -345,7 +345,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Return the index of each segment's last increment and of each pass's last loaded one."""
+    """Return the indices of the last increment of segments and last loaded increment of passes."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):
