@@ -130,8 +130,7 @@ class LoadSearch:
         return self._excess(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
-        """Return simulation, path and states for a load on the fine grid; solve them if
-        necessary."""
+        """Return fine-grid simulation, path and states for a load [N]; solve if not in memory."""
         if self._last is None or self._last[0] != _name(load):
             self._solve(_name(load), self._built(load))
         assert self._last is not None
@@ -253,8 +252,8 @@ def find_load(
     ValueError
         No load reaches the value; the message gives the maximum, or a bound found before the
         search. An argument is out of range, the quantity is unknown, the case has no loads or has
-        wear, or a call with different arguments wrote `checkpoint`. With "yield": no body is
-        elastic-plastic, or one has layers, softens or yields in the deepest layer.
+        wear, or another call wrote `checkpoint`. With "yield": no body is elastic-plastic, or one
+        has layers, softens or yields in the deepest layer.
     """
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
