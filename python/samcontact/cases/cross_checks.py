@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks across the sections of a case: fields without effect are refused by name."""
+"""Checks across the sections of a case; error messages name the fields that have no effect."""
 
 from __future__ import annotations
 
@@ -75,7 +75,8 @@ def _require_repeatable(case: Any) -> None:
             raise ValueError(f"shakedown cannot be combined with {name}: omit one of them")
     if not (case.body1.is_plastic or case.body2.is_plastic):
         raise ValueError(
-            "shakedown requires an elastic-plastic body: set a law, or remove [shakedown]"
+            "shakedown requires an elastic-plastic body: set a hardening law in [body1] or "
+            "[body2], or remove [shakedown]"
         )
     travels = [
         math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
@@ -89,7 +90,7 @@ def _require_repeatable(case: Any) -> None:
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError for tangential motion, force or slip wear without partial-slip friction."""
+    """Raise ValueError if tangential motion or force, or wear, does not suit the friction law."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
@@ -158,7 +159,7 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
-    """Raise ValueError if bodies have thermal constants or softening but no frictional heating."""
+    """Raise ValueError if a body has thermal constants or softening that are without effect."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
