@@ -26,11 +26,11 @@ MAX_COUNT = (1 << 31) - 1
 MAX_CELLS_ALONG_AXIS = 1 << 24
 """Maximum number of cells along one axis; transforms need twice as many."""
 MAX_STRESS = 1e75
-"""Maximum stress [Pa], also for load and modulus: products stay in the floating-point range."""
+"""Maximum stress, modulus [Pa] and load [N]: products stay in the floating-point range."""
 MAX_INCREMENTS_OF_PATH = 100_000
 """Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]: file systems allow 255, partial files add some."""
+"""Maximum length of a file name [bytes]: 255 in file systems, less a suffix of partial files."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
 _NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy

@@ -51,5 +51,5 @@ def is_ignored(category: type[Warning]) -> bool:
 
 
 def attach(error: BaseException, **results: object) -> None:
-    """Attach the results computed before an exception to it, as attributes."""
+    """Store the results computed before an exception as attributes of the exception."""
     vars(error).update(results)

@@ -27,7 +27,7 @@ if hasattr(os, "register_at_fork"):  # a child has no thread that could release 
         before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release
     )
 _fields: WeakKeyDictionary[Any, dict[Hashable, FloatArray]] = WeakKeyDictionary()
-"""Fields by owner, the most recently used last, and by name."""
+"""Fields by owner and name; the most recently used owner comes last."""
 
 
 def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> FloatArray:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from . import memory
 
 _SCIPY_BYTES = 90e6
-"""Address space of the parts in use, with one thread of linear algebra [bytes]."""
+"""Address space of the subpackages in use, with one thread of linear algebra [bytes]."""
 
 
 class _LazyModule:

@@ -22,7 +22,7 @@ CONTACT_BYTES, COUPLED_CONTACT_BYTES, COUPLED_PARTIAL_SLIP_BYTES, HEATED_CONTACT
     185.0,
 )
 """Bytes per surface cell of an elastic contact: frictionless; with normal displacement by shear;
-with partial slip, in addition to the request of the core for contact cells; with heating."""
+with partial slip, without the memory that the core requests for contact cells; with heating."""
 SIMULATION_BYTES, PARTIAL_SLIP_SIMULATION_BYTES, YIELD_SCAN_BYTES = 75.0, 275.0, 450.0
 """Bytes per surface cell, in addition to the contact: increments; increments with partial slip; and
 search for first yield."""

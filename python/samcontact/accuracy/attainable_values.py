@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _ESTIMATE_MARGIN = 3.0
-"""Safety factor on the estimates: Hertz theory for gaps within 3 % of a paraboloid, and the yield
-stress for elastic-plastic contacts."""
+"""Safety factor on bounds from Hertz theory, for gaps within 3 % of a paraboloid, and from the
+yield stress, for elastic-plastic contacts."""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
     "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
     "": {"%": 1e-2, "x 1e-6": 1e-6},
 }
-"""Units in which a value may have been meant, and their factors, the likeliest first."""
+"""Units that the user may have meant, the likeliest first, and their factors."""
 _DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 

@@ -20,8 +20,8 @@ MIN_ORDER, MAX_ORDER = 0.9, 4.0
 """Range of accepted observed orders; extrapolation uses at most `ASSUMED_ORDER`."""
 ASSUMED_ORDER = 2.0
 SAFETY_FACTOR = 1.5
-"""Error relative to the difference of neighbouring grids: an error of order 1.5 is 1.47 times the
-last difference, an error of order 2 equals it."""
+"""Error relative to the difference between successive grids: an error of order 1.5 is 1.47 times
+the last difference, an error of order 2 equals it."""
 MIN_RELATIVE_ERROR = 0.002
 """Minimum relative error of the coarsest grid, decreasing with order 2; differences alone may
 vanish."""

@@ -53,7 +53,7 @@ _MIN_ERROR_OF_KIND = 0.2
 may agree by chance."""
 _AREA_ERROR_FACTOR = 0.7
 """Factor C of the bound C (cells per radius)^-1.5 on the relative error of the area of round spots.
-It applies to wavy surfaces; the error for balls is half of it."""
+The factor applies to wavy surfaces; the error for balls is half as large."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -350,7 +350,7 @@ class ErrorRow(NamedTuple):
     relative: float
     target: float | None = None
     by_increments: float | None = None
-    """Relative change by more increments; None if unknown, or if included in `relative`."""
+    """Relative change with more increments; None if unknown, or if included in `relative`."""
 
     @property
     def percent(self) -> str:

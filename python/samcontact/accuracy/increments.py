@@ -34,7 +34,7 @@ class Correction(NamedTuple):
     doublings: list[Doubling]
     """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """Possible change of the correction, from each doubling, on the finest grid."""
+    """Possible change, on the finest grid, of the correction from each doubling."""
     irregular: FloatArray
     """Part of the correction that is not of first order."""
 

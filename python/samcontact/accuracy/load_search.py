@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Upper limit of the load relative to the largest of a case; lower limit relative to the first."""
+"""Limits of the load: upper, relative to the maximum of the case; lower, to the initial load."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -108,7 +108,7 @@ class LoadSearch:
         self.solves = Solves(describe(simulation.engine, path=list(path), quantity=self.name))
         require_attainable(self.name, target, simulation, max_load)
         self.largest = (0.0, 0.0)
-        """Largest value so far, and its load."""
+        """Largest value so far, and the load that gives it."""
         self._last: tuple[str, Built, list[State]] | None = None
         self._reported: set[str] = set()
 
@@ -221,8 +221,9 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary with its layout: all forces are multiplied by one
-        factor. Or a function of the maximum load [N] that returns simulation and path.
+        Case, path of a case file, or dictionary with the layout of a case file; all forces are
+        multiplied by one factor. Or a function of the maximum load [N] that returns simulation and
+        path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
         without a body number, the larger value of both bodies. The value used is the larger of the

@@ -47,7 +47,7 @@ class AccuracyResult(HtmlTable):
     case: Case
     """Case with the finest grid and its increments."""
     runs: tuple[tuple[int, int, int, float], ...]
-    """Cells along x and y, increments per segment and time [s] of all runs."""
+    """Cells along x and y, increments per segment and time [s] of each run."""
     needs: str = ""
     """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
 

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
-"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each next
-one."""
+"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each finer
+grid."""
 HERTZ_MARGIN = 1.35
 """Half-width of the first grid, relative to the semi-axis."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
@@ -41,8 +41,9 @@ TOL_SHARE = 0.01
 """Tolerance of the iteration, relative to the accuracy; the error of the values is about a tenth of
 the tolerance."""
 _FRESH_START_FACTOR = 8
-"""Factor on the increments of a segment with a `start`. The start may be beyond the value reached
-before; the end of the first increment must also be beyond it, which requires small increments."""
+"""Factor on the number of increments of a segment with a `start`. The start may be beyond the value
+reached before; the end of the first increment must also be beyond it, which requires small
+increments."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
@@ -54,11 +55,11 @@ _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the common divisor of the elastic-plastic layer
 thicknesses: maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
-"""Maximum ratio of the cell width of the first grid to this divisor."""
+"""Maximum ratio of the cell width of the first grid to the common divisor of the thicknesses."""
 
 
 class GridSolution(NamedTuple):
-    """Case with a grid, simulation and states, and the warnings that its solution issued."""
+    """Case with a grid, simulation and states, and the warnings issued by the solution."""
 
     case: Case
     simulation: Simulation
@@ -217,7 +218,7 @@ class RefinableCase:
         return f"RefinableCase({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
-        """Return the case with the grid of a level, which has a cell at its centre."""
+        """Return the case with the grid of a level, which has a cell at the grid centre."""
         from ..cases.sections import GridSection
 
         cells = self.cells(level)

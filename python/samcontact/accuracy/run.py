@@ -45,7 +45,7 @@ NEXT_GRID_TIME_SHARE = 0.5
 """Time limit of a run with more increments on a finer grid, relative to the expected time of the
 next grid."""
 MAX_CORRECTED_ERROR = 10.0
-"""Error of the increments used, relative to the accuracy, up to which it is corrected."""
+"""Maximum error due to the increments, relative to the accuracy, that is corrected."""
 MAX_GRIDS = 24
 
 

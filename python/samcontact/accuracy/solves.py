@@ -30,7 +30,7 @@ _KIND = "solve"
 
 
 class _Solve(NamedTuple):
-    """Simulation, its identity, and the states of its increments so far."""
+    """Simulation with its identity, and the states of the increments solved so far."""
 
     simulation: Simulation
     run_identity: Identity

@@ -24,7 +24,7 @@ PROFILE_ARGUMENTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
-"""Profiles of a material, and the names of their parts."""
+"""Kinds of depth profile, with the names of the arguments of each."""
 
 MAX_PROFILE_POINTS = 4096
 """Maximum number of depths in a profile, limited by attributes of HDF5 files."""

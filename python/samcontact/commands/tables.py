@@ -61,7 +61,7 @@ def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
 class Sheet:
     """Table that fits the terminal: headings wrap, and columns that do not fit follow below.
 
-    The first column names the rows and is repeated in each part.
+    The first column contains the names of the rows and is repeated in each part of the table.
     """
 
     title: str
