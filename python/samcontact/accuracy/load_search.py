@@ -221,9 +221,8 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary with the layout of a case file; all forces are
-        multiplied by one factor. Or a function of the maximum load [N] that returns simulation and
-        path.
+        Case, path of a case file, or dictionary with this layout; all forces are multiplied by one
+        factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
         without a body number, the larger value of both bodies. The value used is the larger of the

@@ -83,7 +83,7 @@ def _require_repeatable(case: Any) -> None:
     ]
     if max(map(abs, travels)) > 1e-12:
         raise ValueError(
-            "shakedown requires a closed path, but at its end body 1 and body 2 have "
+            "shakedown requires a closed path, but at the end of the path body 1 and body 2 have "
             f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
