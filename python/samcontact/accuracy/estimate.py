@@ -64,10 +64,9 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
     Estimate
         Extrapolated values, if the last three differences have one sign and decrease, and the ratio
         of each two successive differences gives a convergence order within the limits. Otherwise,
-        the values of the finest grid. The error of these is the maximum of the last three
-        differences, times `SAFETY_FACTOR`; each difference is first scaled to the finest grid with
-        order 2. The relative error is at least `MIN_RELATIVE_ERROR`, scaled in the same way from
-        the first grid.
+        the values of the finest grid: their error is `SAFETY_FACTOR` times the maximum of the last
+        three differences, each scaled to the finest grid with order 2. This error, divided by the
+        value, is at least `MIN_RELATIVE_ERROR`, scaled with order 2 from the first grid.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -94,7 +93,7 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
 
 
 def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
-    """Estimate the change of a value to infinitely many increments (first-order convergence).
+    """Estimate how much a value changes with infinitely many increments (convergence of order 1).
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimated grid errors of results, from a second solution on a grid coarsened by 2."""
+"""Estimated grid errors of results, from a second solution with cells twice as large."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ class GridErrors(HtmlTable):
         are infinite for quantities that do not converge: maximum pressure, stresses and strains at
         a sharp edge, see `SingularPressureWarning`.
     states : list of State
-        States of the run itself.
+        States of the run itself, not of the coarser solution.
     slope_beyond : float
         Fraction of the mean-square slope at wavelengths below four cells, for heights that are
         known on the grid only; NaN for other surfaces.
@@ -251,7 +251,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the indices of the increments with volume errors: maximum stress, and last."""
+    """Return the indices of the increments with volume errors: at maximum stress, and the last."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}

@@ -216,7 +216,7 @@ def find_load(
     """Find the load at which a quantity reaches a value.
 
     The load is first located on a grid coarsened by two (Brent's method), then refined on the fine
-    grid by secants, which take three or four solutions.
+    grid by the secant method, which takes three or four solutions.
 
     Parameters
     ----------
@@ -253,7 +253,7 @@ def find_load(
         No load reaches the value; the message gives the maximum, or a bound found before the
         search. An argument is out of range, the quantity is unknown, the case has no loads or has
         wear, or another call wrote `checkpoint`. With "yield": no body is elastic-plastic, or one
-        has layers, softens or yields in the deepest layer.
+        is layered, softens or yields in the deepest grid layer.
     """
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress

@@ -64,7 +64,7 @@ def to_accuracy(
     -------
     AccuracyResult
         Values with errors. If an exception or interruption (Ctrl-C) occurs after the third grid,
-        its attribute `result` has the best values so far.
+        the attribute `result` of the exception has the best values so far.
 
     Raises
     ------

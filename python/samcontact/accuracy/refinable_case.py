@@ -127,7 +127,7 @@ class GridRun:
 
 
 def name_of(level: int, increments: int) -> str:
-    """Return the name of a run, for files, from grid level and number of increments."""
+    """Return the name of a run in files, from grid level and number of increments."""
     return f"grid{level:02d}_increments{increments:04d}"
 
 
@@ -319,7 +319,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Set the half-widths of later grids and the segments without plastic flow from a run."""
+        """From a run, set the half-widths of later grids and the segments without plastic flow."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]

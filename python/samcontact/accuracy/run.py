@@ -165,7 +165,7 @@ class AccuracySearch:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Return the estimate of each quantity; if a body has layers, the maximum over them."""
+        """Return the estimate of each quantity; in layered bodies, the maximum over materials."""
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
@@ -179,7 +179,7 @@ class AccuracySearch:
         return True
 
     def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
-        """Repeat the increment doubling with the largest error on a finer grid, if affordable."""
+        """Repeat the least accurate doubling of increments on a finer grid, if affordable."""
         error_ratios = [self._error_ratio(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(error_ratios))]
         allowed = min(

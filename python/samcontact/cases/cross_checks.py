@@ -134,7 +134,7 @@ def _require_law_of_contact(case: Any) -> None:
 
 
 def _require_accuracy(case: Any) -> None:
-    """Raise ValueError for fields not allowed with `accuracy`, or allowed only with it."""
+    """Raise ValueError for fields that `accuracy` excludes or that require `accuracy`."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add accuracy, or omit {name}")
@@ -181,6 +181,6 @@ def _require_zones(case: Any) -> None:
 
 
 def require_image_tol(contact: Any) -> None:
-    """Raise ValueError for image_tol with residual_stress = "exact", which does not use it."""
+    """Raise ValueError if image_tol is given although residual_stress is "exact"."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
         raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')
