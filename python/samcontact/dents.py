@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Dents, furrows and bumps on the surface of a body, which move with it.
+"""Dents, furrows and bumps on the surface of a body, which move with the body.
 
 Positions are measured on the body; 0 is the initial position of the contact.
 """

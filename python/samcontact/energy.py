@@ -39,8 +39,9 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     """Plastic work of a body, the integral of sigma : d eps^p [J].
 
     The work of the isotropic yield stress is integrated in closed form and depends only on the two
-    states. The work of the backstress is computed with the mean backstress of the two states. Its
-    error is of second order in the size of the increment, so add up the work of all increments.
+    states. The work of the backstress is computed with the mean backstress of the two states. The
+    error of this mean is of second order in the size of the increment, so add up the work of all
+    increments.
 
     Parameters
     ----------
@@ -119,7 +120,7 @@ def residual_energy(track: Track) -> float:
 
 
 def eigenstrain_energy(track: Track) -> float:
-    """Elastic energy of the eigenstrain of a body alone [J], >= 0.
+    """Elastic energy of a body under its prescribed eigenstrain alone [J], >= 0.
 
     It is -1/2 of the integral of the stress due to the eigenstrain times the eigenstrain, as in
     `residual_energy`. Tractions do not change this energy, because the stress due to tractions does
@@ -159,7 +160,7 @@ class EnergyBalance(HtmlTable):
 
     @property
     def imbalance(self) -> float:
-        """Net external work that no energy accounts for, relative to the work input [-]."""
+        """Net external work minus stored and dissipated energy, divided by the work input [-]."""
         found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
         return (self.net_external_work - found) / self.work_input if self.work_input > 0 else 0.0
 
@@ -195,9 +196,9 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        The friction is given as a number (full sliding); the contact rolls, is heated or is
-        adhesive; a body has thermal softening; the eigenstrain changes; tractions are prescribed;
-        or there are no states.
+        The friction is a number (full sliding); the contact rolls, is heated or is adhesive; a body
+        has thermal softening; the eigenstrain changes; tractions are prescribed; or there are no
+        states.
     """
     from .simulation.simulation import Simulation
     from .solutions.state import State
@@ -284,7 +285,7 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
 
 
 def _have_equal_eigenstrain(one: State, other: State) -> bool:
-    """Whether the eigenstrain of both bodies is equal in two states."""
+    """Whether each body has equal eigenstrain in two states."""
     bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
     if not bodies:
         return True

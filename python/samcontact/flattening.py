@@ -34,7 +34,7 @@ class Flattening(ShortRepr):
     load : float or ndarray
         Normal load [N].
     area : float or ndarray
-        Contact area [m2].
+        Contact area [m^2].
     mean_pressure : float or ndarray
         Load divided by contact area [Pa]; 0 without contact.
     critical : CriticalSphere
@@ -74,9 +74,9 @@ def kogut_etsion(
     -------
     Flattening
         Hertz theory up to the critical interference of `critical.kogut_etsion`; above it, two power
-        laws that meet at 6 times the critical interference. As published, load and area are
-        discontinuous: they jump by 3 % and -7 % at the critical interference, and by 1.7 % and 2.9
-        % at 6 times this value. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
+        laws, one up to 6 times the critical interference and one beyond. As published, load and
+        area are discontinuous: they jump by 3 % and -7 % at the critical interference, and by 1.7 %
+        and 2.9 % at 6 times this value. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
         doi:10.1115/1.1490373.
 
     Raises

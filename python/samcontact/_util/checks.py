@@ -26,11 +26,11 @@ MAX_COUNT = (1 << 31) - 1
 MAX_CELLS_ALONG_AXIS = 1 << 24
 """Maximum number of cells along one axis; transforms need twice as many."""
 MAX_STRESS = 1e75
-"""Maximum stress [Pa], also for load and modulus: products stay in the floating-point range."""
+"""Maximum stress, modulus [Pa] and load [N]: products stay in the floating-point range."""
 MAX_INCREMENTS_OF_PATH = 100_000
 """Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]: file systems allow 255, partial files add some."""
+"""Maximum length of a file name [bytes]: 255 in file systems, less a suffix of partial files."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
 _NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy
@@ -143,7 +143,7 @@ def integer(
 
 
 def in_cells(name: str, length: float, step: float) -> float:
-    """Return a length [m] as a number of cells, at most `MAX_CELLS_ALONG_AXIS` (ValueError)."""
+    """Return a length [m] as a number of cells; ValueError if above `MAX_CELLS_ALONG_AXIS`."""
     if not abs(length) <= MAX_CELLS_ALONG_AXIS * step:
         raise ValueError(
             f"{name} must be <= {MAX_CELLS_ALONG_AXIS * step:.6g} m ({MAX_CELLS_ALONG_AXIS} cells "
@@ -153,7 +153,7 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
-    """Return `steps` as a list of dicts of `Simulation.step` arguments, with names in `known`."""
+    """Return `steps` as a list of dicts of `Simulation.step` arguments; `known`: allowed names."""
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
@@ -263,7 +263,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum of an array without its NaN values; 0 if this is infinite."""
+    """Return the minimum or maximum of an array without NaN values; 0 if it is infinite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
@@ -363,7 +363,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 
 def value_per_body(name: str, value: float | Sequence[float]) -> tuple[float, float]:
-    """Return a finite float >= 0 for each body; a single number is for body 2 (body 1: 0)."""
+    """Return a finite float >= 0 for each body; a single number applies to body 2 (body 1: 0)."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
@@ -392,7 +392,7 @@ def file_path(name: str, value: Any) -> Path:
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return the name and checked value of the one argument that is not None."""
+    """Return name and checked value of load or approach, of which one must be None."""
     name = exactly_one(load=load, approach=approach)
     # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

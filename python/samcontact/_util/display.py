@@ -54,7 +54,7 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     value : float
         Value in SI units.
     unit : str, optional
-        SI unit; "m²" is shown as mm² or µm², and "" without prefix.
+        SI unit. With "m²", the value is shown in mm² or µm²; with "", without prefix.
     digits : int, optional
         Number of significant digits.
 
@@ -114,7 +114,7 @@ def rows_of(shown: HtmlTable) -> Rows:
 
 
 class HtmlTable:
-    """Base class of objects shown as a table in notebooks; enough for dataclasses of numbers."""
+    """Base class of objects shown in notebooks as a table, by default of all dataclass fields."""
 
     def _rows(self) -> Rows:
         return [

@@ -16,8 +16,9 @@ class PlasticStrainWarning(UserWarning):
     """Warning that the plastic strain exceeds the small-strain limit of 5 %.
 
     It is issued once, when the plastic strain magnitude sqrt(2/3 e:e) exceeds 5 %, or when the
-    accumulated equivalent plastic strain exceeds 5 % and the magnitude is at least half of it.
-    Otherwise most of the accumulated strain is reversed flow.
+    accumulated equivalent plastic strain exceeds 5 % and the magnitude is at least half of the
+    accumulated strain. With a smaller magnitude, most of the accumulated strain is due to reversed
+    flow.
     """
 
 
@@ -54,5 +55,5 @@ def is_ignored(category: type[Warning]) -> bool:
 
 
 def attach(error: BaseException, **results: object) -> None:
-    """Attach the results computed before an exception to it, as attributes."""
+    """Store the results computed before an exception as attributes of the exception."""
     vars(error).update(results)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cache of the fields last computed, shared by the files, tables and figures of a run.
+"""Cache of recently computed fields, shared by the files, tables and figures of a run.
 
-A field is removed when its state or track is deleted. Fields unused for longest are removed if all
-together exceed `MAX_BYTES` bytes or a quarter of the available memory. All fields are removed if
+A field is removed when its state or track is deleted. The least recently used fields are removed if
+the cache exceeds `MAX_BYTES` bytes or a quarter of the available memory. All fields are removed if
 memory is short.
 """
 
@@ -27,7 +27,7 @@ if hasattr(os, "register_at_fork"):  # a child has no thread that could release 
         before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release
     )
 _fields: WeakKeyDictionary[Any, dict[Hashable, FloatArray]] = WeakKeyDictionary()
-"""Fields by owner, the most recently used last, and by name."""
+"""Fields by owner and name; the most recently used owner comes last."""
 
 
 def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> FloatArray:
@@ -55,7 +55,7 @@ memory.CACHE_RELEASERS.append(forget)
 
 
 def _drop(limit: float) -> None:
-    """Remove the fields unused for longest until at most `limit` bytes remain in the cache."""
+    """Remove the least recently used fields until at most `limit` bytes remain in the cache."""
     total = sum(field.nbytes for mine in _fields.values() for field in mine.values())
     for mine in list(_fields.values()):
         for name in list(mine):

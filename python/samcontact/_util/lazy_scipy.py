@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SciPy; each subpackage is loaded on first use, if the address space suffices.
+"""SciPy; each subpackage is loaded on first use, if enough address space is available.
 
 The linear algebra library (OpenBLAS) is loaded with the first subpackage and then reserves memory.
-Without enough memory, some versions retry indefinitely, and only SIGKILL would end the process.
+Without enough memory, some versions of OpenBLAS retry indefinitely, and only SIGKILL would end the
+process.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from . import memory
 
 _SCIPY_BYTES = 90e6
-"""Address space of the parts in use, with one thread of linear algebra [bytes]."""
+"""Address space of the subpackages in use, with one thread of linear algebra [bytes]."""
 
 
 class _LazyModule:

@@ -4,7 +4,8 @@
 Waking a sleeping thread takes as long as a small Fourier transform, especially on virtual machines.
 A spinning thread takes processor time from other processes. Waiting threads therefore spin for some
 tenths of a millisecond and then sleep. OpenMP reads its environment variables once, when its
-library is loaded. Valid settings of the user have priority, and the environment is restored.
+library is loaded. Valid settings of the user have priority, and the environment is restored
+afterwards.
 """
 
 import os
@@ -49,7 +50,7 @@ def _limit(given: str) -> str:
 
 
 def _stack(given: str) -> str | None:
-    """Return OMP_STACKSIZE, raised to the minimum of the core; None: remove the variable."""
+    """Return OMP_STACKSIZE, at least the minimum for the core; None if it must be removed."""
     text = given.strip().lower()
     number, unit = (text[:-1], text[-1]) if text[-1:] in _BYTES_PER_UNIT else (text, "k")
     count = _count(number.strip())
@@ -69,7 +70,7 @@ def _default_stack() -> str | None:
 
 
 def _settings() -> Iterator[tuple[str, str | None]]:
-    """Yield environment variables (name, value) for loading the core; None removes the variable."""
+    """Iterate over environment variables (name, value) for loading the core; None removes one."""
     usable: dict[str, Callable[[str], str | None]] = {
         "OMP_NUM_THREADS": _number_of_threads,
         "OMP_THREAD_LIMIT": _limit,

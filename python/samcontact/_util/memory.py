@@ -22,7 +22,7 @@ CONTACT_BYTES, COUPLED_CONTACT_BYTES, COUPLED_PARTIAL_SLIP_BYTES, HEATED_CONTACT
     185.0,
 )
 """Bytes per surface cell of an elastic contact: frictionless; with normal displacement by shear;
-with partial slip, in addition to the request of the core for contact cells; with heating."""
+with partial slip, without the memory that the core requests for contact cells; with heating."""
 SIMULATION_BYTES, PARTIAL_SLIP_SIMULATION_BYTES, YIELD_SCAN_BYTES = 75.0, 275.0, 450.0
 """Bytes per surface cell, in addition to the contact: increments; increments with partial slip; and
 search for first yield."""
@@ -87,7 +87,7 @@ def blas_threads() -> int:
 def require_address_space(what: str, needed: float) -> None:
     """Raise MemoryError unless the process may allocate `needed` more bytes (``ulimit -v``).
 
-    It is used before loading libraries that do not survive a failed allocation: some versions of
+    Call this before loading libraries that do not survive a failed allocation: some versions of
     OpenBLAS retry indefinitely until SIGKILL, and HDF5 crashes.
     """
     there = _process_memory()

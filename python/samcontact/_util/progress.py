@@ -17,8 +17,8 @@ def progress_bar(
     """Context manager with ``update()`` and ``set_postfix(**values)``; silent unless `shown`.
 
     A terminal shows a bar that is redrawn in place; a log receives one line per tenth of the total.
-    Without `leave`, the bar is removed when complete and nothing is written to a log. Use this for
-    tasks that `report_progress` reports with one line each.
+    Without `leave`, the bar is removed when complete and nothing is written to a log. Use
+    leave=False for tasks that `report_progress` reports with one line each.
     """
     stream = sys.stderr if shown else None
     if not _can_overwrite(stream):

@@ -352,15 +352,15 @@ WEAR = {
     "lost_volume": Q("m3", "decrease of the volume below the surface"),
     "depth": Q("m", "maximum wear depth of the cycle", "µm", "wear depth", "wear\ndepth"),
     "surface_strain": Q(
-        "1", "maximum plastic strain of the first layer before removal", "%",
+        "1", "maximum plastic strain of the first layer before material is removed", "%",
         "plastic strain of the first layer",
     ),
     "max_equivalent_plastic_strain": Q(
-        "1", "maximum equivalent plastic strain before removal", "%", "maximum plastic strain",
-        "plastic\nstrain",
+        "1", "maximum equivalent plastic strain before material is removed", "%",
+        "maximum plastic strain", "plastic\nstrain",
     ),
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
-        long_name="thickness of the plastic zone before removal, in layers"
+        long_name="thickness of the plastic zone before material is removed, in layers"
     ),
     # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
@@ -389,6 +389,6 @@ WEAR = {
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """Return the quantity and the body of a variable; None: the variable is not of one body."""
+    """Return quantity and body number of a variable; None if it does not belong to one body."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _ESTIMATE_MARGIN = 3.0
-"""Safety factor on the estimates: Hertz theory for gaps within 3 % of a paraboloid, and the yield
-stress for elastic-plastic contacts."""
+"""Safety factor on bounds from Hertz theory, for gaps within 3 % of a paraboloid, and from the
+yield stress, for elastic-plastic contacts."""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
     "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
     "": {"%": 1e-2, "x 1e-6": 1e-6},
 }
-"""Units in which a value may have been meant, and their factors, the likeliest first."""
+"""Units that the user may have meant, the likeliest first, and their factors."""
 _DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 
@@ -43,7 +43,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     """Raise ValueError if no load up to the largest can give the target value.
 
     Bounds follow from Hertz theory for a parabolic gap, from the yield stress, and from the size of
-    the grid. Other values are checked by the search.
+    the grid. All other values are checked during the search.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     shown = f"value = {target!r} of {name.replace(',', ' or ')}"
 
     def unit_hint() -> str:
-        """Return a hint, as text, at the first unit in which the number would be attainable."""
+        """Return text that suggests the first unit in which the number would be attainable."""
         for other, factor in _UNIT_ERROR_FACTORS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
             if (largest is None or value <= largest.value) and not _reason_too_small(
@@ -118,7 +118,7 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return the bound of a depth (grid width) or of an area (area of a fixed grid)."""
+    """Return the upper bound of a depth (grid width) or of an area (area of a fixed grid)."""
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
@@ -155,7 +155,7 @@ def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -
 
 
 def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return, as text, why the grid cannot resolve so small a value; None if it can."""
+    """Return, as text, why the grid cannot resolve such a small value; None if it can."""
     grid, estimate = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"

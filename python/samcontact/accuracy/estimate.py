@@ -20,8 +20,8 @@ MIN_ORDER, MAX_ORDER = 0.9, 4.0
 """Range of accepted observed orders; extrapolation uses at most `ASSUMED_ORDER`."""
 ASSUMED_ORDER = 2.0
 SAFETY_FACTOR = 1.5
-"""Error relative to the difference of neighbouring grids: an error of order 1.5 is 1.47 times the
-last difference, an error of order 2 equals it."""
+"""Error relative to the difference between successive grids: an error of order 1.5 is 1.47 times
+the last difference, an error of order 2 equals it."""
 MIN_RELATIVE_ERROR = 0.002
 """Minimum relative error of the coarsest grid, decreasing with order 2; differences alone may
 vanish."""
@@ -62,10 +62,11 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
     Returns
     -------
     Estimate
-        Extrapolated values, if the last three differences have one sign and decrease, and both of
-        their ratios give a convergence order within the limits. Otherwise the values of the finest
-        grid. Their error is the maximum of the last three differences, each scaled to the finest
-        grid with order 2. The relative error is at least `MIN_RELATIVE_ERROR`.
+        Extrapolated values, if the last three differences have one sign and decrease, and the ratio
+        of each two successive differences gives a convergence order within the limits. Otherwise,
+        the values of the finest grid: their error is `SAFETY_FACTOR` times the maximum of the last
+        three differences, each scaled to the finest grid with order 2. This error, divided by the
+        value, is at least `MIN_RELATIVE_ERROR`, scaled with order 2 from the first grid.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -92,14 +93,16 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
 
 
 def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
-    """Estimate the change of a value as the increments tend to infinity (first-order convergence).
+    """Estimate how much a value changes with infinitely many increments (convergence of order 1).
 
     Parameters
     ----------
     steps : array_like, shape (runs, ...)
-        Change of the value by each successive doubling of the increments; at least one doubling.
+        Change of the value when the number of increments is doubled, for each successive doubling;
+        at least one doubling.
     used : int, optional
-        Index in `steps` of the doubling that starts from the increments used for the value.
+        Index in `steps` of the doubling that starts from the number of increments used for the
+        value.
 
     Returns
     -------
@@ -150,7 +153,7 @@ def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of each group of values, with the error that follows from their errors.
+    """Return the maximum of each group of values, and its error from the errors of the values.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimated grid errors of results, from a second solution on a grid coarsened by 2."""
+"""Estimated grid errors of results, from a second solution with cells twice as large."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ _MIN_ERROR_OF_KIND = 0.2
 may agree by chance."""
 _AREA_ERROR_FACTOR = 0.7
 """Factor C of the bound C (cells per radius)^-1.5 on the relative error of the area of round spots.
-It applies to wavy surfaces; the error for balls is half of it."""
+The factor applies to wavy surfaces; the error for balls is half as large."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,13 +69,13 @@ class GridErrors(HtmlTable):
         are infinite for quantities that do not converge: maximum pressure, stresses and strains at
         a sharp edge, see `SingularPressureWarning`.
     states : list of State
-        States of the run itself.
+        States of the run itself, not of the coarser solution.
     slope_beyond : float
         Fraction of the mean-square slope at wavelengths below four cells, for heights that are
         known on the grid only; NaN for other surfaces.
     increments : IncrementErrors or None
-        Estimated change of results by more increments, not included in `errors`; None if increments
-        do not affect the results, or if the change is unknown.
+        Estimated change of the results with more increments, which `errors` does not include; None
+        if increments do not affect the results, or if the change is unknown.
     """
 
     values: dict[str, FloatArray]
@@ -97,7 +97,7 @@ class GridErrors(HtmlTable):
         return f"GridErrors({len(self.errors)} quantities of {len(self.states)} increments)"
 
     def add_to(self, dataset: xr.Dataset) -> None:
-        """Add ``X_error`` for each quantity X, and X itself if the dataset does not have it.
+        """Add ``X_error`` to a dataset for each quantity X, and X itself if it is missing.
 
         ``X_error`` is the error of X as stored in the dataset. It includes the difference between X
         and the value interpolated between cells. The relative error due to increments is the
@@ -131,8 +131,8 @@ def estimate_errors(
 ) -> GridErrors:
     """Estimate the grid errors of a run.
 
-    The run is repeated with half as many cells along x, y and z and the same increments, which
-    takes about 1/8 of its time. For elastic-plastic layers, the coarser cells are two to three
+    The run is repeated with half as many cells along x, y and z and the same increments. This takes
+    about 1/8 of the time of the run. For elastic-plastic layers, the coarser cells are two to three
     times as deep, so that each layer has a whole number of cells. Surfaces given as functions are
     evaluated on the coarser grid; heights known on one grid only are averaged.
 
@@ -166,8 +166,8 @@ def estimate_errors(
         The elastic-plastic layers cannot be divided into a whole number of deeper cells: the errors
         do not include the effect of dz.
     IncrementWarning
-        More increments would change fields by more than 5 %. Not issued again if the simulation has
-        issued it.
+        More increments would change fields by more than 5 %. The warning is not repeated if the
+        simulation has already issued it.
     """
     from ..cases import Case
     from ..simulation.simulation import Simulation
@@ -244,14 +244,14 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
             "elastic-plastic layers cannot be divided into deeper cells. To see the "
-            "effect of dz, solve again with half of it",
+            "effect of dz, solve again with half this dz",
             ResolutionWarning,
             stacklevel=3,
         )
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the indices of the increments with volume errors: maximum stress, and last."""
+    """Return the indices of the increments with volume errors: at maximum stress, and the last."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
@@ -313,14 +313,14 @@ def _slip_errors(
 
 
 def increments_note(attributes: Mapping[Any, Any]) -> str:
-    """Return, as text, how much more increments would change whole fields; "" if unknown."""
+    """Return the effect of more increments on whole fields as text; "" if it is unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
     return f"{increment_errors.error_summary(shares)} of its maximum" if shares else ""
 
 
 def slope_note(share: float) -> str:
-    """Return, as text, the fraction of surface slope below four cells; "" if `share` is NaN."""
+    """Return, as text, the fraction of slope at wavelengths below four cells; "" if it is NaN."""
     if not np.isfinite(share):
         return ""
     beyond = (
@@ -341,7 +341,7 @@ NO_LIMIT = "does not converge"
 class ErrorRow(NamedTuple):
     """Maximum of a quantity in a run: label, increment number, value and relative error.
 
-    With a prescribed accuracy, the error is the maximum error of the run over the maximum value.
+    With a prescribed accuracy, the error is the maximum error divided by the maximum value.
     """
 
     label: str
@@ -350,7 +350,7 @@ class ErrorRow(NamedTuple):
     relative: float
     target: float | None = None
     by_increments: float | None = None
-    """Relative change by more increments; None if unknown, or if included in `relative`."""
+    """Relative change with more increments; None if unknown, or if included in `relative`."""
 
     @property
     def percent(self) -> str:

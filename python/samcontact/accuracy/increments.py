@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Correction of values for more increments, from runs on grids as coarse as possible."""
+"""Correction of values to infinitely many increments, from runs on coarse grids."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Correction(NamedTuple):
     doublings: list[Doubling]
     """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """Possible change of the correction, from each doubling, on the finest grid."""
+    """Possible change, on the finest grid, of the correction from each doubling."""
     irregular: FloatArray
     """Part of the correction that is not of first order."""
 

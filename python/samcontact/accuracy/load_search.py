@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Upper limit of the load relative to the largest of a case; lower limit relative to the first."""
+"""Limits of the load: upper, relative to the maximum of the case; lower, to the initial load."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]: the error of the value divided by the slope d(value)/d(load).
+        Load and its error [N]; `load_error` is `error` divided by the slope d(value)/d(load).
     value, error : float
         Value of the quantity at this load and its estimated grid error, in SI units.
     states : list of State
@@ -108,7 +108,7 @@ class LoadSearch:
         self.solves = Solves(describe(simulation.engine, path=list(path), quantity=self.name))
         require_attainable(self.name, target, simulation, max_load)
         self.largest = (0.0, 0.0)
-        """Largest value so far, and its load."""
+        """Largest value so far, and the load that gives it."""
         self._last: tuple[str, Built, list[State]] | None = None
         self._reported: set[str] = set()
 
@@ -130,7 +130,7 @@ class LoadSearch:
         return self._excess(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
-        """Return simulation, path and states of a load on the fine grid; solve if not in memory."""
+        """Return fine-grid simulation, path and states for a load [N]; solve if not in memory."""
         if self._last is None or self._last[0] != _name(load):
             self._solve(_name(load), self._built(load))
         assert self._last is not None
@@ -181,7 +181,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names, in results files, of the quantities that are combined by maximum or sum."""
+        """Names, in results files, of the quantities that are combined into the target quantity."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -216,19 +216,19 @@ def find_load(
     """Find the load at which a quantity reaches a value.
 
     The load is first located on a grid coarsened by two (Brent's method), then refined on the fine
-    grid by secants, which take three or four solutions.
+    grid by the secant method, which takes three or four solutions.
 
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary with its layout: all forces are multiplied by one
+        Case, path of a case file, or dictionary with this layout; all forces are multiplied by one
         factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
-        without a body number, the larger value of both bodies. The value is the larger one of
-        maximum load and end of path. Special names: "permanent_deformation", the sum of the
-        residual imprint depths of both bodies at the end of the path; "yield", the maximum ratio of
-        von Mises stress to yield stress, with depth profiles, in an elastic solution (1 at first
+        without a body number, the larger value of both bodies. The value used is the larger of the
+        values at maximum load and at the end of the path. Special names: "permanent_deformation",
+        the sum of the residual imprint depths of both bodies at the end of the path; "yield", the
+        maximum ratio of von Mises stress to local yield stress in an elastic solution (1 at first
         yield).
     value : float, optional
         Target value in SI units, > 0. Default: 1.
@@ -252,8 +252,8 @@ def find_load(
     ValueError
         No load reaches the value; the message gives the maximum, or a bound found before the
         search. An argument is out of range, the quantity is unknown, the case has no loads or has
-        wear, or `checkpoint` belongs to another call. With "yield": bodies are not elastic-plastic,
-        have layers, soften, or yield in the deepest layer of the grid.
+        wear, or another call wrote `checkpoint`. With "yield": no body is elastic-plastic, or one
+        is layered, softens or yields in the deepest grid layer.
     """
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
@@ -313,7 +313,7 @@ def _marks(states: Sequence[State]) -> set[int]:
 
 
 def _name(load: float) -> str:
-    """Return the name, in files, of the fine-grid solution for a load [N]."""
+    """Return the name under which the fine-grid solution for a load [N] is stored."""
     return f"grid_{load!r}"
 
 

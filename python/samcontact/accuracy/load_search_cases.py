@@ -70,14 +70,14 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """Return a quantity's name with body number; ValueError if the simulation does not have it."""
+    """Return a quantity's name with body number; ValueError if the simulation cannot give it."""
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
         if not any(body.is_plastic for body in bodies):
             raise ValueError(
                 'quantity = "yield" requires an elastic-plastic body: set a '
-                "law in [body1] or [body2]"
+                "hardening law in [body1] or [body2]"
             )
         if any(body.softening for body in bodies):
             raise ValueError(
@@ -97,7 +97,7 @@ def resolved(name: str, simulation: Simulation) -> str:
         if not any(body.is_plastic for body in bodies):
             raise ValueError(
                 f'quantity = "{name}" requires an elastic-plastic body: set a '
-                "law in [body1] or [body2]"
+                "hardening law in [body1] or [body2]"
             )
         if not simulation.grid.has_volume:
             raise ValueError(f'quantity = "{name}" requires a grid with layers: set grid.dz')

@@ -27,8 +27,9 @@ class AccuracyResult(HtmlTable):
 
     For each quantity, by its name in results files, ``values[name]`` is the maximum of the run and
     ``errors[name]`` its estimated error, both in SI units. ``series[name]`` and
-    ``series_errors[name]`` are values and errors at the positions ``increments`` of ``states``: the
-    end of each path segment and, for passes, also the last loaded increment.
+    ``series_errors[name]`` are values and errors at selected increments, whose indices in
+    ``states`` are ``increments``: the end of each path segment and, for passes, also the last
+    loaded increment.
     """
 
     values: dict[str, float]
@@ -46,7 +47,7 @@ class AccuracyResult(HtmlTable):
     case: Case
     """Case with the finest grid and its increments."""
     runs: tuple[tuple[int, int, int, float], ...]
-    """Cells along x and y, increments per segment and time [s] of all runs."""
+    """Cells along x and y, increments per segment and time [s] of each run."""
     needs: str = ""
     """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
 
@@ -67,8 +68,8 @@ class AccuracyResult(HtmlTable):
         """Return the results of the finest grid, with values and errors.
 
         ``X`` is the value on the finest grid. ``X_best`` is the best estimate of ``X``. ``X_error``
-        is the error of ``X_best``; its attribute is the prescribed accuracy. Both are NaN except at
-        ``increments``.
+        is the error of ``X_best``, with the prescribed accuracy as the attribute ``accuracy``.
+        ``X_best`` and ``X_error`` are NaN except at ``increments``.
 
         Parameters
         ----------

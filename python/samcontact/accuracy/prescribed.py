@@ -64,13 +64,13 @@ def to_accuracy(
     -------
     AccuracyResult
         Values with errors. If an exception or interruption (Ctrl-C) occurs after the third grid,
-        its attribute `result` has the best values so far.
+        the attribute `result` of the exception has the best values so far.
 
     Raises
     ------
     ValueError
-        An argument is out of range, `checkpoint` belongs to another case, or surfaces of the case
-        are defined on one grid only. The message names the cause and a remedy.
+        An argument is out of range, `checkpoint` was written for another case, or surfaces of the
+        case are defined on one grid only. The message names the cause and a remedy.
 
     Warns
     -----

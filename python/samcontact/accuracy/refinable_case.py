@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
-"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each next
-one."""
+"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each finer
+grid."""
 HERTZ_MARGIN = 1.35
 """Half-width of the first grid, relative to the semi-axis."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
@@ -41,8 +41,9 @@ TOL_SHARE = 0.01
 """Tolerance of the iteration, relative to the accuracy; the error of the values is about a tenth of
 the tolerance."""
 _FRESH_START_FACTOR = 8
-"""Factor on the increments of a segment with a `start`. The start may be beyond the value reached
-before; the end of the first increment must also be beyond it, which requires small increments."""
+"""Factor on the number of increments of a segment with a `start`. The start may be beyond the value
+reached before; the end of the first increment must also be beyond it, which requires small
+increments."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
@@ -54,11 +55,11 @@ _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the common divisor of the elastic-plastic layer
 thicknesses: maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
-"""Maximum ratio of the cell width of the first grid to this divisor."""
+"""Maximum ratio of the cell width of the first grid to the common divisor of the thicknesses."""
 
 
 class GridSolution(NamedTuple):
-    """Case with a grid, simulation and states, and the warnings that its solution issued."""
+    """Case with a grid, simulation and states, and the warnings issued by the solution."""
 
     case: Case
     simulation: Simulation
@@ -126,7 +127,7 @@ class GridRun:
 
 
 def name_of(level: int, increments: int) -> str:
-    """Return the name of a run, for files, from grid level and number of increments."""
+    """Return the name of a run in files, from grid level and number of increments."""
     return f"grid{level:02d}_increments{increments:04d}"
 
 
@@ -161,14 +162,14 @@ class RefinableCase:
 
     @property
     def run_identity(self) -> Identity:
-        """Identity that stored runs must match; the prescribed accuracy enters as the tolerance."""
+        """Identity that stored runs must match, including the contact tolerance."""
         return identity(
             names=self.names, tol=self.tol, **self.case.model_dump(exclude=_FIELDS_WITHOUT_EFFECT)
         )
 
     @property
     def parts(self) -> list[int]:
-        """Number of values of which each quantity is the maximum, e.g. one for each material."""
+        """Number of values, e.g. one for each material, whose maximum is the quantity."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
@@ -217,7 +218,7 @@ class RefinableCase:
         return f"RefinableCase({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
-        """Return the case with the grid of a level, which has a cell at its centre."""
+        """Return the case with the grid of a level, which has a cell at the grid centre."""
         from ..cases.sections import GridSection
 
         cells = self.cells(level)
@@ -273,7 +274,7 @@ class RefinableCase:
         return part
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the number of increments of one segment, from the number chosen for all."""
+        """Return the number of increments of a segment, from the number chosen for all segments."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -318,7 +319,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Set the half-widths of later grids and the segments without plastic flow from a run."""
+        """From a run, set the half-widths of later grids and the segments without plastic flow."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]
@@ -345,7 +346,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Return the index of each segment's last increment and of each pass's last loaded one."""
+    """Return the indices of the last increment of segments and last loaded increment of passes."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):

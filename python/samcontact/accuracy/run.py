@@ -45,12 +45,12 @@ NEXT_GRID_TIME_SHARE = 0.5
 """Time limit of a run with more increments on a finer grid, relative to the expected time of the
 next grid."""
 MAX_CORRECTED_ERROR = 10.0
-"""Error of the increments used, relative to the accuracy, up to which it is corrected."""
+"""Maximum error due to the increments, relative to the accuracy, that is corrected."""
 MAX_GRIDS = 24
 
 
 class AccuracySearch:
-    """Runs of a case on several grids, each solved once, and the errors estimated from them."""
+    """Runs of a case on several grids, each solved once, and errors estimated from the runs."""
 
     def __init__(
         self,
@@ -132,7 +132,7 @@ class AccuracySearch:
                 self.needs = f"{names} do not converge at a sharp edge on any grid"
 
     def best(self) -> AccuracyResult | None:
-        """Return the result of the grids so far; None if they are too few to estimate errors."""
+        """Return the result of the grids so far; None if there are too few to estimate errors."""
         return self._outcome(self.grids) if len(self.grids) >= MIN_GRIDS else None
 
     def _errors_above_target(self, found: Estimate) -> str:
@@ -165,7 +165,7 @@ class AccuracySearch:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Return the estimate of each quantity as the maximum of its parts."""
+        """Return the estimate of each quantity; in layered bodies, the maximum over materials."""
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
@@ -179,7 +179,7 @@ class AccuracySearch:
         return True
 
     def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
-        """Repeat the increment doubling with the largest error on a finer grid, if affordable."""
+        """Repeat the least accurate doubling of increments on a finer grid, if affordable."""
         error_ratios = [self._error_ratio(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(error_ratios))]
         allowed = min(
@@ -239,7 +239,7 @@ class AccuracySearch:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[GridRun]) -> float:
-        """Return the ratio of the times of the next and the last grid [-]."""
+        """Return the estimated ratio of solution times on the next and the last grid [-]."""
         known = len(grids) > 2
         growth = (
             grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO
@@ -247,9 +247,9 @@ class AccuracySearch:
         return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[GridRun], worst: float) -> bool:
-        """Whether memory and time suffice for the next grid; otherwise set `needs`.
+        """Whether memory and time suffice for the next grid; `needs` describes what is missing.
 
-        worst: maximum ratio of error to prescribed accuracy; it about halves with each grid.
+        worst: maximum ratio of error to prescribed accuracy, assumed to halve with each grid.
         """
         last = grids[-1]
         growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Storage for a task that needs several solutions: results, and increments of the last ones."""
+"""Stored results of a task that needs several solutions, and increments of the last solutions."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _KIND = "solve"
 
 
 class _Solve(NamedTuple):
-    """Simulation, its identity, and the states of its increments so far."""
+    """Simulation with its identity, and the states of the increments solved so far."""
 
     simulation: Simulation
     run_identity: Identity
@@ -86,7 +86,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """Return the states of a solution, stored or solved now, on a common grid."""
+        """Return the states of a solution on a common grid; only missing increments are solved."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step

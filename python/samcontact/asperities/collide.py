@@ -76,7 +76,8 @@ def collide(
     back_and_forth : bool
         Whether every second pass is in the opposite direction. By default all are towards +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres. When the spheres are aligned, its rows coincide with grid rows.
+        Roughness of the spheres. When the spheres are aligned, roughness heights lie at cell
+        centres.
     checkpoint : path, optional
         Folder for a checkpoint of each increment. Repeating the call resumes from it, with
         bit-identical results. Delete it when it is no longer needed.
@@ -93,7 +94,7 @@ def collide(
         normal_force (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere
         2: force_x > 0 resists motion towards +X, force_z > 0 is compressive), load_ratio
         force_x/force_z (NaN without contact), work of force_x since the start of the pass,
-        plastic_work of both bodies since the first pass, max_pressure, contact_area,
+        plastic_work of both bodies since the start of the first pass, max_pressure, contact_area,
         cells_across_contact (NaN without contact), and for each body max_equivalent_plastic_strain
         and layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of
         the pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
@@ -104,10 +105,10 @@ def collide(
     ------
     ValueError
         A setting for friction or heat is given (the spheres are frictionless and unheated),
-        increments are longer than a quarter of the contact path, or `checkpoint` belongs to another
-        call; also the errors of `Simulation`. If a later increment fails, the attribute `result` of
-        the error has the results of the completed increments; quantities per pass are NaN for an
-        incomplete pass.
+        increments are longer than a quarter of the contact path, or a call with different arguments
+        wrote `checkpoint`. The errors of `Simulation` are also raised. If an increment fails after
+        others were completed, the attribute `result` of the error has the results of the completed
+        increments; quantities per pass are NaN for an incomplete pass.
     """
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)

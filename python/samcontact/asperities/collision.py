@@ -62,11 +62,17 @@ class Collision:
         return self.offset(self.half_angle)
 
     def offset(self, angle: float) -> float:
-        """Horizontal distance X of the centres [m]; angle [rad] from the vertical to their line."""
+        """Horizontal distance X of the centres [m].
+
+        angle: between the line of centres and the vertical [rad].
+        """
         return self.height * math.tan(finite("angle", angle))
 
     def separation(self, angle: float) -> float:
-        """Distance of the centres [m]; angle [rad] from the vertical to the line of centres."""
+        """Distance of the centres [m].
+
+        angle: between the line of centres and the vertical [rad].
+        """
         return self.height / math.cos(finite("angle", angle))
 
     def approach(self, angle: float) -> float:
@@ -76,7 +82,9 @@ class Collision:
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
     def advance(self, angle: float) -> tuple[float, float]:
-        """Displacements [m] of the surfaces through the contact for a rotation [rad] of their line.
+        """Displacements [m] of the surfaces through the contact, on bodies 1 and 2.
+
+        angle: rotation of the line of centres [rad].
 
         Displacements are positive along the local +x. The contact moves backwards over sphere 1 and
         forwards over sphere 2.

@@ -47,7 +47,7 @@ class CollisionPasses:
         self.plastic_work = 0.0
 
     def one_pass(self, direction: int) -> Iterator[IncrementRow]:
-        """Solve one pass, from before first contact to final separation; yield all increments."""
+        """Iterate over the increments of a pass, from before first contact to final separation."""
         outside = self._outside()
         self._move(-direction * outside, unloaded=True)
         work, before = 0.0, None
@@ -97,7 +97,7 @@ class CollisionPasses:
         return [number for number, body in enumerate(bodies, 1) if body.is_plastic]
 
     def _move(self, position: int, unloaded: bool = False) -> None:
-        """Move to a position (in steps) and solve the increment, or restore it from the journal."""
+        """Move to a position (in steps); solve the increment, or restore it from the checkpoint."""
         distance = (position - self.position) * self.step
         self.position = position
         before = self.state

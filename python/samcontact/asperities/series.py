@@ -33,8 +33,8 @@ BY_PASS = (
 class IncrementRow:
     """Results of one increment.
 
-    The last three values belong to the whole pass and are stored in its last row; they are NaN in
-    an incomplete pass.
+    The last three values belong to the whole pass and are stored with the last increment of the
+    pass; they are NaN if the pass is incomplete.
     """
 
     offset: float
@@ -108,7 +108,7 @@ def cells_under_load(series: xr.Dataset) -> xr.DataArray:
 
 
 def pass_results(series: xr.Dataset) -> xr.Dataset:
-    """Results of each pass: values at its end, extreme forces, maximum pressure and resolution."""
+    """Results of each pass: values at the end, extreme forces, maximum pressure and resolution."""
     passes: xr.Dataset = series[list(BY_PASS)].assign(
         max_force_x=series["force_x"].max("increment"),
         min_force_x=series["force_x"].min("increment"),

@@ -17,7 +17,7 @@ def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[f
     """Sjövall's integrals J_r and J_a of the load distribution in a bearing.
 
     J_r is the mean of (Q/Q_max) cos psi over the circumference, J_a the mean of Q/Q_max. Q is the
-    load of the element at the angle psi from the radial load, with n = `exponent`: Q(psi)/Q_max =
+    load of the element at the angle psi from the radial load. With n = `exponent`, Q(psi)/Q_max =
     (1 - (1 - cos psi)/(2 epsilon))^n, or 0 where the base is negative.
 
     Parameters
@@ -145,7 +145,7 @@ class LoadZone:
     epsilon : float
         Loaded fraction of the diameter, as in `sjovall`; inf under pure thrust.
     exponent : float
-        n of load ~ approach^n.
+        Exponent n in load ~ approach^n.
     """
 
     max_load: float

@@ -154,9 +154,9 @@ def roller_on_race(
 
     Notes
     -----
-    The axis and the raceways of a tapered roller have different angles. Its radius follows from
-    Harris's formula with mean diameters, an approximation for small taper angles. At the ends of a
-    straight roller of finite length, the pressure is higher than in a line contact.
+    The axis and the raceways of a tapered roller have different angles. The equivalent radius
+    follows from Harris's formula with mean diameters, an approximation for small taper angles. At
+    the ends of a straight roller of finite length, the pressure is higher than in a line contact.
     """
     D = positive("roller_diameter", roller_diameter)
     pitch = positive("pitch_diameter", pitch_diameter)

@@ -31,8 +31,8 @@ def static_load_rating(
     """Basic static radial load rating according to ISO 76.
 
     The rating is the radial load at which the Hertz pressure of the most heavily loaded element
-    reaches `pressure` on one raceway; on the other raceway it is lower. The element load follows
-    from Stribeck's rule (`stribeck_load`).
+    reaches `pressure` on one raceway; the pressure on the other raceway is lower. The element load
+    follows from Stribeck's rule (`stribeck_load`).
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def static_load_rating(
     length : float, optional
         Contact length of a roller [m]. Required for uncrowned rollers, not allowed otherwise.
     rows : int, optional
-        Number of rows, >= 1.
+        Number of rows of rolling elements, >= 1.
     E_star : float, optional
         Contact modulus [Pa]. Default: value in ISO 76.
 
@@ -66,7 +66,7 @@ def static_load_rating(
     -----
     At these pressures, the permanent deformation of element and raceway together is about 1e-4 of
     the element diameter; plastic deformation is not computed here. The factors f_0 of the standard
-    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all their digits, as is the
+    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all published digits, as is the
     factor 44 for rollers. The standard uses the same formulas, so this agreement does not validate
     the actual capacity of a bearing. Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657,
     *Explanatory notes on ISO 76*.

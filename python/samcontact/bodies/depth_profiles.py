@@ -24,7 +24,7 @@ PROFILE_ARGUMENTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
-"""Profiles of a material, and the names of their parts."""
+"""Kinds of depth profile, with the names of the arguments of each."""
 
 MAX_PROFILE_POINTS = 4096
 """Maximum number of depths in a profile, limited by attributes of HDF5 files."""
@@ -71,8 +71,8 @@ class HasDepthProfiles:
         ----------
         z : array_like, shape (n,)
             Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
-            piecewise linear and constant beyond its ends; layers of a grid take its value at
-            mid-depth.
+            piecewise linear and constant beyond its ends; each layer of the grid has the value at
+            the mid-depth of the layer.
         factor : array_like, shape (n,)
             Ratio of local to nominal yield stress [-], 1e-6 to 1e6, e.g. local hardness over core
             hardness.
@@ -113,7 +113,7 @@ class HasDepthProfiles:
         z : array_like, shape (n,)
             Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
             piecewise linear and constant beyond its ends: end it with 0 if the stress is to vanish
-            below.
+            at greater depths.
         sxx : array_like, shape (n,)
             Normal stress along x [Pa], tension positive.
         syy : array_like, shape (n,), optional
@@ -167,7 +167,7 @@ class HasDepthProfiles:
         return initial if self.yield_profile is None else initial * min(self.yield_profile[1])
 
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Initial stresses sxx, syy and sxy at depths z [m], each with the shape of z [Pa].
+        """Initial stresses sxx, syy and sxy [Pa] at depths z [m], each with the shape of z.
 
         0 without residual stress. Raises ValueError if z is negative or not finite.
         """

@@ -151,7 +151,7 @@ class Layered(HtmlTable):
         return self._over_depth(depths, np.zeros_like(depths), Material.yield_stress_at)
 
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Initial stresses sxx, syy and sxy at depths z [m], each with the shape of z [Pa].
+        """Initial stresses sxx, syy and sxy [Pa] at depths z [m], each with the shape of z.
 
         0 without residual stress. Raises ValueError if z is negative or not finite.
         """
@@ -240,7 +240,7 @@ def names_of_materials(layers: int) -> list[str]:
 
 
 def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, FloatArray]]:
-    """Yield each material of a body with a mask: whether each depth [m] lies in the material."""
+    """Iterate over a body's materials, each with a mask of the given depths [m] that lie in it."""
     materials = materials_of(body)
     bottoms = body.interfaces if isinstance(body, Layered) else np.empty(0)
     numbers = np.searchsorted(bottoms, depths, side="right")

@@ -49,7 +49,8 @@ class Material(HasDepthProfiles, HtmlTable):
     softening : callable, or None
         Softening law, see `with_softening`.
     yield_profile, residual_stress : tuple of tuples of float, or None
-        Depths [m] and values at each, see `with_yield_profile` and `with_residual_stress`.
+        Depths [m] and the values at each depth, see `with_yield_profile` and
+        `with_residual_stress`.
     """
 
     law: str
@@ -92,7 +93,7 @@ class Material(HasDepthProfiles, HtmlTable):
 
     @classmethod
     def perfect_plastic(cls, E: float, nu: float, yield_stress: float) -> Material:
-        """Elastic, perfectly plastic body: constant yield stress [Pa]."""
+        """Elastic, perfectly plastic body with constant yield stress [Pa]."""
         return cls("perfect_plastic", {"E": E, "nu": nu, "yield_stress": yield_stress})
 
     @classmethod
@@ -115,8 +116,8 @@ class Material(HasDepthProfiles, HtmlTable):
     def swift(cls, E: float, nu: float, B: float, C: float, n: float) -> Material:
         """Swift's law sigma_y(g) = B (C + 1e6 g)^n, B [Pa], C > 0 in microstrain, 0 <= n <= 1.
 
-        Boucly (2008), eq. (2.162), with the strain in microstrain, as its published constants
-        require.
+        g is the equivalent plastic strain [-]. Boucly (2008), eq. (2.162), with the strain in
+        microstrain, as the published constants require.
         """
         return cls("swift", {"E": E, "nu": nu, "B": B, "C": C, "n": n})
 
@@ -126,8 +127,8 @@ class Material(HasDepthProfiles, HtmlTable):
     ) -> Material:
         """Voce's law sigma_y(g) = s_inf - (s_inf - s_0) exp(-rate g), which saturates.
 
-        s_0 = yield_stress [Pa], s_inf = saturation_stress >= s_0 [Pa], rate > 0 [-]. Voce (1948),
-        J. Inst. Metals 74, 537-562.
+        g is the equivalent plastic strain [-], s_0 = yield_stress [Pa], s_inf = saturation_stress
+        >= s_0 [Pa], rate > 0 [-]. Voce (1948), J. Inst. Metals 74, 537-562.
         """
         parameters = {
             "E": E,
@@ -224,7 +225,7 @@ class Material(HasDepthProfiles, HtmlTable):
             Linear thermal expansion alpha [1/K], >= 0.
         diffusivity : float
             Thermal diffusivity kappa = k/(rho c) [m^2/s], > 0, with density rho and specific heat
-            c; it has no effect on the steady state of a source at rest.
+            c; kappa does not affect the steady state of a source at rest.
 
         Returns
         -------
@@ -250,9 +251,9 @@ class Material(HasDepthProfiles, HtmlTable):
             increment, with the temperature rise of the first contact solution.
             `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
             passed to `Simulation.load` again. A run with `checkpoint` resumes only with an
-            identical law: its code and all data it uses are compared (defaults, closures, globals,
-            attributes). A law with hidden state, such as a compiled object, must have an attribute
-            `identity` that contains all data on which the law depends, e.g.
+            identical law: the code of the law and all data used by the code are compared (defaults,
+            closures, globals, attributes). A law with hidden state, such as a compiled object, must
+            have an attribute `identity` that contains all data on which the law depends, e.g.
             ``law.identity = ("my law", 2e-4)``.
 
         Returns
@@ -347,8 +348,8 @@ class Material(HasDepthProfiles, HtmlTable):
         ----------
         strain : array_like, shape (n,)
             History of the total axial strain [-], tension positive, from the virgin state. Each
-            value is one increment (backward Euler: exact for linear hardening, otherwise first
-            order in the steps).
+            value is one increment (backward Euler: exact for linear hardening, otherwise with an
+            error of first order in the increments).
 
         Returns
         -------

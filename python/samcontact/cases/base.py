@@ -161,7 +161,7 @@ class CaseFile(Section):
     def output_directory(self) -> Path:
         """Folder of the results, [output] directory, or results/<name of the case file>.
 
-        Relative to the current working folder.
+        The path is relative to the current working folder.
         """
         return Path(self.output.directory or Path("results") / self._source.stem)
 

@@ -202,9 +202,10 @@ class Case(CaseFile):
                         )
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
-        """Return the Hertz contact of this case at a load [N] > 0; None if there is none.
+        """Return the Hertz contact at a load [N] > 0; None if Hertz theory does not apply.
 
-        It applies to smooth paraboloids and spheres with finite radii and to bodies without layers.
+        Hertz theory applies to smooth paraboloids and spheres with finite radii and to bodies
+        without layers.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic

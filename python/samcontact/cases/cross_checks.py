@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks across the sections of a case: fields without effect are refused by name."""
+"""Checks across the sections of a case; error messages name the fields that have no effect."""
 
 from __future__ import annotations
 
@@ -75,21 +75,22 @@ def _require_repeatable(case: Any) -> None:
             raise ValueError(f"shakedown cannot be combined with {name}: omit one of them")
     if not (case.body1.is_plastic or case.body2.is_plastic):
         raise ValueError(
-            "shakedown requires an elastic-plastic body: set a law, or remove [shakedown]"
+            "shakedown requires an elastic-plastic body: set a hardening law in [body1] or "
+            "[body2], or remove [shakedown]"
         )
     travels = [
         math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
     ]
     if max(map(abs, travels)) > 1e-12:
         raise ValueError(
-            "shakedown requires a closed path, but at its end body 1 and body 2 have "
+            "shakedown requires a closed path, but at the end of the path body 1 and body 2 have "
             f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError for tangential motion, force or slip wear without partial-slip friction."""
+    """Raise ValueError if tangential motion or force, or wear, does not suit the friction law."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
@@ -133,7 +134,7 @@ def _require_law_of_contact(case: Any) -> None:
 
 
 def _require_accuracy(case: Any) -> None:
-    """Raise ValueError for fields not allowed with `accuracy`, or allowed only with it."""
+    """Raise ValueError for fields that `accuracy` excludes or that require `accuracy`."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add accuracy, or omit {name}")
@@ -158,7 +159,7 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
-    """Raise ValueError if bodies have thermal constants or softening but no frictional heating."""
+    """Raise ValueError if a body has thermal constants or softening that are without effect."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
@@ -180,6 +181,6 @@ def _require_zones(case: Any) -> None:
 
 
 def require_image_tol(contact: Any) -> None:
-    """Raise ValueError for image_tol with residual_stress = "exact", which does not use it."""
+    """Raise ValueError if image_tol is given although residual_stress is "exact"."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
         raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')

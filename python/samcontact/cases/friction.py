@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Friction law with partial slip: name and coefficient, or table of constants; inf: no slip."""
+    """Friction law with partial slip, by name: its coefficient (inf: no slip) or constants."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:

@@ -51,8 +51,8 @@ if TYPE_CHECKING:
 class GridSection(Section):
     """[grid]: cells of the surface, and layers of the volume for stresses and plasticity.
 
-    The grid is enlarged automatically if gap and reliefs are defined on any grid, not read from
-    files.
+    The grid is enlarged automatically if the gap and the reliefs are defined on every grid, i.e.
+    are not read from files.
     """
 
     nx: Count

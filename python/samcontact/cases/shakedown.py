@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [shakedown] of a case file: repetition of the path until the response is known."""
+"""Section [shakedown] of a case file: repetition of the path until shakedown or ratcheting."""
 
 from __future__ import annotations
 

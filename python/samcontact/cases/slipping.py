@@ -62,7 +62,7 @@ class TangentialSection(Section):
         """Add tangential motions and forces to the steps; return the end of the segment.
 
         fractions: position of the end of each step in the segment, 0 to 1. reached: load or
-        approach at the end of the segment, tangential forces at its start.
+        approach at the end of the segment, and tangential forces at the start of the segment.
         """
         driven: list[list[tuple[float | None, float | None]]] = []
         forces: list[float | None] = []

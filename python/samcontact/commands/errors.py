@@ -29,7 +29,7 @@ class StoppedEarlyError(Exception):
 def short_errors(*, files: bool = False) -> Iterator[None]:
     """Show errors that a user can cause as one message on stderr, without traceback, and exit.
 
-    files: whether the command reads or writes results. All libraries are then loaded, which
+    files: whether the command reads or writes results. If so, all libraries are loaded, which
     requires enough address space.
     """
     try:
@@ -123,7 +123,7 @@ def _system_message(error: OSError) -> str:
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Whether an error means that memory is exhausted; the loader and HDF5 have own messages."""
+    """Whether an error, of any kind, means that memory is exhausted."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")

@@ -37,8 +37,8 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Plausible bound of a number without a unit: whether it is a lower bound, its value, and an
-example of a number with a unit."""
+"""Plausible bound of a number without a unit: whether the bound is a lower bound, the value of the
+bound, and an example of a number with a unit."""
 
 
 @click.command()
@@ -72,8 +72,8 @@ def hertz(
 ) -> None:
     """Print the Hertz solution for a given --load, --approach or --p0.
 
-    The contact is a point contact, with --Ry an elliptic contact, and with --length or
-    --load-per-length a line contact in plane strain.
+    Without further options, the contact is a circular point contact. It is elliptic with --Ry, and
+    a line contact in plane strain with --length or --load-per-length.
 
     Quantities are numbers in SI units or numbers with a unit: --R "7.5 mm" --E-star "115 GPa".
     """

@@ -46,7 +46,7 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Whether to continue from existing checkpoints; those of another run are moved away.
+        """Whether to continue from existing checkpoints; checkpoints of another run are moved away.
 
         With `resume`, no checkpoints are moved; reading them fails if they belong to another run.
         """
@@ -128,7 +128,7 @@ def checkpoints_of(
     Raises
     ------
     ValueError
-        The folder contains files with names that the run needs, which this package did not write.
+        The folder contains files that this package did not write, with names that the run needs.
     """
     with locked(directory, REMEDY), recording(directory) as record:
         for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER, FINISHED_MARK):

@@ -31,7 +31,7 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
 
 
 class _GuardedGroup(click.Group):
-    """Command group that protects the output of help, version and usage errors against failures."""
+    """Command group with guarded output and signal handling, also for help and usage errors."""
 
     def main(self, *args: Any, **settings: Any) -> Any:
         os.environ.pop(

@@ -134,7 +134,7 @@ def report(run: Path, output: Path | None) -> None:
 
 @contextmanager
 def _recorded(target: Path, default: Path) -> Iterator[None]:
-    """Record a file written under its default name; refuse to replace a file of other origin.
+    """Record a file written under its default name; refuse to replace files of other programs.
 
     A file that the user named with --output is replaced in any case.
     """
@@ -160,7 +160,7 @@ def _require_page(target: Path) -> None:
 
 
 def _results_of(run: Path, names: tuple[str, ...]) -> Path:
-    """Return `run` if it is a file, or the only file in the folder `run` with one of the names."""
+    """Return `run` if it is a file, or the only file in the folder `run` with a name in `names`."""
     if not run.is_dir():
         return run
     found = [run / name for name in names if (run / name).exists()]

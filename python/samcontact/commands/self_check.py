@@ -137,7 +137,7 @@ def self_check() -> Iterator[Check]:
     Yields
     ------
     Check
-        Checks, as soon as each is computed. If a check raises an exception, it fails, and its name
+        Each check as soon as it is computed. A check that raises an exception fails, and its name
         contains the error.
     """
     for part in (_hertz, _plastic, _checkpoint):

@@ -138,7 +138,7 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation with the increments of a case that are solved: all, or some after an error."""
+    """Simulation of a case and its solved increments: all, or after an error only some."""
 
     case: Case
     checkpoints: Checkpoints

@@ -62,7 +62,7 @@ class _StudyKind(NamedTuple):
 def solve_asperities(
     case: AsperityCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve, write series.nc, series.csv and figures of the first pass, and return the files."""
+    """Solve a collision, write series.nc, .csv and figures of the first pass, return the files."""
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
@@ -83,7 +83,7 @@ def solve_asperities(
 def solve_wear(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve, write wear.nc, wear.csv and figures, and return the files."""
+    """Solve a case of wear, write wear.nc, wear.csv and figures, and return the files."""
     simulation, cycle = case.build()
     settings = case.wear
     assert settings is not None

@@ -144,8 +144,8 @@ def _errors(dataset: xr.Dataset) -> list[str]:
 def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase) -> Sheet:
     """Return the table of a sweep: one row for each case.
 
-    Values are those at the increment of maximum von Mises stress. For asperity collisions, they are
-    maxima over the series.
+    The table shows the values at the increment of maximum von Mises stress; for asperity
+    collisions, it shows the maxima of all increments.
     """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]

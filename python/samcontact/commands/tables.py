@@ -61,7 +61,7 @@ def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
 class Sheet:
     """Table that fits the terminal: headings wrap, and columns that do not fit follow below.
 
-    The first column names the rows and is repeated in each part.
+    The first column contains the names of the rows and is repeated in each part of the table.
     """
 
     title: str
@@ -142,7 +142,7 @@ def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dic
 def values_sheet(
     title: str, rows: ArrayLike, columns: Iterable[tuple[Quantity, ArrayLike, int | None]]
 ) -> Sheet:
-    """Return a table with a row for each number in `rows` and a column for each quantity."""
+    """Return a table with a column for each quantity; `rows`: number shown before each row."""
     sheet = Sheet(title)
     sheet.add("", [str(number) for number in np.asarray(rows)])
     for quantity, values, body in columns:

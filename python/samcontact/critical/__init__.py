@@ -85,8 +85,8 @@ class CriticalSphereOverDepth(CriticalSphere):
     Attributes
     ----------
     x, y, z : float
-        Position of first yield [m]; z = 0 is the surface. If several positions are equivalent, one
-        of them.
+        Position of first yield [m]; z = 0 is the surface. Only one of several equivalent positions
+        is returned.
     """
 
     x: float
@@ -181,7 +181,7 @@ def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
     Returns
     -------
     CriticalSphere
-        Green (2005); the polynomial is within 0.4 % of `onset`.
+        Critical values by Green (2005); the polynomial is within 0.4 % of C from `onset`.
 
     Raises
     ------
@@ -329,7 +329,8 @@ def jackson_green(R: float, E_star: float, nu: float, yield_stress: float) -> Cr
     Returns
     -------
     CriticalSphere
-        Jackson and Green (2005), doi:10.1115/1.1866166; within 0.4 % of `onset`.
+        Critical values by Jackson and Green (2005), doi:10.1115/1.1866166; C is within 0.4 % of C
+        from `onset`.
     """
     return _sphere(R, E_star, 1.295 * math.exp(0.736 * poisson_ratio("nu", nu)), yield_stress)
 
@@ -378,7 +379,7 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
     Raises
     ------
     ValueError, TypeError
-        As `onset_over_depth`.
+        As for `onset_over_depth`.
     """
     yield_stress = _yield_stress_of(body)
     R, E_star = positive("R", R), positive("E_star", E_star)

@@ -125,7 +125,7 @@ def _max_excess(
 
 
 class _GlobalSearch:
-    """Search in the whole region: stored contact stress, interpolated at kinks of profiles."""
+    """Search in the whole region, with stored contact stress interpolated at kinks of profiles."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
@@ -151,7 +151,7 @@ class _GlobalSearch:
 
 
 class _LocalSearch:
-    """Search in a small region around a position, at finer points and all kinks of profiles."""
+    """Search in a small region around a position, at finer points and at all kinks of profiles."""
 
     def __init__(
         self,

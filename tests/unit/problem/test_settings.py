@@ -140,7 +140,7 @@ def test_the_pages_state_these_ranges():
 def test_given_settings_are_shown_and_stored(tmp_path):
     grid = sc.Grid(5, 5, 1e-5, 1e-5)
     given = {
-        "friction": 0.1, "tol": 1e-5, "on_border": "warn", "max_iterations": 9,
+        "friction": 0.1, "tol": 1e-5, "on_border": "warn", "on_stall": "warn", "max_iterations": 9,
         "increment_tol": 1e-3, "residual_stress": "exact", "image_tol": 1e-2, "zones": "one",
             "reach": 2e-5, "contact_law": sc.HardContact(),
     }  # fmt: skip
