@@ -18,7 +18,7 @@ def version() -> str:
 
 
 class Contact:
-    """Free space by FFT, double precision. One call does it all; it says what its set-up took."""
+    """Free space by FFT, double precision. One call sets up and solves, and reports both times."""
 
     tolerances = (1e-4, 1e-6, 1e-8, 1e-10)
     settings: ClassVar[dict[str, Any]] = {"backend": "fft"}
@@ -55,15 +55,15 @@ class Mixed(Contact):
 
 
 class Hierarchical(Contact):
-    """H2-matrix restricted to candidates of contact; its operator is good to about 1e-5."""
+    """H2-matrix restricted to cells that may be in contact; accurate to about 1e-5."""
 
     tolerances = (1e-5, 1e-6)
     settings: ClassVar = {"backend": "h2", "active_set": True}
 
 
 class Slip:
-    """`FrictionSolver` with its preconditioner. The tolerance bounds one of its stick and slip
-    residuals; a run reported as not converged has no result."""
+    """`FrictionSolver` with its default preconditioner. The tolerance applies to the residuals of
+    stick and slip; a run that ASPHER reports as not converged raises RuntimeError."""
 
     tolerances = (1e-1, 1e-2, 1e-3, 1e-4)
 

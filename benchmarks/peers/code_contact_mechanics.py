@@ -21,8 +21,8 @@ def version() -> str:
 
 
 class Contact:
-    """The tolerance is one of penetration relative to the indentation, of the offset, and of
-    tensile forces relative to the mean force on a cell."""
+    """The tolerance limits the penetration relative to the indentation, the offset, and tensile
+    forces relative to the mean force on a cell."""
 
     tolerances = (1e-4, 1e-6, 1e-8, 1e-10)
 

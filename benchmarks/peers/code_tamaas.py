@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tamaas: Polonsky and Keer's solver with its free and its periodic operator; its volume model
-and EPIC scheme in a periodic cell."""
+"""tamaas: Polonsky and Keer's solver with the free and the periodic operator; elastic-plastic
+contact by Anderson mixing, and stress, in a periodic domain."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def version() -> str:
 
 
 def iterations_logged(solve: Callable[[], float]) -> int:
-    """Call the solver and count the iterations that it prints: it returns no count."""
+    """Call the solver and count the iterations that it prints, because it returns no count."""
     kept = os.dup(2), os.dup(1)
     with tempfile.TemporaryFile() as file:
         for stream in (1, 2):
@@ -101,7 +101,7 @@ class Plasticity:
 
 
 class Stress:
-    """Stress by the gradient of Boussinesq's displacements and Hooke's law."""
+    """Stress by the gradient of Boussinesq's displacements and Hooke's law, one application."""
 
     tolerances = (0.0,)
 

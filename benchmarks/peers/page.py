@@ -51,7 +51,7 @@ Ladder = dict[float, list[dict[str, Any]]]
 
 
 def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
-    """Measurements by problem, case and size, then by code."""
+    """Return the measurements by problem, case and size, then by code."""
     places: dict[Place, dict[str, Ladder]] = {}
     for key, rounds in data["rows"].items():
         problem, case, n, code, tol = key.split("|")
@@ -64,12 +64,12 @@ def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
 
 
 def row_counts(problem: str, tol: float) -> bool:
-    """Return whether the row is no reference; the error of a reference is zero."""
+    """Return whether the row is not a reference; the error of a reference is zero."""
     return tol not in tight(problem).values()
 
 
 def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]:
-    """Return (error, minimum time of the rounds) from the loosest tolerance to the tightest."""
+    """Return errors and minimum times of the rounds, from the loosest tolerance to the tightest."""
     return [
         (rounds[0]["errors"][measure], min(row[time] for row in rounds))
         for _, rounds in sorted(ladder.items(), reverse=True)
@@ -78,8 +78,8 @@ def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]
 
 
 def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
-    """Return the time to reach an error, interpolated in logarithms between the tolerances
-    on both sides; that of the loosest if it is sufficient; None if it is never reached."""
+    """Return the time to reach an error, interpolated in logarithms between two tolerances; the
+    time of the loosest tolerance if it is sufficient; None if no tolerance is sufficient."""
     reached = [i for i, (found, _) in enumerate(curve) if found <= error]
     if not reached:
         return None
@@ -94,7 +94,7 @@ def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
 def ratio_at(
     codes: dict[str, Ladder], code: str, measure: str, time: str, error: float
 ) -> float | None:
-    """Return the time of a code over that of samcontact, at equal error."""
+    """Return the ratio of the time of a code to the time of samcontact, at equal error."""
     ours, other = (time_at(points(codes[name], measure, time), error) for name in (OURS, code))
     return other / ours if ours and other else None
 
@@ -192,11 +192,11 @@ def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 Grids = dict[str, dict[int, tuple[float, float | None]]]
-"""Return the grid error and the minimum time to a tenth of it, by code and cells across."""
+"""Discretisation error, and minimum time to a tenth of this error, by code and cells across."""
 
 
 def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
-    """Return the discretisation error of each grid, and the time to a tenth of it."""
+    """Return the discretisation error of each grid, and the time to a tenth of this error."""
     places, found = by_place(data), Grids()
     for n, code, row in sorted(converged(problem, data, case), key=lambda one: one[:2]):
         error = row["errors"].get(FINE_PRESSURE)
@@ -228,7 +228,7 @@ def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any
 
 
 def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Return rows of the stress, which is one application without a tolerance."""
+    """Return the table rows of the stress, which is one application without a tolerance."""
     for (problem, _, n), codes in by_place(data).items():
         if problem != "stress" or OURS not in codes:
             continue
@@ -254,7 +254,7 @@ MAX_SETUP_BOUND_CELLS = (
 
 
 def smallest_ratios(data: dict[str, Any]) -> str:
-    """Return the minimum time of any other code relative to samcontact, by kind of contact."""
+    """Return the minimum ratio of times of other codes to samcontact, by kind of contact."""
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
         problem = place[0]
@@ -267,8 +267,8 @@ def smallest_ratios(data: dict[str, Any]) -> str:
                 ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
                 found.setdefault(kind, []).extend([ratio] if ratio else [])
     return "; ".join(
-        f"{kind} {min(found[kind]):.2g} at an error of {COUNTED_AT[problem]:g}"
-        + (f" and from {MAX_SETUP_BOUND_CELLS}² cells on" if problem in ELASTIC else "")
+        f"{kind} {float(f'{min(found[kind]):.2g}'):g} at an error of {COUNTED_AT[problem]:g}"
+        + (f" on grids of {MAX_SETUP_BOUND_CELLS}² cells or more" if problem in ELASTIC else "")
         for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
         if found.get(kind)
     )
@@ -303,7 +303,10 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
                 found.setdefault(line, []).append(f"{place['cells']} ({ratio:.2f})")
     if not found:
         return ["In these tables no other code is faster at equal error."]
-    head = "Cells (in brackets: minimum time relative to samcontact, at any error in the tables):"
+    head = (
+        "Number of cells, in brackets the minimum ratio of the time to the time of samcontact at "
+        "any error in the tables:"
+    )
     return ["\n".join([head, "", *(f"- {k}: {', '.join(v)}" for k, v in found.items())])]
 
 
@@ -331,8 +334,9 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         ]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Errors relative to samcontact on {MAX_CELLS[problem]}² cells, and relative times "
-            "with set-up to a tenth of the error of the grid:",
+            f"Errors relative to samcontact on {MAX_CELLS[problem]}² cells. Times (with set-up, "
+            "relative to samcontact) are for an algebraic error of a tenth of the error of the "
+            "grid:",
             table(without_empty(lines)),
         ]
     clocks = {
@@ -352,7 +356,7 @@ def tables_of(data: dict[str, Any]) -> str:
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
     if smallest := smallest_ratios(data):
-        sections.append(f"Minimum time of another code relative to samcontact: {smallest}.")
+        sections.append(f"Minimum ratio of the time of any other code to the time of samcontact: {smallest}.")
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:

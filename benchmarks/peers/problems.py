@@ -17,11 +17,11 @@ RADIUS = 7.5e-3  # m
 HERTZ_LOAD = 1500.0  # N
 ROUGH_SIDE = 1e-3  # m
 ROUGH_RMS = 1e-6  # m
-# Crown [m], load [N]: contact fractions of a few per cent and of about a quarter.
+# Crown radius [m], load [N]: contact fractions of a few per cent and of about a quarter.
 ROUGH_CASES = {"light": (0.02, 15.0), "heavy": (0.02, 600.0)}
 YIELD_STRESS = 0.01 * E_STAR
 HARDENING = 0.1 * E
-# Width of the (possibly periodic) cell and its depth, in elastic contact radii.
+# Width (plastic, stress) and depth of the possibly periodic domain, in elastic contact radii.
 PLASTIC_SIDE, STRESS_SIDE, DEPTH = 6.0, 12.0, 2.0
 INCREMENTS = 2
 # Shortest wave of the periodic rough surface as a fraction of its side. Loads [N] for
@@ -35,7 +35,7 @@ PULLED = ("force given", "shift given")
 
 @dataclass(frozen=True)
 class Elastic:
-    """A rigid body of a given gap pressed on an elastic half-space."""
+    """A rigid body with a given initial gap, pressed on an elastic half-space."""
 
     gap: np.ndarray
     side: float
@@ -58,7 +58,7 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Slipping(Elastic):
-    """Solve without tangential displacement by pressure, then load tangentially along x."""
+    """Normal contact without tangential displacement, then tangential loading along x."""
 
     force: float | None = None
     shift: float | None = None
@@ -93,14 +93,14 @@ def hertz_theory() -> sc.hertz.PointContact:
 
 
 def hertz(n: int) -> Elastic:
-    """Return the ball whose contact covers four fifths of the width."""
+    """Return a ball on a grid of such a width that the contact covers four fifths of it."""
     side = 2 * hertz_theory().a / 0.8
     grid = sc.Grid(n, n, side / n, side / n)
     return Elastic(sc.surfaces.paraboloid(grid, RADIUS), side, HERTZ_LOAD)
 
 
 def slipping(n: int, case: str) -> Slipping:
-    """The Hertz contact, pulled by half of what friction holds, or shifted as far as that does."""
+    """Return the Hertz contact under half the friction limit, or the displacement this causes."""
     given, theory = hertz(n), hertz_theory()
     limit = FRICTION * HERTZ_LOAD
     if case == "force given":
@@ -123,8 +123,8 @@ def rough(n: int, case: str) -> Elastic:
 
 
 def periodic(n: int, case: str) -> Elastic:
-    """Self-affine, Hurst exponent 0.8: one surface for all grids. Heights are those at i/n of the
-    side, so that every point of a grid is one of a grid with a multiple of its cells."""
+    """Self-affine surface with Hurst exponent 0.8, the same on all grids. Heights are sampled at
+    i/n of the side, so that a grid with a multiple of the cells contains every point."""
     amplitudes = wave_amplitudes(WAVES, 0.8, seed=1)
     k = np.arange(-WAVES, WAVES + 1)[:, None] + np.arange(WAVES + 1)[None, :]
     gap = -heights(n, amplitudes * np.exp(-1j * np.pi / n * k), ROUGH_RMS)
@@ -140,8 +140,8 @@ def elastic(problem: str, case: str, n: int) -> Elastic:
 
 
 def plastic(n: int, side: float = PLASTIC_SIDE, periodic: str = "") -> Plastic:
-    """Cubic cells; elastically the pressure would be four times the yield stress over a radius of
-    1 mm. The side is in such radii."""
+    """Return a problem with cubic cells. The elastic contact has a radius of 1 mm and a Hertz
+    pressure of four times the yield stress; `side` is in contact radii."""
     a, p0 = 1e-3, 4 * YIELD_STRESS
     layers = round(n * DEPTH / side)
     radius = 2 * E_STAR * a / (np.pi * p0)
