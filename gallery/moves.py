@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Changes of the stated values of a part with the mesh, from the table stored in benchmarks."""
+"""How the values on a gallery page change with the mesh, from the table stored in benchmarks."""
 
 from __future__ import annotations
 
@@ -11,26 +11,27 @@ from typing import Any
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "grid size")
 OWN_MESH_NOTE = """\
-Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
-are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
+Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of
+this page are halved in size, or when the grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)).
 """
 COARSE_MESH_NOTE = """\
-Sensitivity: maximum change of the numbers if the cells, layers or increments of a mesh about half
-as fine as the mesh of the page are halved, or its grid is enlarged
-([sensitivity of the gallery to the mesh](../sensitivity.md)). This is approximately an upper bound
-of the error.
+Sensitivity: the largest change of the numbers found with a mesh about half as fine as the mesh of
+this page, when its cells, layers or increments are halved in size, or when the grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)). This change is approximately an upper
+bound of the error of this page.
 """
 BOTH_MESHES_NOTE = """\
-Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
-are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
-Values in brackets are changes on a mesh about half as fine, and approximately upper bounds of the
-error.
+Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of
+this page are halved in size, or when the grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)). Changes in brackets were found with a
+mesh about half as fine; they are approximately upper bounds of the error of this page.
 """
 
 
 @dataclass(frozen=True, order=True)
 class Move:
-    """Change of a value with the mesh [%], and whether the mesh is the mesh of the page."""
+    """Change of a value with the mesh [%], and whether the mesh is that of the gallery page."""
 
     percent: float
     own: bool
@@ -91,7 +92,7 @@ def note(table: list[Moves]) -> str:
 
 
 def column(table: list[Moves]) -> dict[str, str]:
-    """Return the maximum change of each quantity by its `words`; coarse ones in brackets."""
+    """Return the maximum change of each quantity, by `words`; in brackets if from a coarse mesh."""
     mixed = note(table) == BOTH_MESHES_NOTE
     largest: dict[str, Move] = {}
     for moves in table:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Values stated in the thesis, one row of `statements.toml` each, and the computed ones.
+"""Values stated in the thesis, one row of `statements.toml` each, and the computed values.
 
-Fields of a row: `quantity`; `thesis`, a number or words; for numbers `unit`, `tolerance` and
-`converged`; for words `ours`, the format of the computed values, and `contradicted`; `mesh`, if it
-is equal in every run; `remark`. A table in place of a value gives one value for each condition
-`at`, e.g. a load. Texts contain `str.format` placeholders, which the part fills.
+Each row has the field `quantity`, and `thesis`, which is a number or a text. A row with a number
+may have `unit`, `tolerance` and `converged`; a row with a text has `ours`, the format of the
+computed values, and may have `contradicted`. Each row may have `mesh`, if the mesh is the same in
+every run, and `remark`. A table in place of a value gives one value for each condition `at`, e.g. a
+load. Texts contain `str.format` placeholders, which the gallery part fills.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ class Number:
     tolerance: float = 0.05
     """Maximum relative difference for which the value holds [-]."""
     remark: str = ""
-    """Remark, e.g. the value on a converged mesh if it differs from that of the thesis."""
+    """Remark, e.g. the value on a converged mesh if it differs from the value of the thesis."""
     converged: float | None = None
     """Value of a mesh study that contradicts the thesis; `holds` then compares with it."""
 
@@ -76,24 +77,24 @@ class Listing(string.Formatter):
 
 @cache
 def table() -> dict[str, dict[str, dict[str, Any]]]:
-    """Read the rows of each part, by name."""
+    """Read the rows of each gallery part, by name of the part and of the row."""
     text = Path(__file__).with_name("statements.toml").read_text(encoding="utf-8")
     found: dict[str, dict[str, dict[str, Any]]] = tomllib.loads(text)
     return found
 
 
 class Stated:
-    """Rows of a part; `fields` fill the placeholders of their texts, or replace the texts."""
+    """Rows of a gallery part; `fields` fill placeholders in the texts, or replace whole texts."""
 
     def __init__(self, part: str, **fields: Any) -> None:
         self.part, self.fields = part, fields
 
     def on(self, mesh: str, **fields: Any) -> Stated:
-        """Return these rows with `mesh` as the mesh of rows that state none."""
+        """Return these rows; `mesh` is then the mesh of each row that states none."""
         return Stated(self.part, **self.fields, mesh=mesh, **fields)
 
     def values(self, name: str) -> dict[Any, Any]:
-        """Return the stated values of a row with several values, by condition."""
+        """Return the values that the thesis states for a row, by condition (e.g. the load)."""
         found: dict[str, Any] = table()[self.part][name]["thesis"]
         return {_key(key): value for key, value in found.items()}
 
@@ -102,7 +103,7 @@ class Stated:
         return Number(**self._filled(name, (), fields), ours=ours)
 
     def trend(self, name: str, holds: bool, *ours: Any, **fields: Any) -> Statement:
-        """Return the trend with this name; `holds`: whether it holds; `ours`: computed values."""
+        """Return the trend with this name, whether it holds, and the computed values `ours`."""
         return Statement(**self._filled(name, ours, fields), holds=bool(holds))
 
     def _filled(self, name: str, ours: tuple[Any, ...], fields: dict[str, Any]) -> dict[str, Any]:
