@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the values on a gallery page change with the mesh, from the table stored in benchmarks."""
+"""Changes of the values of a gallery page with the mesh, from the table stored in benchmarks."""
 
 from __future__ import annotations
 

@@ -356,7 +356,8 @@ def tables_of(data: dict[str, Any]) -> str:
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
     if smallest := smallest_ratios(data):
-        sections.append(f"Minimum ratio of the time of any other code to the time of samcontact: {smallest}.")
+        head = "Minimum ratio of the time of any other code to the time of samcontact"
+        sections.append(f"{head}: {smallest}.")
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:
