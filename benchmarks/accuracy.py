@@ -54,7 +54,8 @@ solutions](#comparison-of-the-reference-with-finite-elements) of three of the ca
 reference to within the accuracy of the finite elements.
 
 The time limit of a run is {longest:.0f} s. Runs that cannot reach the accuracy within this time are
-marked "not reached"; their values have stated errors too. The constants of the error estimate were calibrated with these contacts, except for the following {new}: {later}.
+marked "not reached"; their values have stated errors too. The constants of the error estimate were
+calibrated with these contacts, except for the following {new}: {later}.
 
 {summary}
 

@@ -39,7 +39,9 @@ is not axisymmetric; both codes solve it in three dimensions:
   as the previous one, to a bottom at a depth of {depth:g} period, which is fixed along z. The
   contact is face to face, with a stiffness that permits 10 nm of interpenetration. Loading is
   force-controlled, unloading displacement-controlled.
-- samcontact: cubic cells on the whole period (`periodic="xy"`). The table states the number of cells on a period. `nz` is not given, and all settings have their defaults; samcontact detects the mirror planes.
+- samcontact: cubic cells on the whole period (`periodic="xy"`). The table states the number of
+  cells on a period. `nz` is not given, and all settings have their defaults; samcontact detects the
+  mirror planes.
 
 ![Maximum error against time](../build/figures/finite_elements_wave.png)
 
