@@ -38,28 +38,30 @@ TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.accuracy --docs -->
 # Reliability of the estimated errors
 
-This page shows how often the true error of a value exceeds the error estimated by samcontact (the
+This page shows how often the true error of a result exceeds the error estimated by samcontact (the
 stated error). `samcontact.to_accuracy`, or `accuracy` in a case file, solves a contact to a
-prescribed accuracy and gives values with stated errors ([how errors are
+prescribed accuracy and returns results with stated errors ([how errors are
 estimated](theory/accuracy.md#solution-to-an-accuracy)).
 
 {cases} contacts are solved to accuracies of 5, 1 and 0.2 %, and the stated errors are compared with
 the true errors. The true error is the difference from a reference. For pressure, approach and area
-of elastic paraboloids, the reference is Hertz's solution. For all other values, it is extrapolated:
-with order 2 in the cell size, from the finest grids that can be solved in about {finest:.0f} s; and
-with orders 1 and 2 in the number of increments, from up to 32 or 64 increments on a coarser grid.
-For rolling contacts this reference is hardly more accurate than the values that are compared with
-it. [Finite elements](#comparison-of-the-reference-with-finite-elements) solutions of three of the
-cases agree with the reference to within the accuracy of the finite elements.
+of elastic paraboloids, the reference is Hertz's solution. For all other values, the reference is
+extrapolated in two ways: with order 2 in the cell size, from the finest grids that can be solved in
+about {finest:.0f} s; and with orders 1 and 2 in the number of increments, from up to 32 or 64
+increments on a coarser grid. For rolling contacts this reference is hardly more accurate than the
+values that are compared with it. [Finite element
+solutions](#comparison-of-the-reference-with-finite-elements) of three of the cases agree with the
+reference to within the accuracy of the finite elements.
 
 The time limit of a run is {longest:.0f} s. Runs that cannot reach the accuracy within this time are
-marked "not reached"; their values have stated errors too. The constants of the estimate were
-calibrated with these contacts, except for {new}: {later}.
+marked "not reached"; their values have stated errors too. The constants of the error estimate were
+calibrated with these contacts, except for the following {new}: {later}.
 
 {summary}
 
-A value is covered if its true error is at most the stated error. The third and fourth columns are
-ratios of true and stated errors. The next table gives the time of each run, summed over all its
+A value is covered if its true error does not exceed its stated error. The fourth column is the
+maximum of the true error divided by the stated error, the fifth column the median of the stated
+error divided by the true error. The next table gives the time of each run, summed over all its
 grids, and the number of surface cells of the finest grid. The times were measured on one processor
 of a machine that also did other work.
 
@@ -121,7 +123,7 @@ def _short(value: float) -> float:
 
 
 def _beyond_rounding(difference: float) -> float:
-    """Absolute difference; zero if it is rounding, as for prescribed values."""
+    """Return the absolute difference; zero if it is a rounding error, as for prescribed values."""
     return abs(difference) if abs(difference) > 1e-9 else 0.0
 
 
@@ -147,8 +149,8 @@ def quantities(records: list[Record]) -> list[Judged]:
 
 
 def summary(rows: list[Judged]) -> str:
-    head = ("accuracy [%]", "values", "covered [%]", "maximum true over stated",
-            "median stated over true", "reached")  # fmt: skip
+    head = ("accuracy [%]", "values", "covered [%]", "maximum true / stated",
+            "median stated / true", "reached")  # fmt: skip
     lines = []
     for accuracy in ACCURACIES:
         mine = [row for row in rows if row.accuracy == accuracy]
@@ -162,7 +164,7 @@ def summary(rows: list[Judged]) -> str:
 
 
 def costs(rows: list[Judged]) -> str:
-    """Table of times and cells of the finest surface."""
+    """Return the table of times and of numbers of surface cells on the finest grid."""
     head = "case", "reference", *(f"to {100 * accuracy:g} %" for accuracy in ACCURACIES)
     by = {name: "finer grids, and finite elements" for name in elements_of()}
     by |= {name: "Hertz" for name, case in CASES.items() if closed_form(case)}
@@ -179,7 +181,7 @@ def costs(rows: list[Judged]) -> str:
 
 
 def elements() -> str:
-    """Table of reference values and finite element values of some cases."""
+    """Return the table of reference values and finite element values of three cases."""
     head = ("case", "quantity", "finite elements", "reference", "difference [%]",
             "accuracy of finite elements [%]")  # fmt: skip
     truth = known()
@@ -223,7 +225,7 @@ def elements_of() -> dict[str, dict[str, float]]:
 
 
 def errors(rows: list[Judged], name: str) -> str:
-    """Table of true and stated errors of a case, with one column per quantity."""
+    """Return the table of true and stated errors of a case, with one column per quantity."""
     mine = [row for row in rows if row.case == name]
     shown = list(dict.fromkeys(row.quantity for row in mine))
     head = "accuracy [%]", *(_words(quantity) for quantity in shown)

@@ -27,24 +27,25 @@ TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: OMP_NUM_THREADS=1 python -m benchmarks.accuracy_cost --docs -->
 # Cost of a prescribed accuracy
 
-This page compares the computing time of `samcontact.to_accuracy` with that of the best manually
+This page compares the computing time of `samcontact.to_accuracy` with the time on the best manually
 chosen grid of equal error. `samcontact.to_accuracy` solves a case on several grids and with several
 numbers of increments. A user who knew the required grid and number of increments in advance would
 solve the case only once.
 
 For comparison each grid of the sequence is solved separately, with {increments} increments of
-loading and one of elastic unloading, the default tolerance of case files and the extent of the
-first grid. Numbers of increments that would take more than about {longest:.0f} s are omitted. The
-best manual grid is the fastest one whose error does not exceed that of `to_accuracy`. The error is
-that of the worst quantity, relative to [reference values](accuracy.md), which also list the cases.
-Times are processor times with one thread.
+loading and one increment of elastic unloading, with the default tolerance of case files and with
+the extent of the first grid. Numbers of increments that would take more than about {longest:.0f} s
+are omitted. The best manual grid is the fastest grid whose error does not exceed the error of
+`to_accuracy`. The error is the maximum error of all quantities, relative to [reference
+values](accuracy.md); the page of the reference values also lists the cases. Times are processor
+times with one thread.
 
 {table}
 
 In {count} of {rows} rows a manual grid is as accurate as `to_accuracy`. In these rows the median
 ratio of times (`to_accuracy` / manual grid) is {median:.2g}. In the other rows no manual grid is as
-accurate, because the values of `to_accuracy` are extrapolated and those of a single grid are not.
-These rows show the most accurate manual grid instead.
+accurate, because `to_accuracy` extrapolates its values from several grids, and a single grid does
+not permit this. These rows show the most accurate manual grid instead.
 """
 
 

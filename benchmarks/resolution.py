@@ -56,17 +56,18 @@ and needed {memory:.1f} GB.
 
 ![Errors against the cells per shortest wave](figures/rough_resolution.png)
 
-Area and mean pressure are compared with values extrapolated with order one from the two finest
-grids, strain and stress with the finest grid. At the edges of contact spots single cells have peaks
-of pressure and, in the first layer, of strain, whatever the tolerance. These peaks grow as the
-cells become finer: the maximum pressure and the residual stress of the first layer do not converge.
+Errors of area and mean pressure are relative to values extrapolated with order one from the two
+finest grids; errors of strain and stress are relative to the finest grid. At the edges of contact
+spots, single cells have peaks of pressure and, in the first layer, peaks of strain, at any
+tolerance of the solver. These peaks grow as the cells become finer: the maximum pressure and the
+residual stress of the first layer do not converge.
 
 {tables}
 
 ## Increments
 
-Each load above is reached in one increment. The first load in several increments, with {parted}
-cells per shortest wave:
+Each load above is reached in one increment. The next table is for the first load, reached in
+several increments, with {parted} cells per shortest wave:
 
 {parts}
 
@@ -75,8 +76,8 @@ The residual stress depends more on the increments than on the cells.
 ## Source of the error
 
 The error is determined by the number of cells across a contact spot, not across the shortest wave.
-A cell is in contact or not, and each side of an outline is wrong by a part of a cell. The area is
-wrong by about
+A cell is counted as either in contact or not, so the outline of a spot is wrong by a fraction of a
+cell. The relative error of the area is about
 
 $$\\frac{{\\pi - 1 + \\ln 2}}{{24}} \\, \\frac{{S}}{{N}} = {side:.3f} \\, \\frac{{S}}{{N}},$$
 
@@ -86,21 +87,23 @@ contact (Yastrebov, Anciaux and Molinari 2017,
 column "area uncertainty" of the tables; it follows from a single solution. The errors found are
 {low:.2f} to {high:.2f} times this value, and the area is always too large. The uncertainty of a
 round spot d cells across is {round:.2f}/d of its area: {eight:.0f} % with 8 cells, {four:.0f} %
-with 4. "Cells across a spot" is the d of round spots with equal S/N.
+with 4. The column "cells across a spot" is the value of d for round spots with the same S/N.
 
 The [contact area](theory/contact.md#contact-area) in states and results is corrected for this error
-where spots are small, and the edge is located within the cells where they are not. The tables are
-for counted cells, whose mean pressure is too low by as much as the area is too large. Plastic
-strain and residual stress below the surface are largest in spots that are wider than the average,
-and are considerably more accurate.
+if spots are small; if they are large, the edge is located within the cells. The area in the tables
+is the number of cells in contact times the area of a cell, without correction; the mean pressure is
+too low by the same factor by which this area is too large. Plastic strain and residual stress below
+the surface are largest in spots that are wider than the average. They are therefore considerably
+more accurate.
 
 ## Recommendations
 
 - Choose cells that give contact spots of 8 or more cells across at the load of interest. Lighter
-  loads need smaller cells: the first contact of a rough surface is never resolved.
+  loads need smaller cells; at first contact, no grid resolves the spots of a rough surface.
 - Apply the load in several increments if the residual stress matters.
-- The error is proportional to the cell size. From two grids, one twice as fine, twice the area of
-  the finer minus the area of the coarser is more accurate than both.
+- The error is proportional to the cell size. If two grids are solved, the second with half the cell
+  size, twice the area on the finer grid minus the area on the coarser grid is more accurate than
+  either area.
 - `ResolutionWarning` is issued if the area uncertainty of several spots exceeds {warn:.0f} % in a
   run, or {fail:.0f} % in a single increment. Results contain it as `area_uncertainty`, and the
   check of a report fails above {fail:.0f} %.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """python -m benchmarks.wear_convergence: convergence of wear and running-in, as a page.
 
-Both contacts of Boucly's thesis (2008), section 5.2, with cells, layers and increments refined one
-at a time: with a filter whose length is in metres, and with the thesis's filter in cells.
+Both contacts of Boucly's thesis (2008), section 5.2, on several meshes: with a filter length
+given in metres, and with the filter of the thesis, whose length is given in cells.
 """
 
 from __future__ import annotations
@@ -16,40 +16,40 @@ from gallery.wear import ELASTIC, FRICTION, RADIUS, STEEL, THRESHOLD
 
 from .study import Record, Study, by_group, table_of
 
-SMOOTHING = 7.2e-6  # m: equivalent to a moving average over half a wavelength of 50 um
+SMOOTHING = 7.2e-6  # m: equivalent to a moving average over 25 um, half a wavelength
 HEAD = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.wear_convergence --docs -->
 # Convergence of wear and running-in
 
 This page shows how computed wear and running-in depend on the mesh and on the smoothing of the worn
 surface. Both contacts of section 5.2 of Boucly's thesis ([running-in](gallery/running_in.md),
-[wear](gallery/wear.md)) are solved with smaller cells dx, layers dz and load increments, one at a
-time. Volumes are sums over all cycles.
+[wear](gallery/wear.md)) are solved with smaller cells dx, thinner layers dz and more load
+increments. Volumes are sums over all cycles.
 """
 TEXTS = {
     "gaussian": """## Running-in with a filter of fixed length
 
-The smoothing length is 7.2 µm (`smoothing_length`), equivalent to a moving average over half a
-wavelength of the roughness (25 µm). A Gaussian filter leaves no edges, and running-in ends on every
-mesh. The last cycles remove almost nothing. Their number depends on the layers, which determine the
-depth at which the strain is compared with the threshold.
+The smoothing length is 7.2 µm (`smoothing_length`), equivalent to a moving average over 25 µm, half
+a wavelength of the roughness. A Gaussian filter leaves no edges, and running-in ends on every mesh.
+The last cycles remove almost nothing. Their number depends on the thickness of the layers, which
+determines the depth at which the strain is compared with the threshold.
 """,
     "cells": """## Running-in with the filter of the thesis
 
 The filter is a moving average over 25 µm (`window` in cells, `order` 1), as closely as the cells
 permit. The border of the worn region is then a ramp with sharp edges. On coarse grids the edges are
 no sharper than a cell, and running-in ends. On finer grids each edge carries the next contact, at a
-pressure that increases as the cells shrink. It is strained beyond the threshold, is removed, and
-leaves new edges: the volume per cycle increases again, and wear does not cease. The pressure at a
-sharp edge grows without limit as the cells shrink, so refinement does not help.
+pressure that increases as the cells shrink. The edge is strained beyond the threshold, is removed,
+and leaves new edges: the volume per cycle increases again, and wear does not cease. The pressure at
+a sharp edge grows without limit as the cells shrink, so refinement does not help.
 """,
-    "lens": """## Wear of the flat surface
+    "lens": """## Wear of the smooth surface
 
 Two smooth balls are loaded by 2000 N, with a smoothing length of 87 µm (equivalent to a moving
 average over 300 µm). The first cycle removes a lens deeper than the approach of the balls. The
-following contacts are on the rim of this pit, above the Hertz pressure and with strains beyond the
-small-strain limit. Wear does not cease, and each cycle depends more on the mesh than the previous
-one.
+contacts of the following cycles are on the rim of this pit; their pressures exceed the Hertz
+pressure, and their strains exceed the small-strain limit. Wear does not cease, and each cycle
+depends more on the mesh than the previous one.
 """,
 }
 COMPARED = {
@@ -157,8 +157,9 @@ def spread(rows: list[dict[str, str]], finest: float, names: tuple[str, ...]) ->
     for name in names:
         values = np.array([float(row[name]) for row in fine])
         share = 100 * (values.max() - values.min()) / (values.max() + values.min())
-        parts.append(f"{name.rsplit(' [', 1)[0]} ±{share:.0f} %")
-    return f"Spread between the meshes with dx up to {finest:g} µm: {', '.join(parts)}."
+        quantity = name.rsplit(" [", 1)[0].replace(", ", " of the ")
+        parts.append(f"{quantity} ±{share:.0f} %")
+    return f"Spread between the meshes with dx up to {finest:g} µm: {'; '.join(parts)}."
 
 
 def page(records: list[Record]) -> str:

@@ -22,15 +22,16 @@ from .stated import Number, Stated, Statement
 STATED = Stated("asperities")
 TITLE = "Collision of two asperities"
 INTRODUCTION = """
-This page shows the forces, energy and imprints of two colliding asperities (tugging, in the
-thesis), and compares with part 4 of Boucly's thesis (2008). Two perfectly plastic spheres with a
-radius of 1 m and a yield stress of 0.9115 GPa pass each other at constant height, without friction
-and rotation. Forces, energy U and interference ω are divided by their critical values U_c, ω_c and
-so on at the onset of yield (Green 2005). X is the offset of the centres, negative before they are
-aligned, and R = 0.5 m is the equivalent radius. The load ratio is the tangential force divided by
-the normal force. A positive tangential force resists the motion. The forces in the figures are
-those of the first pass, as in the thesis. The kinematics are derived independently, because
-equations (4.2), (4.13) and (4.15) of the thesis contain errors
+This page shows the forces, energy and imprints of two colliding asperities (called tugging in the
+thesis), and compares the results with part 4 of Boucly's thesis (2008). Two perfectly plastic
+spheres with a radius of 1 m and a yield stress of 0.9115 GPa pass each other at constant height,
+without friction and rotation. Forces, energy U and interference ω are divided by their critical
+values (U_c, ω_c and so on), i.e. by their values at the onset of yield (Green 2005). X is the
+offset of the sphere centres, negative before the centres are aligned, and R = 0.5 m is the
+equivalent radius. The load ratio is the tangential force divided by the normal force. A positive
+tangential force resists the motion. The figures show the forces in the first pass, as in the
+thesis. The kinematics are derived independently of the thesis, because equations (4.2), (4.13) and
+(4.15) of the thesis contain errors
 ([theory](../theory/moving_contacts.md#collision-of-two-asperities)).
 """
 

@@ -11,20 +11,21 @@ from typing import Any
 TABLE = Path(__file__).parents[1] / "benchmarks" / "sensitivity.json"
 CHANGES = ("cells", "layers", "increments", "grid size")
 OWN_MESH_NOTE = """\
-Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
-are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
+Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of
+this page are halved in size, or when the grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)).
 """
 COARSE_MESH_NOTE = """\
-Sensitivity: maximum change of the numbers if the cells, layers or increments of a mesh about half
-as fine as the mesh of the page are halved, or its grid is enlarged
-([sensitivity of the gallery to the mesh](../sensitivity.md)). This is approximately an upper bound
-of the error.
+Sensitivity: the largest change of the numbers found with a mesh about half as fine as the mesh of
+this page, when its cells, layers or increments are halved in size, or when the grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)). This change is approximately an upper
+bound of the error of this page.
 """
 BOTH_MESHES_NOTE = """\
-Sensitivity: maximum change of the numbers if the cells, layers or increments of the page's mesh
-are halved, or its grid is enlarged ([sensitivity of the gallery to the mesh](../sensitivity.md)).
-Values in brackets are changes on a mesh about half as fine, and approximately upper bounds of the
-error.
+Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of
+this page are halved in size, or when the grid is enlarged
+([sensitivity of the gallery to the mesh](../sensitivity.md)). Changes in brackets were found with a
+mesh about half as fine; they are approximately upper bounds of the error of this page.
 """
 
 

@@ -20,12 +20,12 @@ STATED = Stated("nano_indentation")
 TITLE = "Nano-indentation"
 INTRODUCTION = """
 This page compares a computed nano-indentation with sections 2.3.1.1 and 2.3.1.3 of Boucly's thesis
-(2008). A rigid spherical tip of radius 105 µm is loaded with 0.650 N against nitrided steel and
+(2008). A rigid spherical tip of radius 105 µm is pressed onto nitrided steel with 0.650 N and
 unloaded. The steel has E = 210 GPa, ν = 0.3 and Swift hardening with B = 1240 MPa, C = 30 and n =
-0.085. The thesis gives Young's modulus as 210 MPa, but the elastic approach that it states requires
-210 GPa. The indentation is computed twice: with prescribed load and with prescribed rigid-body
-approach, which the thesis calls interference. The thesis gives the measured imprints of figure 2.9
-neither in a table nor in the text, so they are not shown here.
+0.085. The thesis gives a Young's modulus of 210 MPa, but the elastic approach stated in the thesis
+requires 210 GPa. The indentation is computed twice: with prescribed load and with prescribed
+rigid-body approach, which the thesis calls interference. The thesis gives the measured imprints of
+figure 2.9 neither in a table nor in the text, so they are not shown here.
 """
 
 TIP = 105e-6

@@ -22,15 +22,16 @@ from .track import BALL, RADIUS, Cycle, Mesh, Run, ellipse, roll
 STATED = Stated("rolling")
 TITLE = "Rolling and repeated passes"
 INTRODUCTION = """
-This page shows the track and the residual stress of a rolling ball, and compares with sections
-3.2.1.1 and 3.2.1.2 of Boucly's thesis (2008). A ceramic ball of 9.525 mm diameter rolls over a
-steel flat without friction. In the first part the load is 460 N on steel M50 or 52100, as in a
-thrust bearing. The thesis gives no numbers for the profiles measured in this part (figures 3.8, 3.9
-and 3.12), so only computed profiles are shown. Figures 3.6 and 3.7 of the thesis show the bearing.
-In the second part the Hertz pressure is p0 = 5.7 GPa on steel 52100. Each cycle consists of
-loading, rolling to the right, unloading, and returning unloaded. a is the Hertz contact radius at
-5.7 GPa. Section 3.2.1.1 gives the moduli as 310 and 210 MPa; 310 and 210 GPa are used here.
-Sections across the track are taken at 60 % of the distance. Tensile stress is positive.
+This page shows the track and the residual stress of a rolling ball, and compares the results with
+sections 3.2.1.1 and 3.2.1.2 of Boucly's thesis (2008). A ceramic ball of 9.525 mm diameter rolls
+over a steel flat without friction. In the first part, a load of 460 N acts on steel M50 or 52100,
+as in a thrust bearing. The thesis gives no numbers for the profiles measured in this part (figures
+3.8, 3.9 and 3.12), so only computed profiles are shown. Figures 3.6 and 3.7 of the thesis show the
+bearing. In the second part, the flat is of steel 52100 and the Hertz pressure is p0 = 5.7 GPa. Each
+cycle consists of loading, rolling to the right, unloading, and returning unloaded. a is the Hertz
+contact radius at 5.7 GPa. Section 3.2.1.1 of the thesis gives the moduli as 310 and 210 MPa; 310
+GPa (ceramic) and 210 GPa (steel) are used here. Sections across the track are taken at 60 % of the
+distance. Tensile stress is positive.
 """
 
 BEARING_LOAD = 460.0

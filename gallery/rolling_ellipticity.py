@@ -20,17 +20,20 @@ STATED = Stated("rolling_ellipticity")
 TITLE = "Rolling: influence of the ellipticity"
 INTRODUCTION = """
 This page shows how the ellipticity of a rolling contact changes the track, strain and residual
-stress, and compares with section 3.2.1.3 of Boucly's thesis (2008). A ceramic ellipsoid rolls twice
-by 4 mm along the minor axis of its contact over a flat of steel 52100. The semi-major axis is k
-times the semi-minor axis, and the grid is stretched across the track by the same factor. The thesis
-intends a Hertz pressure of 5.7 GPa for every k. By exact elliptic integrals, however, the radii and
-loads of its table 3.2 (R_x = 4.7625 mm, R_y / R_x = k^(pi/2), load 1152.9 N times k) give only 4.9
-to 5.2 GPa for k > 1.
+stress, and compares the results with section 3.2.1.3 of Boucly's thesis (2008). A ceramic ellipsoid
+rolls twice by 4 mm along the minor axis of its contact over a flat of steel 52100. The semi-major
+axis is k times the semi-minor axis, and the grid is stretched across the track by the same factor.
+The thesis intends a Hertz pressure of 5.7 GPa for every k. By exact elliptic integrals, however,
+the radii and loads of table 3.2 in the thesis (R_x = 4.7625 mm, R_y / R_x = k^(pi/2), load 1152.9 N
+times k) give only 4.9 to 5.2 GPa for k > 1.
 
-The values and trends stated in the thesis are results for these radii and loads. The rows and
-figures below therefore use them, except where 5.7 GPa is stated. In those rows and figures k, the
-semi-minor axis and 5.7 GPa are exact, and R_x falls from 4.7625 mm (k = 1) to 3.76 mm (k = 16). a
-is 310.8 µm and p0 is 5.7 GPa in all rows. Profiles are taken at 60 % of the distance.
+The values and trends stated in the thesis are results for these radii and loads. Most rows and
+figures below therefore use these radii and loads. The rows and figures labelled "Hertz pressure of
+5.7 GPa" use exact radii and loads instead: k, the semi-minor axis and the Hertz pressure have their
+nominal values, and R_x falls from 4.7625 mm (k = 1) to 3.76 mm (k = 16). In all rows, lengths are
+divided by a = 310.8 µm and stresses by p0 = 5.7 GPa. These are the nominal values of the semi-minor
+axis and the Hertz pressure, whatever the actual values in the contact. Profiles are taken at 60 %
+of the distance.
 """
 
 BODIES = (CERAMIC, STEEL_52100)
@@ -273,8 +276,9 @@ def profiles(results: Results) -> Picture:
     return Picture(
         "rolling_ellipticity_strain",
         "Figures 3.21 and 3.22: plastic strain, and von Mises stress under load, below the middle "
-        "of the track after one (dashed) and two cycles. Dotted: depth of the maximum elastic "
-        "stress in a point contact (0.48) and a line contact (0.8).",
+        "of the track after one (dashed) and two cycles. Dotted: depth of the maximum elastic von "
+        "Mises stress in a point contact (0.48), and of the maximum elastic shear stress in a line "
+        "contact (0.8).",
         figure,
     )
 

@@ -21,17 +21,19 @@ STATED = Stated("rolling_load")
 TITLE = "Rolling: influence of the load"
 INTRODUCTION = """
 This page shows how the load of a rolling contact changes the track, strain and residual stress, and
-compares with section 3.2.1.3 of Boucly's thesis (2008), tables 3.2 and 3.3. A ceramic ellipsoid
-rolls twice by 4 mm along the minor axis of its contact over a flat of steel 52100, under loads of
-3690 to 25 499 N, and returns unloaded. The semi-major axis of the contact is k times the semi-minor
-axis a. The tables give R_x = 4.7625 mm, R_y / R_x = k^(pi/2) = 26.2 for k = 8, and a load that is k
-times that of a ball with an equal semi-minor axis. These values are inconsistent: by the exact
-solution, these radii and loads give k = 8.18, and a Hertz pressure 15 % below the stated one.
+compares the results with section 3.2.1.3 of Boucly's thesis (2008), tables 3.2 and 3.3. A ceramic
+ellipsoid rolls twice by 4 mm along the minor axis of its contact over a flat of steel 52100, under
+loads of 3690 to 25 499 N, and returns unloaded. The semi-major axis of the contact is k times the
+semi-minor axis a. The tables give R_x = 4.7625 mm, R_y / R_x = k^(pi/2) = 26.2 for k = 8, and a
+load that is k times the load of a ball whose contact radius equals the semi-minor axis. These
+values are inconsistent: by the exact solution, the radii and loads give k = 8.18 and a Hertz
+pressure 15 % below the value stated in the thesis.
 
-The strains, stresses and imprints stated in the thesis are results for these radii and loads. They
-are therefore used here as well, and labelled with the stated pressures. For an actual pressure of
-5.7 GPa see [influence of the ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of
-the distance, after two cycles. Tensile stress is positive.
+The strains, stresses and imprints stated in the thesis are results for these radii and loads. These
+radii and loads are therefore used here as well. The results are labelled with the Hertz pressures
+stated in the thesis. For an actual Hertz pressure of 5.7 GPa see [influence of the
+ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of the distance, after two cycles.
+Tensile stress is positive.
 """
 
 K = 8

@@ -19,13 +19,13 @@ from .track import BALL, Mesh, Run, ellipse, roll
 STATED = Stated("rolling_two_bodies")
 TITLE = "Indentation and rolling compared"
 INTRODUCTION = """
-This page compares indentation with rolling, and the computed values with section 3.2.2 of Boucly's
-thesis (2008). In the first part two bodies of steel 52100 have a circular (k = 1) or elliptic (k =
-8) contact. Either one body is elastic (E_EP) or both are elastic-plastic (EP_EP). The bodies are
-pressed together, or they roll twice along the minor axis of the contact. Radii and loads are exact
-for k and the Hertz pressure p0. The thesis does not state how the contacts with k = 8 were obtained
-(see [influence of the ellipticity](rolling_ellipticity.md)). a is the semi-axis along x, the
-rolling direction.
+This page compares indentation with rolling, and compares the computed values with section 3.2.2 of
+Boucly's thesis (2008). In the first part two bodies of steel 52100 have a circular (k = 1) or
+elliptic (k = 8) contact. Either one body is elastic (E_EP) or both are elastic-plastic (EP_EP). The
+bodies are pressed together, or they roll twice along the minor axis of the contact. Radii and loads
+follow from k and the Hertz pressure p0 by the exact solution. The thesis does not state which radii
+and loads it uses for k = 8 (see [influence of the ellipticity](rolling_ellipticity.md)). a is the
+semi-axis of the contact along x, the rolling direction.
 
 In the second part a ceramic ball of 9.525 mm diameter is pressed on a flat with linear hardening,
 or rolls over it. The tangent modulus E_t is 0 to 0.8 times Young's modulus E. The thesis states

@@ -20,16 +20,17 @@ from .wear import HERTZ as SMOOTH
 STATED = Stated("running_in")
 TITLE = "Running-in of a rough surface"
 INTRODUCTION = """
-This page shows the running-in of a rough surface, and compares with section 5.2.2 of Boucly's
-thesis (2008). The balls and the steel are those of [wear of a flat surface](wear.md), under 30 N.
-One surface has the roughness A sin(2πx/λ) sin(2πy/λ) with A = 0.5 µm and λ = 50 µm. The friction
-coefficient is 0.4, and surface material wears above a plastic strain of 0.2 %. Body 2 is rough,
-elastic-plastic and wears; body 1 is smooth and elastic. The thesis does not state the width of the
-filter that smooths the border of the worn region. Here the filter is a Gaussian that is equivalent
-to a moving average over half a wavelength. With this filter the results converge as cells, layers
-and increments become smaller. With the filter of the thesis, a polynomial over a fixed number of
-cells, they do not ([convergence](../wear_convergence.md)). Sections are taken through the crests
-next to the centre, at y = 12.5 µm.
+This page shows the running-in of a rough surface, and compares the results with section 5.2.2 of
+Boucly's thesis (2008). The balls and the steel are the same as on the page [wear of a flat
+surface](wear.md); the load is 30 N. One surface has the roughness A sin(2πx/λ) sin(2πy/λ) with A =
+0.5 µm and λ = 50 µm. The friction coefficient is 0.4, and surface material is removed if its
+plastic strain exceeds 0.2 %. Body 2 is rough, elastic-plastic and wears; body 1 is smooth and
+elastic. The thesis does not state the width of the filter that smooths the border of the worn
+region. Here the filter is a Gaussian that is equivalent to a moving average over half a wavelength.
+With this filter the results converge as cells, layers and increments become smaller. With the
+filter of the thesis, a polynomial over a fixed number of cells, the results do not converge
+([convergence](../wear_convergence.md)). Sections are taken through the crests next to the centre,
+at y = 12.5 µm.
 """
 
 LOAD, AMPLITUDE, WAVELENGTH = 30.0, 0.5e-6, 50e-6

@@ -37,7 +37,7 @@ class Number:
     tolerance: float = 0.05
     """Maximum relative difference for which the value holds [-]."""
     remark: str = ""
-    """Remark, e.g. the value on a converged mesh if it differs from that of the thesis."""
+    """Remark, e.g. the value on a converged mesh if it differs from the value of the thesis."""
     converged: float | None = None
     """Value of a mesh study that contradicts the thesis; `holds` then compares with it."""
 

@@ -20,12 +20,13 @@ STATED = Stated("two_plastic_bodies")
 TITLE = "Two elastic-plastic bodies"
 INTRODUCTION = """
 This page shows the contact of two steel balls of which one or both are elastic-plastic, and
-compares with section 2.3.1.4 of Boucly's thesis (2008). The balls have a radius of 15 mm
-(equivalent radius 7.5 mm), are of steel 52100 and are loaded to 11 179 N, a Hertz pressure of 8
-GPa. Either one ball is elastic-plastic and the other elastic (E_EP), or both are elastic-plastic
-(EP_EP). L is the load, and L_c the load at which the maximum equivalent plastic strain reaches 0.2
-%. p_max is the maximum pressure. The Hertz pressure p0 and the Hertz contact radius a are for 11
-179 N. Values for loads up to 1900 N are computed on a finer grid.
+compares the results with section 2.3.1.4 of Boucly's thesis (2008). The balls are made of steel
+52100 and have a radius of 15 mm (equivalent radius 7.5 mm). They are loaded with 11 179 N, which
+corresponds to a Hertz pressure of 8 GPa. Either one ball is elastic-plastic and the other elastic
+(E_EP), or both are elastic-plastic (EP_EP). L is the load, and L_c is the load at which the maximum
+equivalent plastic strain reaches 0.2 %. p_max is the maximum pressure. The Hertz pressure p0 and
+the Hertz contact radius a are for 11 179 N. Values for loads up to 1900 N are computed on a finer
+grid.
 """
 
 RADIUS = 7.5e-3

@@ -19,26 +19,26 @@ from .stated import Number, Stated, Statement
 STATED = Stated("wear")
 TITLE = "Wear of a flat surface"
 INTRODUCTION = """
-This page shows the wear of smooth balls and the limit of the wear model, and compares with section
-5.2.1 of Boucly's thesis (2008). Two smooth balls of 15 mm radius are loaded thirteen times with
-2000 N and a friction coefficient of 0.4; the shear traction follows the load. After each cycle the
-surface material with more than 0.2 % accumulated plastic strain is removed. The steel has Swift
-hardening with B = 1735 MPa, C = 16 and n = 0.067. The thesis states neither whether both balls are
-elastic-plastic nor the width of its smoothing filter. Here body 2 is elastic-plastic and wears,
-body 1 is elastic, and the filter is 300 µm wide and of second order. After the border of the worn
-region has been smoothed, the remaining plastic strain moves up to the new surface. It moves either
-by the wear depth before smoothing, as described in the thesis, or by the smoothed wear depth
+This page shows the wear of smooth balls and the limits of the wear model, and compares the results
+with section 5.2.1 of Boucly's thesis (2008). Two smooth balls of 15 mm radius are loaded thirteen
+times with 2000 N and a friction coefficient of 0.4; the shear traction follows the load. After each
+cycle the surface material with more than 0.2 % accumulated plastic strain is removed. The steel has
+Swift hardening with B = 1735 MPa, C = 16 and n = 0.067. The thesis states neither whether both
+balls are elastic-plastic nor the width of its smoothing filter. Here body 2 is elastic-plastic and
+wears, body 1 is elastic, and the filter is 300 µm wide and of second order. After the border of the
+worn region has been smoothed, the remaining plastic strain moves up to the new surface. It moves
+either by the wear depth before smoothing, as described in the thesis, or by the smoothed wear depth
 ([theory](../theory/wear.md)).
 
 As stated in the thesis, wear does not cease. The wear rate is constant if the strain moves by the
 smoothed depth, and decreases if it moves by the depth before smoothing. However, both calculations
 leave the range of the theory in the second cycle. The first cycle removes a lens 47 µm deep,
 whereas the approach of the balls is 28 µm. The next contact is therefore on the rim of the pit, at
-far more than the Hertz pressure. The plastic zone below the rim joins the zone below the surface in
-figure 5.9, and a hole of 200 µm breaks out. Each further cycle removes the rim and creates a new
-one further out. Plastic strains in the rim are several times the small-strain limit, and the walls
-of the rim are steep. The wear rates are therefore results of this model on this mesh, and not those
-of a steel.
+a pressure far above the Hertz pressure. The plastic zone below the rim then joins the plastic zone
+below the surface that figure 5.9 shows, and material down to a depth of 200 µm breaks out. Each
+further cycle removes the rim and creates a new rim further out. Plastic strains in the rim are
+several times the small-strain limit, and the walls of the rim are steep. The wear rates are
+therefore results of this model on this mesh, and not wear rates of a steel.
 """
 
 STEEL = sc.Material.swift(E=210e9, nu=0.3, B=1735e6, C=16.0, n=0.067)

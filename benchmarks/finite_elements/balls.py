@@ -64,12 +64,14 @@ in {down}:
 - CalculiX, axisymmetric: quadratic elements with reduced integration. The table states the number
   of elements on the contact radius. Elements are uniform to {fine} contact radii in depth and
   width; each further element is {growth} times as large as the previous one, out to {far:.0f}
-  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. Being
-  two-dimensional is an advantage of this model: samcontact does not use the axisymmetry.
-- samcontact, three-dimensional: cubic cells, their number on the contact radius as in the table,
-  without `nz` and with default settings; mirror planes are detected.
+  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. This
+  model has the advantage of two dimensions: samcontact does not use the axisymmetry.
+- samcontact, three-dimensional: cubic cells. The table states the number of cells on the contact
+  radius. `nz` is not given, and all settings have their defaults; samcontact detects the mirror
+  planes.
 - samcontact with a prescribed accuracy of 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells
-  and increments. The time includes all grids. The reference is also the limit of small increments.
+  and increments. The time includes all grids. The reference for these errors is the limit of both
+  fine grids and small increments.
 
 ![Maximum error of two balls against time](../build/figures/finite_elements.png)
 
@@ -83,11 +85,12 @@ in {down}:
 
 {numbers}
 
-The limits of the two codes differ by {differ}. The surface of the finite element model has slopes,
-up to {slope:.0f} % here, while half-spaces are plane. In elastic contact finite elements differ
-from Hertz by {load:+.2f} % in the load and {stress:+.2f} % in the maximum von Mises stress; with a
-radius four times as large by {flat_load:+.2f} and {flat_stress:+.2f} %. CalculiX evaluates stress
-and strain at integration points near the axis, samcontact at cell centres on the axis.
+The limits of the two codes differ by {differ}. One reason is the slope of the surface, up to
+{slope:.0f} % in the finite element model, whereas the surface of a half-space is plane. In elastic
+contact, the finite elements differ from Hertz by {load:+.2f} % in the load and by {stress:+.2f} %
+in the maximum von Mises stress; with a ball radius four times as large, they differ by
+{flat_load:+.2f} and {flat_stress:+.2f} %. CalculiX evaluates stress and strain at integration
+points near the axis, samcontact at cell centres on the axis.
 """
 
 

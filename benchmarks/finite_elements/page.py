@@ -27,9 +27,9 @@ $ apt install calculix-ccx
 $ OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs
 ```
 
-The tables give the maximum error of five quantities and the processor time. Errors are relative to
-the limit of the code itself on fine meshes, extrapolated with order two from the two finest meshes.
-The time for writing the input deck is not included.
+The tables give the maximum error of five quantities and the processor time. The errors of each code
+are relative to its own limit on fine meshes, which is extrapolated with order two from the two
+finest meshes. The time for writing the input deck is not included.
 
 {sections}"""
 

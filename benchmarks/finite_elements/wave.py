@@ -33,13 +33,15 @@ a half-space of AISI 52100. The mean pressure of {pressure:g} MPa, a fifth of th
 closes the gap in elastic contact, is applied in {up} increments and released in {down}. The contact
 is not axisymmetric; both codes solve it in three dimensions:
 
-- CalculiX, a quarter of the period with sliding sides: quadratic elements with reduced integration.
-  The table states the number of elements on half a period. Elements are cubes to a depth of
-  {fine:g} periods; each further layer is {growth} times as thick as the previous one, to a bottom
-  at {depth:g} period, fixed along z. The contact is face to face, with a stiffness that permits
-  10 nm of interpenetration. Loading is force-controlled, unloading displacement-controlled.
-- samcontact: cubic cells on the whole period (`periodic="xy"`), their number as in the table,
-  without `nz` and with default settings; mirror planes are detected.
+- CalculiX, a quarter of the periodic domain with frictionless supports at the sides: quadratic
+  elements with reduced integration. The table states the number of elements on half a period.
+  Elements are cubes to a depth of {fine:g} periods; each further layer is {growth} times as thick
+  as the previous one, to a bottom at a depth of {depth:g} period, which is fixed along z. The
+  contact is face to face, with a stiffness that permits 10 nm of interpenetration. Loading is
+  force-controlled, unloading displacement-controlled.
+- samcontact: cubic cells on the whole period (`periodic="xy"`). The table states the number of
+  cells on a period. `nz` is not given, and all settings have their defaults; samcontact detects the
+  mirror planes.
 
 ![Maximum error against time](../build/figures/finite_elements_wave.png)
 
@@ -51,13 +53,14 @@ is not axisymmetric; both codes solve it in three dimensions:
 
 ### Results of the wavy surface
 
-The approach excludes the uniform compression of the finite element model over its depth.
+The uniform compression of the finite element model over its depth is subtracted from its approach.
 
 {numbers}
 
-The limits of the two codes differ by {differ}. Slopes are up to {slope:.1f} % here, and the
-approach of the finite elements contains the stiffness of their contact. Their approach and imprint
-vary irregularly with the mesh: these limits are less certain than those of samcontact.
+The limits of the two codes differ by {differ}. The slope of the surface is up to {slope:.1f} %, and
+the approach of the finite elements includes the interpenetration due to the finite stiffness of
+their contact. Approach and imprint of the finite elements vary irregularly with the mesh; their
+limits are therefore less certain than the limits of samcontact.
 """
 
 

@@ -101,7 +101,7 @@ class Plasticity:
 
 
 class Stress:
-    """Stress by the gradient of Boussinesq's displacements and Hooke's law."""
+    """Stress by the gradient of Boussinesq's displacements and Hooke's law, one application."""
 
     tolerances = (0.0,)
 

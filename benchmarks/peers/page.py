@@ -51,7 +51,7 @@ Ladder = dict[float, list[dict[str, Any]]]
 
 
 def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
-    """Measurements by problem, case and size, then by code."""
+    """Return the measurements by problem, case and size, then by code."""
     places: dict[Place, dict[str, Ladder]] = {}
     for key, rounds in data["rows"].items():
         problem, case, n, code, tol = key.split("|")
@@ -69,7 +69,7 @@ def row_counts(problem: str, tol: float) -> bool:
 
 
 def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]:
-    """Return (error, minimum time of the rounds) from the loosest tolerance to the tightest."""
+    """Return errors and minimum times of the rounds, from the loosest tolerance to the tightest."""
     return [
         (rounds[0]["errors"][measure], min(row[time] for row in rounds))
         for _, rounds in sorted(ladder.items(), reverse=True)
@@ -193,11 +193,11 @@ def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 Grids = dict[str, dict[int, tuple[float, float | None]]]
-"""Return the grid error and the minimum time to a tenth of it, by code and cells across."""
+"""Discretisation error, and minimum time to a tenth of this error, by code and cells across."""
 
 
 def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
-    """Return the discretisation error of each grid, and the time to a tenth of it."""
+    """Return the discretisation error of each grid, and the time to a tenth of this error."""
     places, found = by_place(data), Grids()
     for n, code, row in sorted(converged(problem, data, case), key=lambda one: one[:2]):
         error = row["errors"].get(FINE_PRESSURE)
@@ -255,7 +255,7 @@ MAX_SETUP_BOUND_CELLS = (
 
 
 def smallest_ratios(data: dict[str, Any]) -> str:
-    """Return the minimum time of any other code relative to samcontact, by kind of contact."""
+    """Return the minimum ratio of times of other codes to samcontact, by kind of contact."""
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
         problem = place[0]
@@ -268,8 +268,8 @@ def smallest_ratios(data: dict[str, Any]) -> str:
                 ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
                 found.setdefault(kind, []).extend([ratio] if ratio else [])
     return "; ".join(
-        f"{kind} {min(found[kind]):.2g} at an error of {COUNTED_AT[problem]:g}"
-        + (f" and from {MAX_SETUP_BOUND_CELLS}² cells on" if problem in ELASTIC else "")
+        f"{kind} {float(f'{min(found[kind]):.2g}'):g} at an error of {COUNTED_AT[problem]:g}"
+        + (f" on grids of {MAX_SETUP_BOUND_CELLS}² cells or more" if problem in ELASTIC else "")
         for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
         if found.get(kind)
     )
@@ -304,7 +304,10 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
                 found.setdefault(line, []).append(f"{place['cells']} ({ratio:.2f})")
     if not found:
         return ["In these tables no other code is faster at equal error."]
-    head = "Cells (in brackets: minimum time relative to samcontact, at any error in the tables):"
+    head = (
+        "Number of cells, in brackets the minimum ratio of the time to the time of samcontact at "
+        "any error in the tables:"
+    )
     return ["\n".join([head, "", *(f"- {k}: {', '.join(v)}" for k, v in found.items())])]
 
 
@@ -332,8 +335,9 @@ def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
         ]
     if problem in PERIODIC and (lines := list(accuracy_lines(problem, data))):
         sections += [
-            f"Errors relative to samcontact on {MAX_CELLS[problem]}² cells, and relative times "
-            "with set-up to a tenth of the error of the grid:",
+            f"Errors relative to samcontact on {MAX_CELLS[problem]}² cells. Times (with set-up, "
+            "relative to samcontact) are for an algebraic error of a tenth of the error of the "
+            "grid:",
             table(without_empty(lines)),
         ]
     clocks = {
@@ -353,7 +357,8 @@ def tables_of(data: dict[str, Any]) -> str:
     counts = [len(rounds) for rounds in data["rows"].values() if rounds]
     sections = [f"{versions}; one thread; {min(counts)} to {max(counts)} rounds."]
     if smallest := smallest_ratios(data):
-        sections.append(f"Minimum time of another code relative to samcontact: {smallest}.")
+        head = "Minimum ratio of the time of any other code to the time of samcontact"
+        sections.append(f"{head}: {smallest}.")
     for problem, title in TITLES.items():
         lines = list(stress_lines(data) if problem == "stress" else solver_lines(problem, data))
         if lines:

@@ -17,11 +17,11 @@ RADIUS = 7.5e-3  # m
 HERTZ_LOAD = 1500.0  # N
 ROUGH_SIDE = 1e-3  # m
 ROUGH_RMS = 1e-6  # m
-# Crown [m], load [N]: contact fractions of a few per cent and of about a quarter.
+# Crown radius [m], load [N]: contact fractions of a few per cent and of about a quarter.
 ROUGH_CASES = {"light": (0.02, 15.0), "heavy": (0.02, 600.0)}
 YIELD_STRESS = 0.01 * E_STAR
 HARDENING = 0.1 * E
-# Width of the (possibly periodic) cell and its depth, in elastic contact radii.
+# Width (plastic, stress) and depth of the possibly periodic domain, in elastic contact radii.
 PLASTIC_SIDE, STRESS_SIDE, DEPTH = 6.0, 12.0, 2.0
 INCREMENTS = 2
 # Shortest wave of the periodic rough surface as a fraction of its side. Loads [N] for

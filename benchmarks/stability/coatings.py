@@ -109,7 +109,7 @@ YIELDING = Table(
     (
         Column("evaluations", "evaluations", COUNT, 100),
         Column("contact", "contact iterations", COUNT),
-        Column("parts", "parts per increment", COUNT, 1),
+        Column("parts", "substeps per increment", COUNT, 1),
         Column("strain", "plastic strain", VALUE),
         Column("residual", "residual", at_most=1e-6),
         Column("beyond", "yield excess", at_most=1e-6),

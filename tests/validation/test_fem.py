@@ -260,7 +260,8 @@ def test_exact_and_fast_residual_stress(name, measured):
     runs = [Run(name, 12, 12, residual_stress=method) for method in ("exact", "fast")]
     exact, fast = (run.scalars() for run in runs)
     largest = max(abs(exact[quantity][0] / fast[quantity][0] - 1) for quantity in PLASTIC)
-    measured.close("Finite elements, exact residual stress", f"{name}: of {', '.join(PLASTIC)}",
+    measured.close("Finite elements, exact residual stress",
+                   f"{name}: largest change of {', '.join(PLASTIC)}",
                    100 * largest, 0, unit="%", abs=0.25, mesh=runs[0].mesh)  # fmt: skip
 
 

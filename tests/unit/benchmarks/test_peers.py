@@ -143,10 +143,10 @@ def test_ratios_use_minimum_times_and_faster_codes_are_listed():
     assert page.ratio_at(codes, "tamaas", "pressure", "with_setup_s", 1e-6) == 1.5
     assert page.ratio_at(codes, "tamaas", "pressure", "with_setup_s", 1e-8) is None
     text = page.tables_of(data)
-    assert "Minimum time" not in text  # nothing of 256 cells across
+    assert "Minimum ratio of the time" not in text  # nothing of 256 cells across
     large = {key.replace("64", "256"): rounds for key, rounds in rows.items() if "64" in key}
     assert page.smallest_ratios(data | {"rows": large}) == (
-        "elastic contact 0.25 at an error of 1e-06 and from 256² cells on"
+        "elastic contact 0.25 at an error of 1e-06 on grids of 256² cells or more"
     )
     assert "Hertz contact, ASPHER, with set-up: 64² (0.25)" in text
     assert "tamaas, with set-up" not in text
