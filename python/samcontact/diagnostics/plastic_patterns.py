@@ -92,7 +92,7 @@ def alternation(strain: FloatArray) -> float:
     """Amplitude of the strain that alternates between layers, relative to the maximum strain [-].
 
     strain: shape (6, nx, ny, nz). The amplitude is computed from fourth differences, which are
-    small for smooth fields over four or more layers; 0 for fewer layers.
+    small for smooth fields over four or more layers. For fewer layers, the result is 0.
     """
     largest = float(np.sqrt((strain**2).sum(0)).max())
     if strain.shape[-1] < 5 or np.count_nonzero(strain.any(axis=(0, 1, 2))) < 4:
