@@ -132,8 +132,8 @@ class ContactFields(Configured):
         elif shear is None:
             law = f" and contact_law {self.contact_law!r}" if attracted else ""
             raise ValueError(
-                f"shear is required with friction = {self.friction!r}{law}, got None: it is not "
-                "determined by the pressure; use the shear of a solution"
+                f"shear is required with friction = {self.friction!r}{law}, got None: the pressure "
+                "does not determine it; use the shear of a solution"
             )
         parts = shear_components(self.grid, shear)
         s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)

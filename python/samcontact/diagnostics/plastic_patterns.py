@@ -78,7 +78,7 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
         if share > _MIN_ALTERNATION:
             text = (
                 f"plastic strain of body {body} alternates between layers by {100 * share:.0f} % "
-                "of its "
+                "of the "
                 'maximum: a grid artefact that residual_stress="exact" does not suppress, because '
                 'it evaluates stress at the centres of the cells. Use residual_stress="fast", or '
                 "layers of half the cell size (dz)"

@@ -190,7 +190,7 @@ def require_solvable(finding: PlausibilityCheck) -> None:
     if too_small and not is_ignored(UnitWarning):
         raise ValueError(
             f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
-            f"{finding.remedy()}. To solve it anyway, switch this check off with "
+            f"{finding.remedy()}. To solve this contact anyway, switch this check off with "
             "warnings.simplefilter('ignore', samcontact.UnitWarning)"
         )
 
@@ -297,8 +297,8 @@ def part_of_radius(
     """
     first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    check = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
-    taken = "The theory assumes half-spaces, and paraboloids for spheres"
+    check = Check("half-width of the Hertz contact over radius of curvature", share, MAX_HALF_WIDTH_RATIO)
+    taken = "The theory assumes half-spaces, and paraboloids in place of spheres"
     return PlausibilityCheck(check, lambda: f"{first()}. {taken}", True)
 
 
@@ -366,7 +366,7 @@ def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
     text = ", or ".join(unusual or fits)
-    return f"It would be plausible with {text}: use m, N and Pa" if text else "Use m, N and Pa"
+    return f"The contact would be plausible with {text}: use m, N and Pa" if text else "Use m, N and Pa"
 
 
 def _is_unusual(name: str, value: float) -> bool:

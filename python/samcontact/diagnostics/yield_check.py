@@ -61,7 +61,7 @@ def warn_of_yield(
     text = (
         f"body {number} is treated as elastic, but would yield: under the maximum pressure, "
         f"{quantity(largest, 'Pa')}, the von Mises stress reaches about {quantity(stress, 'Pa')}, "
-        f"{share:.3g} times its yield stress. Use Simulation for plastic flow, or an elastic "
+        f"{share:.3g} times the yield stress there. Use Simulation for plastic flow, or an elastic "
         "material"
     )
     warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)

@@ -46,7 +46,7 @@ class Plane(NamedTuple):
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return coordinates [µm] and values at cell centres, and nearest values at the grid edges."""
+        """Return coordinates [µm] and values at cell centres, and nearest values at the edges."""
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
             for side in (self.across, self.down)

@@ -82,7 +82,7 @@ def worn_profile(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body. Default: the last of the worn bodies.
+        Worn body. Default: body 2 if it is worn, otherwise body 1.
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
@@ -149,7 +149,7 @@ def surface_map(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body. Default: the last of the worn bodies.
+        Worn body. Default: body 2 if it is worn, otherwise body 1.
     cycle : int
         Number of the cycle; default: the last one.
     cells : bool, optional

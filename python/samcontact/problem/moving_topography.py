@@ -90,7 +90,7 @@ def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
 
 
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
-    """Return x [m] of the rows of cells within `radius` of a position x, and the first row index."""
+    """Return x [m] of rows of cells within `radius` of a position x, and the first row index."""
     middle = 0.5 * (grid.nx - 1)
     if not (abs(x) + radius) / grid.dx < MAX_ROWS:
         raise ValueError(
