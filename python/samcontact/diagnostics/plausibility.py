@@ -297,7 +297,8 @@ def part_of_radius(
     """
     first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    check = Check("half-width of the Hertz contact over radius of curvature", share, MAX_HALF_WIDTH_RATIO)
+    name = "half-width of the Hertz contact over the radius of curvature"
+    check = Check(name, share, MAX_HALF_WIDTH_RATIO)
     taken = "The theory assumes half-spaces, and paraboloids in place of spheres"
     return PlausibilityCheck(check, lambda: f"{first()}. {taken}", True)
 
@@ -366,7 +367,9 @@ def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
     text = ", or ".join(unusual or fits)
-    return f"The contact would be plausible with {text}: use m, N and Pa" if text else "Use m, N and Pa"
+    if not text:
+        return "Use m, N and Pa"
+    return f"The contact would be plausible with {text}: use m, N and Pa"
 
 
 def _is_unusual(name: str, value: float) -> bool:

@@ -228,8 +228,8 @@ def warn_of_contact(
     elif thin:
         width = 2 * AREA_PER_SIDE / share
         text = (
-            f"is a ring or line about {width:.1f} cells wide ({cell}), and the area is uncertain by "
-            f"about {100 * share:.0f} %: use smaller cells"
+            f"is a ring or line about {width:.1f} cells wide ({cell}), and the area is uncertain "
+            f"by about {100 * share:.0f} %: use smaller cells"
         )
     else:
         return False
