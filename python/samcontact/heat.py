@@ -61,8 +61,8 @@ class Heat:
         a `duration`.
     reference : float, optional
         Distance [m] at which the displacement due to a steady point source at rest is defined as
-        zero; a definition is needed because this displacement has no limit far away. It affects
-        only the approach. Required under approach control; default under load control: 1 m.
+        zero; a definition is needed because this displacement has no limit far away. The choice
+        affects only the approach. Required under approach control; default under load control: 1 m.
     partition : float, optional
         Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
@@ -138,7 +138,7 @@ def _share(name: str, value: float) -> float:
 
 
 def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:
-    """Return the velocities (Vx, Vy) of both bodies [m/s]; a single velocity is that of body 2."""
+    """Return the velocities (Vx, Vy) of both bodies [m/s]; a single velocity applies to body 2."""
     if velocity is None:
         return _AT_REST
     if real_array("velocity", velocity).ndim == 1:

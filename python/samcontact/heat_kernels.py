@@ -46,7 +46,7 @@ Velocity = tuple[float, float]
 def steady_temperature(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, *, conductivity: float
 ) -> FloatArray:
-    """Return the temperature rise [K m^2/W] in the steady state, source at rest; shape of X.
+    """Return the temperature rise [K m^2/W] due to a steady source at rest; shape of X.
 
     Raises ValueError for non-finite points, z < 0, sizes or conductivity <= 0. Carslaw & Jaeger
     (1959), section 10.5.
@@ -69,7 +69,7 @@ def steady_stress(
     expansion: float,
     conductivity: float,
 ) -> FloatArray:
-    """Return the stress [Pa m^2/W] in the steady state, source at rest, shape (6, ...).
+    """Return the stress [Pa m^2/W] due to a steady source at rest, shape (6, ...).
 
     The state is plane stress: zz, yz and xz vanish everywhere, and xx + yy = -E alpha T. Poisson's
     ratio has no influence. Raises ValueError like `steady_temperature`. Sternberg & McDowell
@@ -95,7 +95,7 @@ def steady_displacement(
     conductivity: float,
     r0: float,
 ) -> FloatArray:
-    """Return the surface displacement u_z [m^3/W], steady state, source at rest; shape of X.
+    """Return the surface displacement u_z [m^3/W] due to a steady source at rest; shape of X.
 
     The displacement grows with the logarithm of the distance, so only differences are meaningful;
     `r0` [m] is the distance at which the displacement due to a point source is defined as zero.
@@ -144,7 +144,7 @@ def temperature(
     ValueError
         Times or depths are negative, sizes, conductivity or diffusivity are <= 0, numbers are not
         finite, or the speed is so high that the body crosses the extent L of the table in less than
-        1e-7 of its diffusion time L^2/kappa. The computing time is proportional to V L/kappa; near
+        1e-7 of the diffusion time L^2/kappa. The computing time is proportional to V L/kappa; near
         the limit a table of displacements takes seconds.
 
     Notes

@@ -140,8 +140,8 @@ def eigenstrain_displacement(
     The displacement is along `axis`: "x", "y" or "z", with z into the body. zc is the depth of the
     centre of the cuboid. A unit shear component means that the transposed component is 1 too.
     Raises ValueError if the cuboid extends beyond the half-space. u_z follows from Boucly (2008),
-    eqs (2.64)-(2.71), corrected, with an added term for the trace; u_x and u_y follow by
-    reciprocity, see docs/theory/half_space.md.
+    eqs (2.64)-(2.71), corrected, with an added term for the trace of the eigenstrain; u_x and u_y
+    follow by reciprocity, see docs/theory/half_space.md.
     """
     number = axis_number(axis)
     (x, y), shape = _points(X, Y)
@@ -165,7 +165,7 @@ def eigenstrain_stress(
     """Return the stress [Pa] per unit eigenstrain of a cuboid, (6, 6, ...): [stress, strain].
 
     Inside the cuboid, the stress follows from the elastic strain: total strain minus eigenstrain.
-    Mindlin's half-space solution integrated in closed form; docs/theory/half_space.md.
+    Mindlin's half-space solution is integrated in closed form, see docs/theory/half_space.md.
     """
     (x, y, depth), shape = _points(X, Y, z)
     a, b, c = _sizes(a=a, b=b, c=c)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Linear operators of a half-space that map fields on a grid to stress or displacement.
 
-Each call builds its kernels for a single use; `ContactSolver` and `Simulation` cache theirs.
+Each call computes new kernels; `ContactSolver` and `Simulation` keep their kernels for later use.
 """
 
 from __future__ import annotations
@@ -166,8 +166,8 @@ def residual_displacement(
     Notes
     -----
     u_z follows from Boucly (2008), eqs (2.62)-(2.71), corrected and completed by a term for the
-    trace; u_x and u_y follow by reciprocity from the stress due to surface shear, see
-    docs/theory/half_space.md.
+    trace of the eigenstrain; u_x and u_y follow by reciprocity from the stress due to surface
+    shear, see docs/theory/half_space.md.
     """
     number_of_axis = axis_number(axis)
     _require_volume(grid)

@@ -28,9 +28,9 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
 
 
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
-    """Return the message `text` about the grid edge with better remedies for a gap array.
+    """Return the message `text` about the grid edge with remedies for a gap that is an array.
 
-    ask: further remedy, to be repeated at the end of a new message.
+    remedy_prefix: further remedy, with a leading comma, for the end of a new message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if setup.radii is not None or not remedy:
@@ -50,7 +50,7 @@ def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Tilt of a gap, as text: rise of its mean plane over the grid; "" unless it dominates."""
+    """Describe the rise of the mean plane of a gap over the grid; "" unless the rise dominates."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]

@@ -29,7 +29,7 @@ def counts_for(
     load: float | None = None,
     approach: float | None = None,
 ) -> list[int]:
-    """Numbers of cells along x and y of the enlarged grid; ValueError if they are too many."""
+    """Return the numbers of cells of the enlarged grid; raise ValueError if they are too many."""
     shape, sizes = setup.grid.surface_shape, (setup.grid.dx, setup.grid.dy)
     halves = zip(hertz_estimate.extent(setup, load, approach), sizes, strict=True)
     needed = [math.ceil(2 * HERTZ_MARGIN * half / d) for half, d in halves]
@@ -51,7 +51,7 @@ def counts_for(
 
 @contextmanager
 def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
-    """Context that raises `error` with the reason if the grid cannot be enlarged."""
+    """Raise `error`, with the reason, if the grid cannot be enlarged within the context."""
     try:
         yield
     except (ValueError, MemoryError) as reason:
@@ -61,7 +61,7 @@ def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator
 
 
 def enlarged_evenly(n: int, min_cells: float) -> int:
-    """Return n if n >= `wanted`, else n increased to `wanted`, by an even number, at least n/4."""
+    """Return n if n >= `min_cells`; else at least `min_cells`, n plus an even number >= n/4."""
     if min_cells <= n:
         return n
     return n + 2 * math.ceil((max(min_cells, _MIN_SIDE_GROWTH * n) - n) / 2)

@@ -94,7 +94,8 @@ class ContactFields(Configured):
             u_x, u_y, u_z [m] at the cell centres, zero far away (see Grid for periodic grids). Both
             bodies share the axes x and y; u_z is positive into the body. Shear s_x > 0 on body 2
             displaces the surface of body 2 towards +x; pressure draws the surrounding surface
-            towards the contact. Thermal expansion is not included. Zero for a rigid body.
+            towards the contact. Thermal expansion is not included. The displacement of a rigid body
+            is zero.
 
         Raises
         ------
@@ -120,7 +121,10 @@ class ContactFields(Configured):
     def _tractions_on(
         self, body: int, pressure: ArrayLike, shear: ArrayLike | None
     ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-        """Pressure, s_x and s_y [Pa] on a body, from those on body 2; shear None: friction."""
+        """Return pressure, s_x and s_y [Pa] on a body from the tractions on body 2.
+
+        If `shear` is None, s_x and s_y follow from the friction law.
+        """
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
         attracted = self.contact_law.attracts and self.friction != 0
         if shear is None and not (attracted or self._law.sticks):
@@ -128,8 +132,8 @@ class ContactFields(Configured):
         elif shear is None:
             law = f" and contact_law {self.contact_law!r}" if attracted else ""
             raise ValueError(
-                f"shear is required with friction = {self.friction!r}{law}, got None: it is not "
-                "determined by the pressure; use the shear of a solution"
+                f"shear is required with friction = {self.friction!r}{law}, got None: the pressure "
+                "does not determine it; use the shear of a solution"
             )
         parts = shear_components(self.grid, shear)
         s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)
@@ -169,8 +173,8 @@ class ContactFields(Configured):
         Parameters
         ----------
         solution : ContactSolution
-            Solution that gives pressure and shear; in full sliding, the shear is friction times
-            pressure.
+            Solution from which pressure and shear are taken; in full sliding, the shear is friction
+            times pressure.
         x, y, z : array_like
             Points [m], with shapes that broadcast; z >= 0 is the depth in the body.
         body : {1, 2}, optional
@@ -181,8 +185,8 @@ class ContactFields(Configured):
             Components xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame. The
             tractions are uniform in each cell, so stress at the surface z = 0 jumps between cells,
             and single cells remain visible to a depth of about one cell. On an edge between loaded
-            cells at the surface, where this stress is infinite, the mean of the values half a cell
-            to both sides is returned.
+            cells at the surface this stress is infinite; the result is the mean of the values half
+            a cell away on both sides.
 
         Raises
         ------

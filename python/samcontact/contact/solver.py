@@ -151,10 +151,10 @@ class ContactSolver(ContactFields):
         Parameters
         ----------
         gap : array_like, shape (nx, ny), or callable
-            Initial separation of the undeformed bodies [m], inf where one of them is absent; or a
-            function of a grid that returns it. With a function, the solution is on an enlarged grid
-            if the grid of the solver does not contain the contact, as in a `Simulation`; the solver
-            keeps its own grid.
+            Initial separation of the undeformed bodies [m], inf where one body is absent; or a
+            function that returns this array for a grid. With a function, the solution is on an
+            enlarged grid if the grid of the solver does not contain the contact, as in a
+            `Simulation`; the solver keeps its own grid.
         load : float
             Normal load [N], >= 0, or down to the maximum tension of the contact law.
         approach : float
@@ -185,7 +185,7 @@ class ContactSolver(ContactFields):
         initial_pressure : array_like, shape (nx, ny), optional
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
             for a similar gap or load, saves the coarser grids and most iterations. If the iteration
-            does not converge from it, the solve is repeated without it.
+            does not converge from this pressure, the solve is repeated without it.
 
         Returns
         -------
@@ -239,7 +239,10 @@ class ContactSolver(ContactFields):
         value: float,
         drive: TangentialDriver,
     ) -> tuple[ContactSolution, str]:
-        """Return the solution and a message about the grid edge; without `start` if this fails."""
+        """Return the solution and a message about the grid edge.
+
+        If the iteration from `start` does not converge, it is repeated without `start`.
+        """
         contact = window.initial_gap, driver == "load", value
         try:
             return self._solved(contact, drive, start)

@@ -41,7 +41,7 @@ class TangentialInput:
 
     @classmethod
     def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> TangentialInput:
-        """Combine motions and forces; components without prescribed value have zero motion."""
+        """Combine motions and forces; components without a prescribed value have zero motion."""
         (moved, motion), (rotation_name, rotation) = motions.items()
         (pulled, force), (wrung, torque) = forces.items()
         given = zip(
@@ -96,7 +96,7 @@ class TangentialDrive:
         return 0.5 * (self.travels[0] + self.travels[1])
 
     def _before(self, grid: Grid) -> Before | tuple[None, None, None, float]:
-        """Fields at the end of the preceding increment, on the current grid."""
+        """Return the fields at the end of the preceding increment, on the current grid."""
         if self.previous is None:
             return None, None, None, 0.0
         before = before_on(self.previous, grid)
@@ -181,7 +181,7 @@ def given_along(
     torque: float | None,
     **more: Any,
 ) -> TangentialInput:
-    """Return the prescribed tangential quantities; ValueError for any of them in full sliding."""
+    """Return the prescribed tangential quantities; raise ValueError for any in full sliding."""
     motions, forces = (
         {"shift": shift, "twist": twist},
         {"tangential_load": tangential_load, "torque": torque},

@@ -29,7 +29,7 @@ MAX_PARABOLOID_DEVIATION = 0.03
 """Maximum deviation of a gap from a paraboloid, relative to its height: (r/R)^2/4 for a sphere."""
 _ROUNDING_MARGIN = 1e-6
 """Relative reduction of the range of loads known to pass a check, for rounding."""
-_FIT_POINTS_PER_SIDE = 17  # per side, to which a paraboloid is fitted
+_FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
 _WARNING_HINT = ', or set on_border="warn"'
 
 
@@ -47,7 +47,7 @@ class PlasticBody(NamedTuple):
 
 
 class ContactSetup:
-    """Gap between two bodies, with its Hertz estimate if the gap is a paraboloid.
+    """Gap between two bodies, with a Hertz estimate if the gap is a paraboloid.
 
     relieved: whether a body has a relief, or the bodies attract each other. There is no Hertz
     estimate in these cases.
@@ -110,7 +110,7 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Larger and smaller radius [m]; cosine of the angle from x to the plane of the larger."""
+        """Radii [m], larger first; cosine of the angle from x to the plane of the larger radius."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -195,7 +195,7 @@ class ContactSetup:
     def failed_checks(
         self, heat: Heat, load: float | None = None, approach: float | None = None
     ) -> list[plausibility.PlausibilityCheck]:
-        """Plausibility checks of the Hertz contact that fail; empty without Hertz contact."""
+        """Return the failed plausibility checks of the Hertz contact; [] without Hertz contact."""
         expected = self.hertz(load, approach)
         if expected is None:
             return []
@@ -207,14 +207,17 @@ class ContactSetup:
         return [finding for finding in found if not finding.check.passed]
 
     def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
-        """Failed checks of bodies and heat, and the load range [N] in which contact checks pass."""
+        """Return the failed checks of bodies and heat, and the range of plausible loads [N].
+
+        All contact checks pass for loads inside this range.
+        """
         if self._of_heat is None or self._of_heat[0] is not heat:
             before, after = plausibility.failed_of_bodies(self.bodies, heat)
             self._of_heat = heat, (before, after, self.passing_loads(heat))
         return self._of_heat[1]
 
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
-        """Minimum and maximum load [N] for which all contact checks pass; (inf, -inf): unknown."""
+        """Return the load range [N] in which all contact checks pass; (inf, -inf) if unknown."""
         if self._reference is None:
             return math.inf, -math.inf
         try:
@@ -294,7 +297,7 @@ def extent(
 def _extent_of(
     expected: ExpectedContact, paraboloid: tuple[float, float, float] | None
 ) -> tuple[float, float]:
-    """Maximum distance of a contact from its centre along x and y [m]."""
+    """Half-widths of a contact in any orientation, along x and y [m]."""
     if paraboloid is None:
         return 0.0, 0.0
     (a, b), c = expected.semi_axes, paraboloid[2]
@@ -303,7 +306,7 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Widths of a contact over the sides of the grid [-], for its most favourable orientation."""
+    """Widths of a contact over the sides of the grid [-], in the most favourable orientation."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)

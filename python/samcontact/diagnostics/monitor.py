@@ -32,7 +32,7 @@ class Monitor:
     checks_increments: bool = True
     """Whether the increment error is estimated after further increments."""
     checks_steps: bool = True
-    """Whether the resolution is checked after each step; for a run it is checked at the end."""
+    """Whether the resolution is checked after each step; in a run it is checked at the end."""
     clipping_warned: bool = False
     setup_warned: bool = False
     contact_warned: bool = False
@@ -41,7 +41,7 @@ class Monitor:
 
     @contextmanager
     def deferred_resolution_checks(self) -> Iterator[None]:
-        """Context in which the resolution is not checked after each step, but after the run."""
+        """Context in which the resolution is checked only after the run, not after each step."""
         enabled = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
         try:

@@ -78,7 +78,7 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
         if share > _MIN_ALTERNATION:
             text = (
                 f"plastic strain of body {body} alternates between layers by {100 * share:.0f} % "
-                "of its "
+                "of the "
                 'maximum: a grid artefact that residual_stress="exact" does not suppress, because '
                 'it evaluates stress at the centres of the cells. Use residual_stress="fast", or '
                 "layers of half the cell size (dz)"
@@ -92,7 +92,7 @@ def alternation(strain: FloatArray) -> float:
     """Amplitude of the strain that alternates between layers, relative to the maximum strain [-].
 
     strain: shape (6, nx, ny, nz). The amplitude is computed from fourth differences, which are
-    small for smooth fields over four or more layers; 0 for fewer layers.
+    small for smooth fields over four or more layers. For fewer layers, the result is 0.
     """
     largest = float(np.sqrt((strain**2).sum(0)).max())
     if strain.shape[-1] < 5 or np.count_nonzero(strain.any(axis=(0, 1, 2))) < 4:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from .expected_contact import ExpectedContact
 
 MAX_HALF_WIDTH_RATIO = 0.55
-"""Maximum ratio of half-width to radius of curvature: there, a sphere is 15 % stiffer than a
+"""Maximum ratio of half-width to radius of curvature, at which a sphere is 15 % stiffer than a
 paraboloid."""
 MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
 """Limits of the Hertz contact: maximum width relative to a side of the grid, minimum width in
@@ -44,7 +44,7 @@ MIN_STRESS_RATIO = 1e-7
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
 """Maximum backstress modulus over E: for nearly elastic hardening, E Et/(E - Et) is large."""
 MAX_SPEED = 1e3
-"""Maximum speed of a surface through a contact [m/s]: no bearing reaches 300."""
+"""Maximum speed of a surface through a contact [m/s]: no bearing reaches 300 m/s."""
 MAX_WEAR_COEFFICIENT = 1e-9
 """Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
@@ -63,7 +63,7 @@ _UNIT_ERROR_FACTORS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (
 
 
 class PlausibilityCheck(NamedTuple):
-    """Check that a quantity is plausible, and the remedy if it is not."""
+    """Plausibility check of a quantity, with the remedy for a failed check."""
 
     check: Check
     remedy: Callable[[], str]
@@ -91,7 +91,7 @@ class ExpectedExtent(NamedTuple):
 def plausibility_checks(
     contact: ExpectedExtent | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[PlausibilityCheck]:
-    """All plausibility checks before a solution; grid: initial grid, before enlargement."""
+    """Iterate over all plausibility checks before a solution; `grid` is the initial grid."""
     yield from _body_and_heat_checks(bodies, heat)
     if contact is not None:
         yield from contact_plausibility_checks(contact, grid, bodies, heat)
@@ -101,7 +101,10 @@ def plausibility_checks(
 def failed_of_bodies(
     bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[tuple[PlausibilityCheck, ...], tuple[PlausibilityCheck, ...]]:
-    """Failed checks of bodies and heat: those reported before and those after contact checks."""
+    """Return the failed checks of bodies and heat, in two groups.
+
+    The first group is reported before the contact checks, the second group after them.
+    """
     return tuple(_failed(_body_and_heat_checks(bodies, heat))), tuple(
         _failed_strength_checks(bodies)
     )
@@ -122,7 +125,7 @@ def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Pla
 
 
 def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
-    """Failed checks of yield stress; a failed check of the contact is reported instead."""
+    """Iterate over failed checks of yield stress; failed contact checks take precedence."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_strength_check(number, material) for material in plastic)
@@ -140,10 +143,11 @@ def contact_plausibility_checks(
 def passing_loads(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> tuple[float, float]:
-    """Minimum and maximum load [N] for which all checks of a contact pass, scaled from one load.
+    """Return the minimum and maximum load [N] for which all checks of a contact pass.
 
-    Contact size and pressure grow as the cube root of the load. The temperature rise and the size
-    of flattened contacts grow faster, at most as the powers 2/3 and 1/2 of the load.
+    Both limits are scaled from the load of `contact`. Contact size and pressure grow as the cube
+    root of the load. The temperature rise and the size of flattened contacts grow faster, at most
+    as the powers 2/3 and 1/2 of the load.
     """
     load = contact.expected.contact.load
     checks = [finding.check for finding in contact_plausibility_checks(contact, grid, bodies, heat)]
@@ -167,7 +171,7 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]
 
 
 def _failed(findings: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
-    """Failed checks only; reports do not list passed checks."""
+    """Select the failed checks; reports do not list passed checks."""
     return (finding for finding in findings if not finding.check.passed)
 
 
@@ -180,25 +184,25 @@ def warn_if_implausible(finding: PlausibilityCheck, *, stacklevel: int) -> None:
 
 
 def require_solvable(finding: PlausibilityCheck) -> None:
-    """Raise ValueError, unless UnitWarning is ignored, if a Hertz contact is far below a cell."""
+    """Raise ValueError for a Hertz contact far below a cell size, unless UnitWarning is ignored."""
     check = finding.check
     too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
     if too_small and not is_ignored(UnitWarning):
         raise ValueError(
             f"{check.name} must be at least {MIN_SOLVABLE_CELLS:g}, got {check.value:.4g}: "
-            f"{finding.remedy()}. To solve it anyway, switch this check off with "
+            f"{finding.remedy()}. To solve this contact anyway, switch this check off with "
             "warnings.simplefilter('ignore', samcontact.UnitWarning)"
         )
 
 
 def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
-    """Check of a wear coefficient [1/Pa]: volume per friction work, or per load and distance."""
+    """Check of a wear coefficient [1/Pa]: wear volume per work, or per load and distance."""
     check = Check(name, value, MAX_WEAR_COEFFICIENT, unit="1/Pa")
     return PlausibilityCheck(check, lambda: "Use 1/Pa, m³ per joule: 1e-6 mm³/(N m) is 1e-15 1/Pa")
 
 
 def strength(name: str, value: float) -> PlausibilityCheck:
-    """Check of a fatigue limit, or of a yield stress outside a material [Pa]."""
+    """Check of a fatigue limit [Pa], or of a yield stress [Pa] without a material."""
     check = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
     return PlausibilityCheck(check, lambda: "Use Pa: 300 MPa is 300e6")
 
@@ -238,7 +242,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
 
 
 def _strength_check(number: int, body: Material) -> PlausibilityCheck:
-    """Check of the maximum yield stress of a hardening law, without yield profile, over E."""
+    """Check of the maximum yield stress of a hardening law over E, without yield profile."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
@@ -287,11 +291,15 @@ def _temperature_check(
 def part_of_radius(
     contact: ExpectedExtent, remedy: Callable[[], str] | None = None
 ) -> PlausibilityCheck:
-    """Check of contact size over radius; remedy: its start, default: Hertz estimate."""
+    """Check of the half-width of a Hertz contact over the radius of curvature.
+
+    remedy: function that returns the beginning of the remedy; default: the Hertz estimate.
+    """
     first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    check = Check("half-width of the Hertz contact over its radius", share, MAX_HALF_WIDTH_RATIO)
-    taken = "The theory assumes half-spaces, and paraboloids for spheres"
+    name = "half-width of the Hertz contact over the radius of curvature"
+    check = Check(name, share, MAX_HALF_WIDTH_RATIO)
+    taken = "The theory assumes half-spaces, and paraboloids in place of spheres"
     return PlausibilityCheck(check, lambda: f"{first()}. {taken}", True)
 
 
@@ -331,14 +339,14 @@ def _layer_check(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Ratio >= 1 of fully plastic width (mean pressure: three yield stresses) to elastic width."""
+    """Ratio >= 1 of fully plastic width (mean pressure 3 yield stresses) to the elastic width."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
 
 
 def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
-    """Describe, as text, which quantity in another unit would make the contact fit the grid."""
+    """Describe which quantity, in another unit, would make the contact fit the grid."""
     hertz, by_approach = contact.expected.contact, contact.driver == "approach"
     # value, unit, and exponents with which contact, radius and cells scale
     given = {
@@ -359,7 +367,9 @@ def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
                 unusual += fits[-1:] if _is_unusual(name, value) else []
                 break
     text = ", or ".join(unusual or fits)
-    return f"It would be plausible with {text}: use m, N and Pa" if text else "Use m, N and Pa"
+    if not text:
+        return "Use m, N and Pa"
+    return f"The contact would be plausible with {text}: use m, N and Pa"
 
 
 def _is_unusual(name: str, value: float) -> bool:

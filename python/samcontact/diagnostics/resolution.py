@@ -66,8 +66,8 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
-        centre.
+        Periodic directions, as for Grid. The pressure is first shifted along these directions, so
+        that the maximum lies at the centre.
 
     Returns
     -------
@@ -81,12 +81,18 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
 
 
 def spots(pressure: ArrayLike, periodic: str = "") -> int:
-    """Number of contact spots (cells connected by sides or corners); arguments: see `main_spot`."""
+    """Number of contact spots: groups of contact cells connected by sides or corners.
+
+    Arguments as in `main_spot`.
+    """
     return int(_labelled(pressure, periodic)[0].max())
 
 
 def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tuple[int, int]]:
-    """Spot number of each cell, and the cell of maximum pressure (moved to a periodic centre)."""
+    """Return the spot number of each cell, and the indices of the cell of maximum pressure.
+
+    The pressure is first shifted along periodic directions, so that this cell is at the centre.
+    """
     field: FloatArray = np.asarray(pressure, dtype=np.float64)
     peak = divmod(int(field.argmax()), field.shape[1])
     shifts = [
@@ -107,8 +113,8 @@ def cells_across(pressure: ArrayLike, periodic: str = "") -> float:
     pressure : array_like, shape (nx, ny)
         Contact pressure [Pa], >= 0.
     periodic : {"", "x", "y", "xy"}, optional
-        Periodic directions, as for Grid; along them the maximum pressure is first moved to the
-        centre.
+        Periodic directions, as for Grid. The pressure is first shifted along these directions, so
+        that the maximum lies at the centre.
 
     Returns
     -------
@@ -188,7 +194,7 @@ def layers_across(equivalent: ArrayLike) -> float:
 
 
 def layers_across_plastic_zone(extent: Sequence[tuple[int, int]]) -> float:
-    """Number of layers of a plastic zone, from its `strained_extent`."""
+    """Number of layers of a plastic zone; `extent` is the result of `strained_extent`."""
     return float(extent[2][1] - extent[2][0] + 1) if extent else math.nan
 
 
@@ -222,8 +228,8 @@ def warn_of_contact(
     elif thin:
         width = 2 * AREA_PER_SIDE / share
         text = (
-            f"is a ring or line about {width:.1f} cells wide ({cell}), its area uncertain by about "
-            f"{100 * share:.0f} %: use smaller cells"
+            f"is a ring or line about {width:.1f} cells wide ({cell}), and the area is uncertain "
+            f"by about {100 * share:.0f} %: use smaller cells"
         )
     else:
         return False
@@ -290,15 +296,15 @@ def warn_if_yield_unresolved(
         return False
     text = (
         f"body {doubtful[0]} appears elastic at load {peak.load:.6g} N because dz = "
-        f"{quantity(grid.dz, 'm')} is too coarse to resolve the maximum stress, at 0.5 to "
-        f"{_MAX_STRESS_DEPTH} of the contact half-width {quantity(half, 'm')}: reduce dz"
+        f"{quantity(grid.dz, 'm')} is too coarse to resolve the maximum stress, at a depth of "
+        f"0.5 to {_MAX_STRESS_DEPTH} times the half-width {quantity(half, 'm')}: reduce dz"
     )
     warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     return True
 
 
 def warn_of_step(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn of resolution faults that later increments cannot correct; True after a warning."""
+    """Warn of resolution faults that later increments cannot mend; return True after a warning."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, setup, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True
@@ -351,7 +357,7 @@ def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
             found.append(f"{count} with {what}")
     if found:
         text = (
-            f"under-resolved cases: {', '.join(found)}, of {dataset['status'].size} in all; see "
+            f"under-resolved cases, of {dataset['status'].size} cases: {', '.join(found)}; see "
             "cells_across_contact and layers_across_plastic_zone_bodyN"
         )
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)

@@ -41,8 +41,8 @@ MIN_CELLS_OF_ROUNDING = 4
 SINGULAR_QUANTITIES = (
     "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
 )  # fmt: skip
-"""Quantities that are unbounded at a sharp edge, by their names in results files without the body:
-they do not converge with the grid (stresses in perfect plasticity do)."""
+"""Names in results files, without the body, of quantities that are unbounded at a sharp edge. They
+do not converge when the grid is refined (except stresses in perfect plasticity)."""
 
 
 class SharpEdge(NamedTuple):
@@ -58,7 +58,7 @@ def sharp_edge(
     pressure: ArrayLike, gap: ArrayLike, grid_sizes: tuple[float, float], E_star: float,
     periodic: str = "", initial_gap: ArrayLike | None = None,
 ) -> SharpEdge | None:  # fmt: skip
-    """Find the sharp edges of a contact, towards which its pressure rises.
+    """Find the sharp edges of a contact, towards which the pressure rises.
 
     The pressure of a smooth contact falls to zero at the contact edge, like the square root of the
     distance. At the end of a body, or at a step that elastic deflection does not close, the
@@ -154,7 +154,7 @@ def edge_of_state(state: State) -> SharpEdge | None:
 
 
 def is_singular(name: str) -> bool:
-    """Whether a quantity, by its name in results files, is unbounded at a sharp edge."""
+    """Whether the quantity with this name in results files is unbounded at a sharp edge."""
     return name.partition("_body")[0] in SINGULAR_QUANTITIES
 
 

@@ -61,7 +61,7 @@ def warn_of_yield(
     text = (
         f"body {number} is treated as elastic, but would yield: under the maximum pressure, "
         f"{quantity(largest, 'Pa')}, the von Mises stress reaches about {quantity(stress, 'Pa')}, "
-        f"{share:.3g} times its yield stress. Use Simulation for plastic flow, or an elastic "
+        f"{share:.3g} times the yield stress there. Use Simulation for plastic flow, or an elastic "
         "material"
     )
     warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
@@ -80,7 +80,10 @@ def _traction(solution: ContactSolution, friction: FrictionLaw) -> float:
 def _over_yield(
     solution: ContactSolution, body: Body, friction: FrictionLaw
 ) -> tuple[float, float]:
-    """Maximum ratio of von Mises stress to local yield stress [-]; von Mises stress there [Pa]."""
+    """Return the maximum ratio of von Mises stress to local yield stress [-].
+
+    The second value is the von Mises stress at the point of this maximum [Pa].
+    """
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
     assert spot is not None  # there is a pressure above the yield stress
@@ -112,7 +115,10 @@ def _over_yield(
 
 @lru_cache(maxsize=64)
 def _sliding(nu: float, friction: float) -> tuple[float, float]:
-    """Maximum von Mises stress over maximum pressure in sliding; depth of it over half-width."""
+    """Return the maximum von Mises stress / maximum pressure in sliding, and a depth.
+
+    The second value is the depth of this stress divided by the half-width.
+    """
     ratio, _, depth = sliding_max_von_mises(nu, friction)
     return ratio, depth
 

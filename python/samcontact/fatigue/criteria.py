@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fatigue criteria, evaluated at all points of a cycle."""
+"""Fatigue criteria, evaluated at each point of a body over a stress cycle."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def crossland(
 def orthogonal_shear(
     states: Cycle | Sequence[State] | ArrayLike, body: int | None = None, axis: str = "x"
 ) -> FatigueField:
-    """Amplitude of the shear stress on planes parallel to the surface: half its range in the cycle.
+    """Amplitude (half the range in a cycle) of the shear stress on planes parallel to the surface.
 
     Parameters
     ----------
@@ -280,7 +280,7 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Evaluate a criterion in blocks of points; `fields`: tensor fields in memory at once."""
+    """Evaluate a criterion in blocks of points, with `fields` tensor fields in memory at once."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):

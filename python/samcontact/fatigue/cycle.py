@@ -23,7 +23,7 @@ from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 __all__ = ["Cycle", "cycle", "steady_cycle"]
 
 _MAX_MEMORY_FRACTION = 0.4
-"""Fraction of the available memory for the stress of a block of layers at all moments."""
+"""Fraction of the available memory for the stress of a block of layers at all instants."""
 _COPIES_OF_BLOCK = 2.5
 """Memory of a block relative to the memory of its stress; it includes copies of the stress."""
 
@@ -42,7 +42,7 @@ class Cycle(HtmlTable):
 
     @property
     def moments(self) -> int:
-        """Number of moments (instants) of the cycle."""
+        """Number of instants of the cycle."""
         return self._paths.moments
 
     @property
@@ -68,19 +68,22 @@ class Cycle(HtmlTable):
         return f"Cycle(moments={self.moments}, points_shape={self.points_shape})"
 
     def _rows(self) -> Rows:
-        rows = [("moments", str(self.moments)), ("points", counts(*self.points_shape))]
+        rows = [("instants", str(self.moments)), ("points", counts(*self.points_shape))]
         for axis, values in self.coordinates.items():
             rows.append((axis, f"{lengths(values[0])} to {lengths(values[-1])}"))
         return rows
 
 
 def has_plastic_strain(of: Cycle) -> bool:
-    """Whether any point has plastic strain at any moment of the cycle."""
+    """Whether any point has plastic strain at any instant of the cycle."""
     return of._paths.has_plastic_strain
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Yield slices of the last axis of the points; `fields` tensor fields of a slice fit memory."""
+    """Iterate over slices of the last axis of the points.
+
+    For each slice, `fields` tensor fields fit into the available memory.
+    """
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
     there = memory.available()
@@ -89,7 +92,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
         memory.require(
             "one layer of a cycle",
             _COPIES_OF_BLOCK * one / _MAX_MEMORY_FRACTION,
-            "use fewer states (moments)",
+            "use fewer states",
         )
     size = max(min(fit, last), 1)
     for first in range(0, last, size):
@@ -97,7 +100,10 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
 
 
 def stress_in(of: Cycle, block: slice) -> FloatArray:
-    """Return the stress in a block [Pa], shape (moments, 6, points), last axis slowest."""
+    """Return the stress in a block [Pa], shape (instants, 6, points).
+
+    Along the axis of points, the coordinate of the block varies slowest.
+    """
     known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
     if "stress" in known:
         each = math.prod(of.points_shape[:-1])
@@ -140,11 +146,11 @@ def cycle(
     Raises
     ------
     ValueError
-        There are fewer than two moments. The states have different grids or materials, no cells in
-        common, or offsets that differ by a fraction of a cell. The stress array has another shape
+        There are fewer than two instants. The states have different grids or materials, no cells in
+        common, or offsets that differ by a fraction of a cell. The stress array has the wrong shape
         or is not finite.
     TypeError
-        The argument is neither states nor an array of numbers.
+        `states` is neither a sequence of states nor an array of numbers.
     """
     if isinstance(states, State):
         raise ValueError(
@@ -156,10 +162,10 @@ def cycle(
         if plastic_strain is not None:
             raise ValueError("plastic_strain cannot be combined with states, which have their own")
         return _cycle_from_states(given, 2 if body is None else choice("body", body, (1, 2)))
-    stress = _tensors("states", states, "(moments, 6, ...)", 1)
+    stress = _tensors("states", states, "(instants, 6, ...)", 1)
     _require_no_body(body)
     if stress.shape[0] < 2:
-        raise ValueError(f"states must have at least 2 moments, got shape {stress.shape}")
+        raise ValueError(f"states must have at least 2 instants, got shape {stress.shape}")
     strain = _strain_like(plastic_strain, stress)
     return Cycle(GivenPaths(stress, strain), None, FrozenDict({}))
 
@@ -190,14 +196,16 @@ def steady_cycle(
     -------
     Cycle
         Cycle in which each point stands for a line along `axis`: fields have the axes y and z (x
-        and z with `axis="y"`). The moments are the cells along a line, without interpolation. For a
-        state, the initial stress far ahead of the contact is one more moment, except along a
-        periodic direction. It is not added to a stress array.
+        and z with `axis="y"`). The instants of the cycle are the cells along a line; nothing is
+        interpolated between cells. For a state, the initial stress far ahead of the contact adds
+        one more instant, except along a periodic direction. A stress array has no additional
+        instant.
 
     Raises
     ------
     ValueError, TypeError
-        The argument is neither a state nor a finite array of this shape with >= 2 cells along axis.
+        `state` is neither a State nor a finite array of this shape, or has fewer than 2 cells along
+        `axis`.
     """
     number = ("x", "y").index(choice("axis", axis, ("x", "y")))
     if isinstance(state, State):

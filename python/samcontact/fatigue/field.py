@@ -47,7 +47,7 @@ class FatigueField(ShortRepr, HtmlTable):
         Coordinates along each axis of `values` [m]: "x" (on the body), "y", "z"; empty for a
         stress array.
     moments : int
-        Number of moments (instants) of the cycle.
+        Number of instants of the cycle.
     normals : ndarray or None
         Normal of the critical plane at each point, shape (3, ...), for critical-plane criteria.
     """
@@ -160,4 +160,4 @@ class FatigueField(ShortRepr, HtmlTable):
         rows += [(axis, quantity(value, "m")) for axis, value in self.position.items()]
         if self.normal is not None:
             rows.append(("critical plane normal", ", ".join(f"{part:.3f}" for part in self.normal)))
-        return [*rows, ("moments of the cycle", str(self.moments))]
+        return [*rows, ("instants of the cycle", str(self.moments))]

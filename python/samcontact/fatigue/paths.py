@@ -2,7 +2,7 @@
 """Sources of the stress history of a cycle: several states, one steady state, or an array.
 
 A block is a slice of the last axis of the points, normally of the depth. In fields of a block this
-axis comes before the other axes, as in the core: shape (moments, 6, block, ...).
+axis comes before the other axes, as in the core: shape (instants, 6, block, ...).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from ..solutions.state import State
 
 
 class Paths(Protocol):
-    """Protocol of a source: stress and plastic strain of all points at all moments."""
+    """Protocol of a source of stress and plastic strain, for all points and all instants."""
 
     @property
     def moments(self) -> int: ...

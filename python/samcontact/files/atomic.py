@@ -25,11 +25,11 @@ TERMINATION_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 @contextmanager
 def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
-    """Yield a temporary file in the folder of `path`; at the end it replaces the file at `path`.
+    """Provide a temporary file, which replaces the file at `path` at the end of the context.
 
-    On failure, the temporary file is removed and an existing file is kept. If `path` is a symbolic
-    link, the target of the link is replaced. In a folder under `recording`, only files of this
-    package are replaced.
+    The temporary file is in the folder of `path`. On failure, it is removed and an existing file is
+    kept. If `path` is a symbolic link, the target of the link is replaced. In a folder under
+    `recording`, only files of this package are replaced.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
 
 
 def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
-    """Return the path with the suffix, added if missing; raise ValueError without a file name."""
+    """Return the path, with the suffix added if missing; raise ValueError without a file name."""
     target = Path(path)
     if target.name in ("", ".."):
         raise ValueError(f"path must be the name of a file, got {in_short(str(path))}, a folder")
@@ -82,7 +82,7 @@ def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
 
 
 def _checked(path: Path) -> Path:
-    """Resolve a symbolic link; raise OSError unless its folder exists and it can be a file."""
+    """Resolve a symbolic link; raise OSError if the folder is missing or the target is no file."""
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not target.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "the folder does not exist", str(path))
@@ -106,7 +106,7 @@ def _part(target: Path, ending: str) -> tuple[int, Path]:
 
 @contextmanager
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """Yield a file object for HDF5; at the end, the file gets a digest and replaces `path`.
+    """Provide a file object for HDF5; at the end, a digest is added and the file replaces `path`.
 
     Ctrl-C is delayed until the file is complete. Disk errors are raised as OSError with the name
     `path`. A MemoryError is raised in advance if HDF5 would run out of memory. A ValueError is

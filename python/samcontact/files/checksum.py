@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """SHA-256 digest at the end of an HDF5 file, by which any later change of the file is detected.
 
-HDF5 ignores bytes after the end of file stated in the file header. The digest is checked before the
-file is opened, because the HDF5 library may crash on damaged metadata.
+The header of an HDF5 file contains the file length, and HDF5 ignores all bytes beyond it. The
+digest is checked before the file is opened, because the HDF5 library may crash on damaged metadata.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _BLOCK = 1 << 20
 
 
 def seal(path: str | os.PathLike[str]) -> None:
-    """Append the digest to a complete file. HDF5 programs that change the file cut it off."""
+    """Append the digest to a complete file. Changes of the file with HDF5 remove it."""
     with open(path, "r+b") as file:
         digest = _digest(file, os.fstat(file.fileno()).st_size)
         file.write(_MARK + digest + b"\n")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Identification of files written by this package, so that no other files are replaced.
 
-HDF5 files contain a mark. Files of other formats are listed with their digests in a record in their
-folder if this package has chosen their names; if the user has named them, they are replaced.
+HDF5 files contain a mark. Other files whose names are chosen by this package are listed, with their
+digests, in a record in the same folder. Other files named by the user are replaced without a check.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def _kind(file: Path) -> str:
 
 
 class OwnershipRecord:
-    """Record of the files that this package has written to a folder without a mark.
+    """Record of the files without a mark that this package has written to a folder.
 
     A file is recorded before it appears, so that it is recognised even if the process is killed.
     """
@@ -123,7 +123,10 @@ class OwnershipRecord:
         self._known.add(entry)
 
     def clear(self, *but: Path, marked: re.Pattern[str]) -> None:
-        """Remove own unchanged files that are recorded or match `marked`, except `but`."""
+        """Remove unchanged files of this package, except `but`.
+
+        These are recorded files, and files whose names match `marked`.
+        """
         names = {name for _, name in self._known}
         for file in list(self.folder.iterdir()):
             listed = file.name in names or marked.fullmatch(file.name)
@@ -144,7 +147,7 @@ def _digest(file: Path) -> str:
 
 @contextmanager
 def recording(folder: Path) -> Iterator[OwnershipRecord]:
-    """Record the files written to a folder within the context, and replace no foreign files."""
+    """Record the files written to a folder in the context, and refuse to replace foreign files."""
     if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return
@@ -163,9 +166,10 @@ def record_of(folder: Path) -> OwnershipRecord | None:
 
 
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
-    """Remove temporary files left in a folder by killed processes; with `name`, of one file only.
+    """Remove temporary files that killed processes have left in a folder.
 
-    Files that another process is writing are locked and are not removed.
+    With `name`, only temporary files for this file are removed. Files that another process is
+    writing are locked and are not removed.
     """
     for entry in os.listdir(folder):
         found = PARTIAL_FILE_NAME.fullmatch(entry) if entry.startswith(".") else None

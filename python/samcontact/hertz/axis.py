@@ -55,7 +55,7 @@ def point_max_von_mises(nu: float) -> tuple[float, float]:
 
 
 def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return sigma_xx, sigma_yy, sigma_zz, over p0, below a line contact at the depth s = z/b."""
+    """Return sigma_xx/p0, sigma_yy/p0 and sigma_zz/p0 below a line contact at the depth s = z/b."""
     root = np.sqrt(1.0 + s**2)
     # (1 + 2 s^2)/root - 2 s = (root - s)^2 / root, and root - s = 1/(root + s): no cancellation
     sxx = -1.0 / (root * (root + s) ** 2)
@@ -71,7 +71,7 @@ def line_max_von_mises(nu: float) -> tuple[float, float]:
 
 
 def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return sigma_xx, sigma_yy, sigma_zz, over p0, at the depth s = z/a_x, with k = a_y/a_x.
+    """Return sigma_xx/p0, sigma_yy/p0 and sigma_zz/p0 at the depth s = z/a_x, with k = a_y/a_x.
 
     The stresses follow from the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5).
     The integrals of Sackfield and Hills (1983) are evaluated in Carlson's form, which avoids

@@ -3,13 +3,14 @@
 
 The potential of a Hertz pressure equals the potential of point forces on an imaginary line,
 
-    integral of sqrt(1 - s^2)/distance over the disc = pi/2 integral of (1 - t^2)/R(z + i t) dt
+    integral of sqrt(1 - s^2)/distance over the disc s < 1
+        = pi/2 integral of (1 - t^2)/R(z + i t) dt over -1 < t < 1
 
-over -1 < t < 1 with R(zeta) = sqrt(r^2 + zeta^2) (Copson 1947; Green and Zerna 1968, section
-5.7). Let f be a harmonic function in the solution for a point force, and f_n its n-th primitive in
-z. For a Hertz pressure, -2 pi (Re f_2 - Im f_3)(z + i) then replaces f. The harmonic functions of
-Boussinesq's and Cerruti's solutions (Johnson 1985, section 3.2) have elementary primitives h_n,
-with h_0 = 1/R and T = R + zeta.
+with R(zeta) = sqrt(r^2 + zeta^2), at the distance r from the axis (Copson 1947; Green and Zerna
+1968, section 5.7). Let f be a harmonic function in the solution for a point force, and f_n the
+result of n integrations of f with respect to z. For a Hertz pressure, f is then replaced by -2 pi
+(Re f_2 - Im f_3)(z + i). The harmonic functions of Boussinesq's and Cerruti's solutions (Johnson
+1985, section 3.2) have elementary primitives h_n, with h_0 = 1/R. They contain T = R + zeta.
 """
 
 from __future__ import annotations
@@ -88,8 +89,8 @@ def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, flo
     """Return the maximum von Mises stress / p0 of a sliding contact, and its x/a and z/a (y = 0).
 
     The stress has two competing maxima: one below the surface, and one on the diameter of the
-    contact at the surface. It is a smooth function of the angle t in x = -cos t. At the edge of
-    the contact (t = 0) the surface stress is finite and increases linearly with t.
+    contact at the surface. The stress is a smooth function of the angle t, with x/a = -cos t. At
+    the edge of the contact (t = 0) the surface stress is finite and increases linearly with t.
     """
 
     def von_mises(t: FloatArray, z: FloatArray) -> FloatArray:

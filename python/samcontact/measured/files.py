@@ -36,9 +36,10 @@ def read(
     path : str or path
         File in any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or
         a plain array (.npy) or plain text with decimal points and without sizes in its header.
-        Columns of .txt, .dat and .asc are separated by blanks, of .csv by commas or semicolons. A
-        plain file contains one of the following: rows of heights, which require `dx`; two columns x
-        and z of a profile; or three columns x, y, z of points that fill a grid, in any order.
+        Columns are separated by blanks in .txt, .dat and .asc files, and by commas or semicolons in
+        .csv files. A plain file contains one of the following: rows of heights, which require `dx`;
+        two columns x and z of a profile; or three columns x, y, z of points that fill a grid, in
+        any order.
     format : str, optional
         Name of a reader in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
         heights, or "xyz" for columns of positions. Default: determined from content and suffix.
@@ -50,7 +51,7 @@ def read(
         Treatment of undefined points: interpolate them (`MeasuredSurface.filled`), raise
         ValueError, or keep them as NaN.
     dx, dy : float, optional
-        Sample spacing [m], if the file does not contain it. Default of dy: dx.
+        Sample spacing [m], if the file does not contain it. `dy` defaults to `dx`.
     unit : str, optional
         Length unit of the heights ("nm", "um", ...), if the file does not contain it. Default for
         rows of heights: metres. For columns it is also the unit of the positions.
@@ -154,7 +155,7 @@ def _surface_from_columns(
     units = [found.units[column] for column in which]
     if given.unit is None and None in units:
         known = [f"{name} in {unit}" for name, unit in zip(names, units, strict=True) if unit]
-        stated = f"specifies only {' and '.join(known)}" if known else "specifies none"
+        stated = f"specifies only {' and '.join(known)}" if known else "specifies no unit"
         raise ValueError(f'unit is required, e.g. unit="um": {rows}, and {stated}')
     if given.unit is not None and None not in units:
         raise ValueError(

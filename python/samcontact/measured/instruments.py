@@ -100,10 +100,11 @@ _UNKNOWN_FORMAT = 2
 
 
 def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterator[tuple[Any, int]]:
-    """Yield possible readers of a file with their rank, the most likely reader first.
+    """Iterate over possible readers of a file and their ranks, the most likely reader first.
 
     Rank 0: the reader recognises the content; 1: only the suffix of the file name; 2: neither.
-    Text readers remain in the order of the library, because some of them must precede others.
+    Readers of text files keep the order in which SurfaceTopography lists them, because some of them
+    must be tried before others.
     """
     if format is not None:
         yield io.lookup_reader_by_format[format], 0
@@ -161,7 +162,7 @@ def _read(
 
 
 def _call_reader(io: Any, call: Any) -> Any:
-    """Call a reader; raise _ReaderError for any error, as damaged files cause all kinds."""
+    """Call a reader; raise _ReaderError for any error: damaged files cause errors of all kinds."""
     try:
         return call()
     except (ImportError, _ReaderError):
@@ -178,8 +179,8 @@ def _call_reader(io: Any, call: Any) -> Any:
 def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
     """Convert a line scan to a surface with one row of samples.
 
-    written: positions [m] as written in the file, if known. The library regards steps as equal if
-    positions differ by less than 1e-6, in any unit.
+    written: positions [m] as written in the file, if known. SurfaceTopography regards steps as
+    equal if positions differ by less than 1e-6, in any unit.
     """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
     if written is not None and len(written) == len(x):
@@ -195,7 +196,7 @@ def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None)
 def _nms_steps(file: BinaryIO, shape: tuple[int, ...], steps: Any) -> Any:
     """Return the sample spacing of a NanoFocus file [m].
 
-    The spacing is stored in nm; the library may interpret it as mm.
+    The spacing is stored in nm; SurfaceTopography may interpret it as mm.
     """
     file.seek(_NMS_STEPS)
     own = [1e-9 * step for step in struct.unpack("<2d", file.read(16))]

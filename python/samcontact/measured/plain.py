@@ -136,7 +136,8 @@ def _unit_of(label: str) -> str | None:
 def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
     """Return the indices of the columns x, (y,) z; None if the file contains rows of heights.
 
-    Raises ValueError if x of a profile reverses. It is not checked that points fill a grid.
+    Raises ValueError if x of a profile reverses. This function does not check that points fill a
+    grid.
     """
     if len(values) < _MIN_POSITION_ROWS or not np.isfinite(values[:, :-1]).all():
         return None
@@ -168,7 +169,7 @@ def _counts(column: FloatArray) -> bool:
 
 
 def _rises(column: FloatArray) -> float:
-    """Return the fraction of the steps between rows that have the more frequent sign."""
+    """Return the fraction of the steps between successive values with the more frequent sign."""
     steps = np.diff(column)
     return float(max((steps > 0).mean(), (steps < 0).mean()))
 
@@ -195,7 +196,7 @@ def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
 
 
 def _last_digit(x: FloatArray, step: float) -> float:
-    """Return the unit to which positions are rounded [m]; 0 if they have too many digits."""
+    """Return the place value of the last digit of positions [m]; 0 if there are too many digits."""
     for digits in range(4):
         unit = 10.0 ** (np.floor(np.log10(step) + 1e-9) - digits)
         if np.abs(x / unit - np.round(x / unit)).max() < 1e-4:

@@ -88,7 +88,10 @@ def resampled(
 
 
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
-    """Whether positions +- edge [m] are in the measured area; if not, fill is required."""
+    """Whether each position +- edge [m] lies in the measured area.
+
+    Raises ValueError for a position outside this area if there is no fill.
+    """
     half = 0.5 * size
     inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)
     if sampling.fill is None and not inside.all():
@@ -101,6 +104,6 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
 
 
 def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Return the centres of equal parts of each cell, no longer than a step; one row per cell."""
+    """Divide cells into equal parts, at most a step long; return the part centres of each cell."""
     count = max(1, int(np.ceil(cell / step - 1e-9)))
     return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

@@ -31,7 +31,7 @@ MAX_UNDEFINED_FRACTION = 0.05  # of all points; above, a filled surface is unrel
 
 
 def library(module: str = "SurfaceTopography") -> Any:
-    """Import a module of SurfaceTopography; ImportError with instructions if it is missing."""
+    """Import a module of SurfaceTopography; raise ImportError with advice if it is missing."""
     try:
         with warnings.catch_warnings():
             # importing it warns of missing MPI, which is not needed here
@@ -63,7 +63,7 @@ class MeasuredSurface(ShortRepr):
         NaN or masked. There must be at least two samples in each direction; a profile has one
         sample along y and applies at every y.
     dx, dy : float
-        Sample spacing along x and y [m]. Default of dy: dx.
+        Sample spacing along x and y [m]. `dy` defaults to `dx`.
     attrs : mapping, optional
         Attributes that describe the origin of the heights.
 
@@ -228,7 +228,7 @@ class MeasuredSurface(ShortRepr):
             Spline through the samples: bicubic (exact for cubic polynomials) or bilinear.
         average : bool, optional
             Whether to average over each cell, which removes wavelengths shorter than a cell,
-            instead of using the value at its centre. Use it for cells larger than the sample
+            instead of using the height at the cell centre. Set it for cells larger than the sample
             spacing.
         fill : float, optional
             Height outside the measured area [m]; -inf if there is no body. By default the grid must
@@ -273,12 +273,13 @@ class MeasuredSurface(ShortRepr):
         Parameters
         ----------
         grid : Grid
-            Grid of the simulation. Without `fill`, the measured area must be at least as wide.
+            Grid of the simulation. Without `fill`, the measured area must be at least as wide as
+            the grid.
         x, y : float, optional
             Position of the centre of the measured area on the body [m].
         periodic : bool, optional
             Whether to repeat the measured area along x. By default the body is flat (height 0)
-            beyond it.
+            beyond the measured area.
         method, average, fill : optional
             As in `on`.
 

@@ -43,9 +43,9 @@ def rolling_animation(
     body : {1, 2}
         Body whose frame of reference, section and residual imprint are shown.
     quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
-        Quantity of the section. With "von_mises", the stress under load is shown inside the grid,
-        which moves with the contact and is marked by a frame. Outside the grid, the residual stress
-        is shown where the body has yielded. Cells without a computed stress are grey.
+        Quantity shown in the section. With "von_mises", the stress under load is shown inside the
+        grid, which moves with the contact and is marked by a frame. Outside the grid, the residual
+        stress is shown where the body has yielded. Cells without a computed stress are grey.
     interval : float, optional
         Interval between frames during playback [ms], > 0.
 

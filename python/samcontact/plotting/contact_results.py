@@ -91,7 +91,7 @@ class ContactResults:
         return field
 
     def row(self, field: FloatArray, across: str = "y") -> float:
-        """Return the position across a section [m]: the middle, or the maximum of the field."""
+        """Return the position of a section [m]: middle of the grid, or maximum of the field."""
         axis = "xy".index(across)
         others = tuple(n for n in range(field.ndim) if n != axis)
         centres = getattr(self.grid, across)
@@ -104,7 +104,7 @@ class ContactResults:
 
     @property
     def map_look(self) -> tuple[str, tuple[float, float]]:
-        """Coordinate from left to right in maps, and size of a figure with a map [in]."""
+        """Coordinate that runs from left to right in maps, and size of a figure with a map [in]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
         if long <= MIN_LONG_CONTACT_RATIO * wide:

@@ -46,7 +46,7 @@ class Plane(NamedTuple):
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return coordinates [µm] and values at cell centres; edges have the nearest value."""
+        """Return coordinates [µm] and values at cell centres, and nearest values at the edges."""
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
             for side in (self.across, self.down)
@@ -94,7 +94,7 @@ def show_surface(
     """Draw a map of a surface field with a colour bar.
 
     name: name of the horizontal coordinate. note: text after the name of the quantity. inside:
-    field that is positive where the map is drawn; the rest is white.
+    field that is positive where the map is drawn; the rest of the map is white.
     """
     ax = axes_or_new(ax)
     if inside is not None and cells:
@@ -109,7 +109,7 @@ def show_surface(
 
 
 def name_sides(ax: Axes, across: str) -> Axes:
-    """Set the labels of a map with the coordinate `across` from left to right."""
+    """Label the axes of a map in which the coordinate `across` runs from left to right."""
     ax.set_xlabel(f"{across} [µm]")
     ax.set_ylabel("y [µm]" if across == "x" else "x [µm]")
     if across == "y":
@@ -151,8 +151,8 @@ def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
 def _crossing(values: FloatArray) -> FloatArray:
     """Replace zeros outside a positive region by negative values, extrapolated from the region.
 
-    The extrapolation is linear, from the two nearest positive values. If they do not decrease
-    towards the edge, the mean slope at the edge of the region is used.
+    The extrapolation is linear, from the two nearest positive values. If these values do not
+    decrease towards the edge, the mean slope at the edge of the region is used.
     """
     there = values > 0
     cross = scipy.ndimage.generate_binary_structure(2, 1)

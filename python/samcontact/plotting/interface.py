@@ -141,7 +141,7 @@ def interface_figure(results: ContactResults, number: int) -> Figure:
     """Return a figure of the stress at the interfaces of a body, with one panel per interface.
 
     Profiles pass through the row of cells in which the in-plane stress varies most. If there are
-    many interfaces, only the ones with the highest tension are shown.
+    many interfaces, only the interfaces with the highest tension are shown.
     """
     stress, grid = results.field("interface_stress", number), results.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))

@@ -56,12 +56,12 @@ def surface_map(
     label : str, optional
         Text that replaces the name of the quantity in the label.
     contact : array_like, shape (nx, ny), optional
-        Field that is positive in contact cells; from the pressure, the edge is located between
-        cells. Default: cells with pressure, or with a gap below 1e-6 of its maximum. For other
-        quantities, the edge is drawn only if this argument is given.
+        Field that is positive in contact cells, for the contact edge. If it is the pressure, the
+        edge is located between cell centres. Default: cells with pressure, or with a gap below 1e-6
+        of its maximum. For other quantities, the edge is drawn only if this argument is given.
     across : {"x", "y"}, optional
-        Coordinate from left to right. "y" rotates the map by 90°, with x downward, for contacts
-        that are long along y.
+        Coordinate that runs from left to right. "y" rotates the map by 90°, with x downward, for
+        contacts that are long along y.
     cells : bool, optional
         Show each cell in one colour, instead of smooth colours between the cell centres.
 

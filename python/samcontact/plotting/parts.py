@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Common functions of the figures: creation without pyplot, labels, units, lines through fields."""
+"""Functions for all figures: creation without pyplot, labels, units and lines through fields."""
 
 from __future__ import annotations
 

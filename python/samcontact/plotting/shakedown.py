@@ -41,8 +41,9 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
     -------
     matplotlib.axes.Axes
         Axes with p0/k versus the coefficient of friction, where k is the shear yield stress by the
-        von Mises criterion. Dashed lines: Tresca criterion, or lower bound. A dot marks the
-        friction above which the limit is reached at the surface.
+        von Mises criterion. Dashed lines show the limits by the Tresca criterion (line contact) or
+        the lower bound (point contact). A dot marks the friction above which the limit is reached
+        at the surface.
 
     Raises
     ------
@@ -109,9 +110,9 @@ def strain_per_cycle(
     Returns
     -------
     matplotlib.axes.Axes
-        Axes with strains relative to the yield strain, on a logarithmic scale. Solid lines: net
-        plastic strain. Dashed lines: plastic flow. Dots: solved cycles; extrapolated cycles have
-        no dots.
+        Axes with strains relative to the yield strain, on a logarithmic scale. Solid lines show the
+        net plastic strain, dashed lines the plastic flow. Dots mark solved cycles; extrapolated
+        cycles have no dots.
     """
     return draw_cycles(
         [cycle.number for cycle in result.cycles],

@@ -61,8 +61,8 @@ def partial_slip_map(
         Unit of the slip for the title: "m" for a `State`, "1" (per distance rolled) for a
         `RollingSolution`. If omitted, the title has the number only.
     across : {"x", "y"}, optional
-        Coordinate from left to right. "y" rotates the map by 90°, with x downward, for contacts
-        that are long along y.
+        Coordinate that runs from left to right. "y" rotates the map by 90°, with x downward, for
+        contacts that are long along y.
 
     Returns
     -------
@@ -224,7 +224,7 @@ def fretting_loop(
     Raises
     ------
     ValueError
-        The direction is unknown, or the results are of full sliding.
+        The direction is unknown, or the results are from full sliding.
     """
     force, motion = FORCE_AND_MOTION[choice("direction", direction, tuple(FORCE_AND_MOTION))]
     require_slip(dataset)
@@ -321,7 +321,8 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     Raises
     ------
     ValueError
-        The direction is unknown, or the results are of full sliding or without rolling.
+        The direction is unknown, or the results are from full sliding or from bodies that do not
+        roll.
     """
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
@@ -343,7 +344,7 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
 
 
 def require_slip(dataset: xr.Dataset) -> None:
-    """Raise ValueError if the results are of full sliding."""
+    """Raise ValueError if the results are from full sliding."""
     if "friction_work" not in dataset:
         raise ValueError(
             "dataset must be from a contact with partial slip, got one with full sliding: use "

@@ -61,7 +61,7 @@ def summary_figures(
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the increment with maximum stress.
     format : {"png", "pdf", "svg"}
-        File format; in the last two, lines and text are vectors.
+        File format; in PDF and SVG files, lines and text are vectors.
 
     Returns
     -------
@@ -108,7 +108,10 @@ def summary_figures(
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
-    """Return the numbers of the increments with maximum stress and temperature, and of the last."""
+    """Return the numbers of the increments that the figures show.
+
+    These are the increments with maximum stress and maximum temperature, and the last increment.
+    """
     results = ContactResults(dataset, body, None)
     shown = {results.peak, dataset.sizes["increment"] - 1}
     if results.hottest is not None:

@@ -262,7 +262,10 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 
 
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
-    """Return the limits of the part above 2 % of the maximum, extended by half at each end."""
+    """Return the limits along x of a region shown in figures of a track [m].
+
+    This is the region above 2 % of the maximum, extended at each end by half of its length.
+    """
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])
     return max(float(x[0]), float(there[0]) - margin), min(float(x[-1]), float(there[-1]) + margin)

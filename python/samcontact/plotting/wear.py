@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear and running-in. Functions draw on an `ax` (of a new figure) and return it.
+"""Figures of wear and running-in. Functions draw on an `ax` (default: new figure) and return it.
 
 As in `samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth is downward.
 """
@@ -82,12 +82,12 @@ def worn_profile(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body. Default: the last of the worn bodies.
+        Worn body. Default: body 2 if it is worn, otherwise body 1.
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
         Coordinate of the profile across its direction [m]; the nearest row of cells is used.
-        Default: the middle row, or the row of maximum wear if that is much deeper.
+        Default: the middle row, or the row of maximum wear if the wear there is much deeper.
     cycles : sequence of int, optional
         Numbers of cycles; 0: before the first cycle. Default: all.
 
@@ -149,7 +149,7 @@ def surface_map(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     body : {1, 2}, optional
-        Worn body. Default: the last of the worn bodies.
+        Worn body. Default: body 2 if it is worn, otherwise body 1.
     cycle : int
         Number of the cycle; default: the last one.
     cells : bool, optional
@@ -218,7 +218,7 @@ def fretting_panels(
         `FrettingResult.first` and `last`.
     position : float, optional
         Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
-        maximum initial pressure if that is much higher.
+        maximum initial pressure if this pressure is much higher.
 
     Returns
     -------
@@ -227,7 +227,7 @@ def fretting_panels(
     Raises
     ------
     ValueError
-        The states are of full sliding and have no slip field.
+        The states are from full sliding and have no slip field.
     """
     grid = last[-1].grid
     if position is None:
@@ -271,7 +271,7 @@ def cycle_panels(
         Body whose stress and strain are shown.
     position : float, optional
         Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
-        maximum pressure if that is much higher.
+        maximum pressure if this pressure is much higher.
     width, depth : float, optional
         Limits of the figure [m]: x from -`width` to `width`, z down to `depth`; default: all.
 

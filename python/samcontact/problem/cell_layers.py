@@ -8,7 +8,7 @@ from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Whether any layered body can yield; raise ValueError if plastic flow is not supported."""
+    """Return whether any layered body can yield; raise ValueError if this is not supported."""
     flows = False
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Layered) or not body.is_plastic:
@@ -29,7 +29,7 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(
                     f"the bottom of layers[{place}] of body{n}, at {float(depth)!r} m, must "
-                    f"coincide with an interface of cells, got grid.dz = {grid.dz!r}: use a whole "
-                    "fraction of the layer thickness (1/4, 1/8, ...)"
+                    f"coincide with a boundary between layers of cells, got grid.dz = {grid.dz!r}: "
+                    "use a whole fraction of the layer thickness (1/4, 1/8, ...)"
                 )
     return flows

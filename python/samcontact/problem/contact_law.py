@@ -44,7 +44,7 @@ class ContactLaw(HtmlTable):
         return self.to_core().attracts
 
     def to_tree(self) -> dict[str, Any]:
-        """Kind and parameters by name."""
+        """Return the kind of the law and the parameters, as a dictionary."""
         return {"kind": self.kind, **asdict(self)}
 
     def require_possible(self, heat: Heat, given: Mapping[str, Any]) -> None:
@@ -96,12 +96,12 @@ class TensileLimit(ContactLaw):
 
     Surfaces separate where the tension reaches the limit, and open cells carry this tension at any
     gap: the attraction of Dugdale (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. The
-    law describes an evacuated gap, and a gap filled with liquid at a pressure below ambient by the
-    limit (capillary pressure). For adhesion, it is the limiting case of an attraction with a range
-    much larger than the gaps, as in the theory of Derjaguin, Muller and Toporov. The solution is
-    unique and independent of the path. The attractive force is the tensile limit times the area of
-    the grid. On a grid that is not periodic, it therefore increases with the size of the grid and
-    bends the surfaces.
+    law describes an evacuated gap, and a gap filled with a liquid whose pressure is lower than the
+    ambient pressure by the limit (capillary pressure). For adhesion, it is the limiting case of an
+    attraction with a range much larger than the gaps, as in the theory of Derjaguin, Muller and
+    Toporov. The solution is unique and independent of the loading path. The attractive force is the
+    tensile limit times the area of the grid. On a grid that is not periodic, it therefore increases
+    with the size of the grid and bends the surfaces.
 
     Attributes
     ----------

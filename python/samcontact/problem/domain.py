@@ -75,8 +75,7 @@ def require_consistent_overlap(larger: Domain, window: Domain) -> None:
         if not np.array_equal(np.isfinite(field), body):
             raise ValueError(
                 f"{name} must give the same result on every grid: on a larger "
-                "grid, the cells without a body (infinite values) are "
-                "different ones"
+                "grid, other cells are without a body (infinite values)"
             )
         off = np.abs(field[body] - known[body])
         if not np.all(off <= _SAME_HEIGHT_TOLERANCE * float(np.ptp(known[body]))):

@@ -70,7 +70,7 @@ class FrictionLaw(HtmlTable):
 
     @property
     def is_frictionless(self) -> bool:
-        """Whether the law allows no shear traction."""
+        """Whether the shear traction is zero under any pressure."""
         return float(self.bound(1.0)) == 0.0
 
     @property
@@ -84,7 +84,7 @@ class FrictionLaw(HtmlTable):
         return self
 
     def to_tree(self) -> dict[str, Any]:
-        """Return the name and parameters, from which `law_of` restores the law."""
+        """Return the name and the parameters of the law, from which `law_of` restores the law."""
         return {"law": self.law, **asdict(self)}
 
     def _rows(self) -> Rows:
@@ -133,9 +133,10 @@ class Coulomb(FrictionLaw):
 class Tresca(FrictionLaw):
     """Friction with a constant shear strength of the interface, independent of the pressure.
 
-    The shear traction is at most the shear strength k in all contact cells. It is discontinuous at
-    the edge of the contact. With dissimilar materials, neither contact nor separation may then be
-    consistent in cells at the edge, and a small tolerance may not be reached.
+    The shear traction is at most the shear strength k in all contact cells. At the edge of the
+    contact, the shear traction is discontinuous. With dissimilar materials, neither contact nor
+    separation may then be consistent in cells at the edge, and a small tolerance may not be
+    reached.
 
     Attributes
     ----------
@@ -182,7 +183,7 @@ def is_law(friction: Any) -> bool:
 def friction_law(
     friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
 ) -> FrictionLaw:
-    """Return the friction law for a law, or for the coefficient of full sliding."""
+    """Return a friction law unchanged, or full sliding for a coefficient of friction."""
     return friction if isinstance(friction, FrictionLaw) else of_number(friction)
 
 

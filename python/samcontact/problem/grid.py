@@ -20,7 +20,8 @@ class Grid(HtmlTable):
     """Regular grid of cells.
 
     Cell centres are x_i = (i - (nx - 1)/2) dx and y_j = (j - (ny - 1)/2) dy. Layer k spans the
-    depths from k dz to (k + 1) dz, with z positive into the body. Its values refer to mid-depth.
+    depths from k dz to (k + 1) dz, with z positive into the body. Values in a layer refer to the
+    mid-depth of the layer.
 
     Parameters
     ----------

@@ -130,18 +130,18 @@ def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
 
 
 def require_reference(heat: Heat) -> None:
-    """Raise ValueError if a steady stationary heat source has no reference distance."""
+    """Raise ValueError if a steady heat source at rest has no reference distance."""
     if heat.reference is not None or heat.time is not None or heat.history is not None:
         return
     if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
         raise ValueError(
             "heat.reference is required under approach control: the displacement due to a steady "
-            "stationary source is defined only relative to a reference distance [m]"
+            "source at rest is defined only relative to a reference distance [m]"
         )
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError unless heat.factor or heat.partition is the one for the friction law."""
+    """Raise ValueError for heat.factor with partial slip, or heat.partition with full sliding."""
     if friction.sticks and any(heat.factor):
         raise ValueError(
             f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "

@@ -67,7 +67,7 @@ class Relief(ShortRepr):
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
-    """Check a relief against the grid, and return it as arguments of the core; None for None."""
+    """Check a relief against the grid, and return arguments of the core; None without relief."""
     if relief is None:
         return None
     if not isinstance(relief, Relief):
@@ -90,7 +90,7 @@ def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
 
 
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
-    """Return x of the cell rows within `radius` of a position x [m], and the first row index."""
+    """Return x [m] of rows of cells within `radius` of a position x, and the first row index."""
     middle = 0.5 * (grid.nx - 1)
     if not (abs(x) + radius) / grid.dx < MAX_ROWS:
         raise ValueError(

@@ -69,7 +69,7 @@ class CountSetting:
 
 @dataclass(frozen=True)
 class ChoiceSetting:
-    """Range of a setting that is one of several words."""
+    """Allowed values of a setting that is one of several words."""
 
     allowed: tuple[str, ...]
 

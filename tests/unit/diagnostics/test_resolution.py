@@ -173,7 +173,7 @@ def test_a_sweep_warns_once_and_keeps_its_errors(tmp_path):
     sizes = [1e-9, 60e-6, 60e-3, 61e-3]
     values = {"grid.dx": sizes}
     (text,) = stated(lambda: sc.sweep(case, values, output=tmp_path, progress=False))
-    assert "2 with fewer than 8 cells across the contact, of 4 in all" in text
+    assert "of 4 cases: 2 with fewer than 8 cells across the contact" in text
     with results.open_results(tmp_path / "sweep.nc") as stored:
         assert stored["status"].values.tolist() == ["failed", "done", "done", "done"]
         assert "µm" in str(stored["error"].values[0])  # not only ASCII

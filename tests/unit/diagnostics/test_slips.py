@@ -46,11 +46,11 @@ factor = 0.01
 load = 300.0
 increments = 2
 """
-FITS = "It would be plausible with"
+FITS = "The contact would be plausible with"
 HERTZ = "Hertz: radius 244.5 µm, p0 = 2.395 GPa"
 CELLS_ACROSS, GRID_WIDTHS = "width of the Hertz contact in cells", "relative to the grid"
 RADIUS_RATIO, YIELD = (
-    "half-width of the Hertz contact over its radius",
+    "half-width of the Hertz contact over the radius of curvature",
     "yield stress over E of body 2",
 )
 CAPACITY = "volumetric heat capacity (conductivity over diffusivity) of body 2"
@@ -217,7 +217,7 @@ def test_limits_and_coefficients_of_wear():
         (["--R", "7.5", "--E-star", "115e9", "--load", "300"], '--R is 7.5 m (≤ 1 m expected)'),
         (["--R", "7.5e-3", "--E-star", "115000", "--load", "3"], "--E-star is 1.15e+05 Pa"),
         (["--R", "7.5e-3", "--E-star", "115e9", "--p0", "1500"], "--p0 is 1.5e+03 Pa"),
-        (["--R", "10 um", "--E-star", "115 GPa", "--load", "300"], "over its radius is 2.69"),
+        (["--R", "10 um", "--E-star", "115 GPa", "--load", "300"], "radius of curvature is 2.69"),
     ],
 )  # fmt: skip
 def test_the_command_reports_unit_errors(arguments, message):

@@ -165,7 +165,7 @@ def test_the_dataset_is_labelled():
         (lambda s: dang_van([s[0], 3.0], slope=0.3), TypeError, "samcontact.State"),
         (lambda s: dang_van([], slope=0.3), ValueError, "states"),
         (lambda s: dang_van(np.zeros((4, 5, 2)), slope=0.3), ValueError, "shape"),
-        (lambda s: dang_van(np.zeros((1, 6, 2)), slope=0.3), ValueError, "at least 2 moments"),
+        (lambda s: dang_van(np.zeros((1, 6, 2)), slope=0.3), ValueError, "at least 2 instants"),
         (lambda s: dang_van(np.full((2, 6, 2), np.nan), slope=0.3), ValueError, "finite"),
         (lambda s: dang_van(np.zeros((2, 6, 2)), 2, 0.3), ValueError, "body cannot be combined"),
         (lambda s: dang_van(cycle(s), 2, 0.3), ValueError, "body cannot be combined"),

@@ -68,8 +68,8 @@ READ = {  # options, format, shape, size [m], span of the heights [m]
 READER_ARGUMENTS = {
     "csv-1.csv": 'unit is required, e.g. unit="um": .* a profile, .* specifies only x in um',
     "matrix-5.txt": "dx is required",
-    "xy-1.txt": "unit is required, .* a profile, columns x and z .* specifies none",
-    "xyz-1.txt": "unit is required, .* points, columns x, y and z .* specifies none",
+    "xy-1.txt": "unit is required, .* a profile, columns x and z .* specifies no unit",
+    "xyz-1.txt": "unit is required, .* points, columns x, y and z .* specifies no unit",
 }
 
 
