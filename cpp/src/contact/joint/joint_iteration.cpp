@@ -94,8 +94,8 @@ JointCellState JointIteration::after_sticking(std::size_t i) {
   const double pressure = state_.tractions[i];
   const bool returns = rule_.patience > 0 && departures_[i] >= rule_.patience;
   ++departures_[i];
-  if (pressure > 0 && pressure >= cone.slope * cone.cap) return JointCellState::capped;
-  return pressure > 0 || returns ? JointCellState::slide : JointCellState::open;
+  if (in_contact(pressure) && pressure >= cone.slope * cone.cap) return JointCellState::capped;
+  return in_contact(pressure) || returns ? JointCellState::slide : JointCellState::open;
 }
 
 JointCellState JointIteration::after_slipping(std::size_t i, const Zero& zero) const {

@@ -8,6 +8,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/contact/joint/joint_preconditioner.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/drive.hpp"
 #include "samcontact/operators/surface/relative_displacement.hpp"
@@ -27,7 +28,7 @@ struct FrictionCone {
   /// boundary.
   double radius(double pressure, double shear) const {
     if (slope > 0) return std::min(std::max(pressure, 0.0) / slope, cap);
-    if (pressure > 0) return cap;
+    if (in_contact(pressure)) return cap;
     return std::min(shear, cap);
   }
 };
