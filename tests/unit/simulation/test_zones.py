@@ -72,19 +72,20 @@ def assert_close(state, expected, bodies, tol=1e-3):
         (STEEL, STEEL, {}),
         (ELASTIC, HOT, {"friction": 0.2, "heat": HEAT}),
         (SOFT.with_thermal(*METAL), STEEL.with_thermal(*METAL), {"friction": 0.2, "heat": MOVING}),
-        (RIGID, HOT, {"friction": 0.2, "heat": ALONG_Y}),
         (RIGID, HOT, {"friction": 0.2, "heat": OBLIQUE}),
+        pytest.param(RIGID, HOT, {"friction": 0.2, "heat": ALONG_Y}, marks=pytest.mark.slow),
     ],
     ids=[
         *("hardening", "kinematic", "perfect", "unlike", "equal"),
-        *("softening", "heat along x", "heat along y", "heat across"),
+        *("softening", "heat along x", "heat across", "heat along y"),
     ],
 )
 def test_subdomains_give_the_fields_of_one_box(body1, body2, options):
     sims = both(body1, body2, **options)
     bodies = plastic(sims[0])
-    again = (3.5,) if len(bodies) == 2 else ()
-    for step, percent in enumerate((*PATH, *again)):
+    heated = "heat" in options
+    again = (3.5,) if len(bodies) == 2 and not heated else ()
+    for step, percent in enumerate((*(PATH[1:] if heated else PATH), *again)):
         zones, one = (sim.step(load=percent * PERCENT) for sim in sims)
         assert_close(zones, one, bodies)
         many, single = (zone_counts(sim) for sim in sims)
@@ -207,7 +208,7 @@ import hashlib, warnings
 warnings.simplefilter("ignore")
 from rough_setups import *
 sim = simulation(SOFT, PERFECT, friction=0.2)
-for percent in (1, 1.5, 0.2):
+for percent in (1, 1.5):
     state = sim.step(load=percent * PERCENT)
     assert min(zone_counts(sim)) > 1, zone_counts(sim)
     parts = [state.stress(2), *fields(state, (1, 2)).values()]
@@ -218,7 +219,7 @@ for percent in (1, 1.5, 0.2):
 def test_the_number_of_threads_changes_no_digit():
     message = told_with(THREADS, 1, 3)
     assert message[0] == message[1]
-    assert len(message[0].splitlines()) == 3
+    assert len(message[0].splitlines()) == 2
 
 
 @pytest.mark.parametrize("cycles", [12, pytest.param(100, marks=pytest.mark.slow)])
@@ -258,7 +259,7 @@ def halves(state):
     return np.array(boxes)
 
 
-@pytest.fixture(scope="module", params=[2, 10, "balls"])
+@pytest.fixture(scope="module", params=[2, pytest.param(10, marks=pytest.mark.slow), "balls"])
 def solved(request):
     """Return a state, and the boxes of its subdomains within the grid.
 
