@@ -146,7 +146,13 @@ def pressure_and_strain(results: Results) -> Picture:
     left.set_xlim(-1.5, 1.5)
     right.set_xlim(0, 1.6)
     right.set_ylim(-0.05, 1.5)
-    right.axvline(HERTZ_DEPTH, color="k", linestyle=":", linewidth=1, label="Hertz depth")
+    right.axvline(
+        HERTZ_DEPTH,
+        color="k",
+        linestyle=":",
+        linewidth=1,
+        label="depth of maximum\nvon Mises stress (Hertz)",
+    )
     finish(left, "x/a", "pressure [GPa]")
     finish(right, "depth z/a", "plastic strain [%]")
     return Picture(
@@ -165,7 +171,13 @@ def stress_profiles(results: Results) -> Picture:
     left.plot(z / ball.a, np.abs(axial - radial) * 1e-9, "k--", linewidth=1, label="elastic, µ = 0")
     by_friction(left, results, "von_mises", 1e-9)
     by_friction(right, results, "residual", 1e-6)
-    right.axvline(HERTZ_DEPTH, color="k", linestyle=":", linewidth=1, label="Hertz depth")
+    right.axvline(
+        HERTZ_DEPTH,
+        color="k",
+        linestyle=":",
+        linewidth=1,
+        label="depth of maximum\nvon Mises stress (Hertz)",
+    )
     for ax in (left, right):
         ax.set_xlim(0, 1.8)
     finish(left, "depth z/a", "von Mises stress [GPa]")
@@ -235,7 +247,13 @@ def hydrostatic(results: Results) -> Picture:
     by_friction(right, results, "hydrostatic", 1e-6)
     for ax in (left, right):
         ax.axhline(0, color="k", linewidth=0.6)
-        ax.axvline(HERTZ_DEPTH, color="k", linestyle=":", linewidth=1, label="Hertz depth")
+        ax.axvline(
+            HERTZ_DEPTH,
+            color="k",
+            linestyle=":",
+            linewidth=1,
+            label="depth of maximum\nvon Mises stress (Hertz)",
+        )
         ax.set_xlim(0, 1.8)
         ax.set_ylim(-250, 80)
     finish(left, "depth z/a", "residual hydrostatic stress [MPa]")

@@ -126,7 +126,10 @@ def plastic_case(
     increments: int,
     tol: float,
 ) -> Plastic:
-    """Solve the elastic-plastic contact; width, depth: half-width and depth of the grid in a."""
+    """Solve the elastic-plastic contact.
+
+    width, depth: half-width and depth of the grid, in contact radii.
+    """
     grid = square(hertz(load).a, cells, width, depth, layer=layer)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     simulation = sc.Simulation(grid, ELASTIC, STEEL, gap, tol=tol, heat=sc.Heat(factor))

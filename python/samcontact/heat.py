@@ -95,8 +95,8 @@ class Heat:
             raise ValueError("history and time cannot be combined: set one of them to None")
         if partition is not None and history is not None:
             raise ValueError(
-                f"history must be None with partition, got {in_short(history)}: with "
-                "partition, heating is steady or has a given duration, so use time instead"
+                f"`history` cannot be combined with `partition`, got {in_short(history)}: with "
+                "`partition`, heating is steady or has one given duration; use `time` instead"
             )
         factors = value_per_body("factor", factor)
         checked = {

@@ -63,7 +63,7 @@ def test_wave_in_two_directions(share, measured):
     pressure, area = solution.pressure, solution.contact_area / PERIOD**2
     known, largest = JGH[share]
     case = f"wave in x and y, p/p* = {share}"
-    measured.close(TABLE, f"{case}: contact over area", area, known, rel=5e-3,
+    measured.close(TABLE, f"{case}: real contact area / nominal area", area, known, rel=5e-3,
                    mesh="L/512")  # fmt: skip
     if largest is not None:
         measured.close(TABLE, f"{case}: maximum pressure over p*", pressure.max() / full, largest,

@@ -108,7 +108,7 @@ def _require_law_of_friction(case: Any) -> None:
         if segment.slips:
             raise ValueError(
                 f"path[{index}]: {', '.join(segment.slips)} requires Coulomb friction: set "
-                "[contact] friction = {coulomb = 0.3}, or omit it"
+                "[contact] friction = {coulomb = 0.3}, or omit it in the path"
             )
 
 

@@ -140,7 +140,7 @@ def _line(
     approach: float | None,
     p0: float | None,
 ) -> tuple[_hertz.LineContact, Rows]:
-    """Return the line contact for a load, load per length or p0, and its table rows."""
+    """Return a line contact, given by load, load per length or p0, and its table rows."""
     if approach is not None:
         raise ValueError(
             "approach is not supported for a line contact, because it depends on the shape of the "

@@ -77,7 +77,7 @@ class _GuardedStream:
 
 @contextmanager
 def guarded_output() -> Iterator[None]:
-    """Context: output never raises errors, and each warning is printed on one line.
+    """Context manager in which output never raises errors and each warning is printed on one line.
 
     At the end, raise SystemExit with code 1 if output was lost.
     """

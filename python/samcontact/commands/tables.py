@@ -133,7 +133,7 @@ CONTACT_COLUMNS = (
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the quantities `names`, of the contact or `body`, by variable name in the results."""
+    """Return the quantities listed in `names`, of the contact or a body, by variable name."""
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)
     return {variable: CONTACT[name] for variable, name in variables if variable in dataset}

@@ -372,9 +372,9 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
     CriticalCylinderOverDepth
         Values at the smallest load for which the von Mises stress, including residual stress,
         reaches the local yield stress within 1.3 half-widths of the centre and down to a depth of
-        12 half-widths. The stress is the closed form of McEwen (Johnson 1985, (4.49)); relative
-        errors are about 1e-5. C is relative to the yield stress of the hardening law, without yield
-        profile.
+        12 half-widths. The stress is McEwen's closed form (Johnson 1985, (4.49)); the search for
+        this load has a relative error of about 1e-5. C, the ratio of maximum pressure to yield
+        stress, uses the yield stress of the hardening law, without the yield profile.
 
     Raises
     ------

@@ -254,7 +254,8 @@ def _as_cycle(states: Cycle | Sequence[State] | ArrayLike, body: int | None) -> 
         return cycle(states, body)
     if body is not None:
         raise ValueError(
-            f"body cannot be combined with a Cycle, got {in_short(body)}: pass it to `cycle`"
+            f"body must be omitted with a Cycle, got {in_short(body)}: pass body to the function "
+            "`cycle` that creates the Cycle"
         )
     return states
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contact laws: lower bound of the pressure as a function of the gap, and the cells in contact.
 
-The criterion of contact, a positive repulsion, is defined only in this module.
+Only this module defines whether a cell is in contact: its pressure exceeds the lower bound.
 """
 
 from __future__ import annotations

@@ -117,8 +117,8 @@ class Coulomb(FrictionLaw):
     Attributes
     ----------
     coefficient : float
-        Coefficient of friction mu [-], >= 0. `math.inf` prevents slip of cells under pressure; a
-        cell that touches without pressure may carry shear and slip.
+        Coefficient of friction mu [-], >= 0. With `math.inf`, no cell under pressure slips; a
+        cell in contact at zero pressure may slip, and may also transmit shear.
 
     Raises
     ------

@@ -65,7 +65,7 @@ class Trend:
 
     @cached_property
     def misfit(self) -> float:
-        """Norm of the latest difference minus mu times the earlier one."""
+        """Norm of (latest difference - mu * preceding difference), with mu = `factor`."""
         return norm([b - self.factor * a for a, b in zip(*self.steps, strict=True)])
 
     def weight(self, cycles: int) -> float:

@@ -50,7 +50,7 @@ def describe(engine: Engine, **what: Any) -> Identity:
 def journal_of(
     folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
-    """Context with the journal of a run in a locked folder; None if no folder is given."""
+    """Lock a folder in this context, and give the journal of the run there; None without folder."""
     if folder is None:
         yield None
         return

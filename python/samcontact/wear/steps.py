@@ -260,7 +260,8 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
 def deviator_below_worn_surface(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
     """Apply `below_worn_surface` to each component of tensors, shape (..., 6, nx, ny, nz).
 
-    In columns in which the tensors are deviators, the trace is subtracted after the interpolation.
+    In columns of cells (along z) with deviators only, the interpolated tensors are made deviators
+    by subtraction of their trace.
     """
     moved = below_worn_surface(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)
