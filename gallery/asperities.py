@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -62,7 +63,7 @@ def compute(quick: bool) -> Results:
         which = Collision(1.0, 1.0, ratio * CRITICAL.interference)
         grid = which.grid(count, depth=1.7)
         # `collide` sets a small tolerance for elastic spheres, whose net energy is zero
-        settings = {"tol": tolerance(quick)} if material.is_plastic else {}
+        settings: dict[str, Any] = {"tol": tolerance(quick)} if material.is_plastic else {}
         return asperities.collide(
             which, material, material, grid, passes=passes, progress=False, **settings
         )

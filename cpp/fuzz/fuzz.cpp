@@ -11,7 +11,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
+#include "samcontact/base/memory.hpp"
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
@@ -118,6 +120,12 @@ void contact_of(Draw& draw) {
   if (by_load) check(std::fabs(sum * grid.cell_area() - value) <= 1e-9 * value, "the load");
 }
 
+/// Refuses problems that need much memory, e.g. a plastic zone of very many thin layers.
+void limit_memory(double bytes, const std::string& what) {
+  constexpr double limit = 1e8;
+  if (bytes > limit) throw std::invalid_argument("not enough memory for " + what);
+}
+
 void steps_of(Draw& draw) {
   const double dx = draw.number(1e-5, 1);
   const Grid grid(draw.count(1, 6), draw.count(1, 6), dx, dx * draw.number(1.0, 0.5),
@@ -160,6 +168,7 @@ void steps_of(Draw& draw) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
+  set_memory_check(limit_memory);
   Draw draw(bytes, count);
   try {
     draw.coin() ? contact_of(draw) : steps_of(draw);
