@@ -158,7 +158,7 @@ class Engine:
         complaints: list[str] = core.warnings
         if complaints and not callable(setup.surfaces.gap):
             complaints = [advised(text, self.estimate) for text in complaints]
-        found: list[UserWarning] = [GridTooSmallWarning(text) for text in complaints]
+        found: list[UserWarning] = list(map(GridTooSmallWarning, complaints))
         if core.stall_warning:
             found.insert(0, ConvergenceWarning(core.stall_warning))
         return state, found
