@@ -85,7 +85,7 @@ increments = 1
 ACCURATE = sc.to_accuracy(CASE, 0.5, progress=False)
 
 SETTINGS = {
-    "tol": 1e-4, "on_border": "error", "max_iterations": 60,
+    "tol": 1e-4, "on_border": "error", "on_stall": "error", "max_iterations": 60,
 }  # fmt: skip
 DRIVERS = ({"load": 10.0}, {"approach": 1e-6})
 STEP = {"heat_factor": (0.0, 0.0), "advance": (0.0, 0.0)}
@@ -116,7 +116,8 @@ CALLS = [
         sc.ContactSolver,
         {
             "grid": GRID, "body1": HOT, "body2": HOT, **HEATED, "tol": 1e-6,
-            "on_border": "error", "max_iterations": 50, "contact_law": sc.HardContact(),
+            "on_border": "error", "on_stall": "error", "max_iterations": 50,
+            "contact_law": sc.HardContact(),
         },
     ),
     *(
@@ -141,7 +142,7 @@ CALLS = [
             sc.rolling.steady,
             {
                 "grid": GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "load": LOAD,
-                "friction": sc.Coulomb(0.3), "tol": 1e-6, "on_border": "error",
+                "friction": sc.Coulomb(0.3), "tol": 1e-6, "on_border": "error", "on_stall": "error",
                 "max_iterations": 50, **drive,
             },
         )
