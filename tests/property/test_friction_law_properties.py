@@ -26,9 +26,8 @@ def drawn(kind, path, pressure):
 
 
 def follow(kind, seed):
-    """Follow a path; count solved and unsolved increments of identical and dissimilar bodies."""
+    """Follow a path; count solved and unsolved increments."""
     path, solved, failed = Path(seed), 0, 0
-    identical = path.bodies[0] == path.bodies[1]
     rests = sc.ContactSolver(path.grid, *path.bodies, tol=TOL, on_border="warn")
     law = drawn(kind, path, rests.solve(path.gap, load=0.3 * path.modulus).pressure)
     path.mu = law.ratio(0.3 * path.modulus)
@@ -47,16 +46,22 @@ def follow(kind, seed):
             continue
         require_law(law, now, before)
         before, solved = now, solved + 1
-    return solved, failed * identical, failed * (not identical)
+    return solved, failed
 
 
 def require_law(law, now, before):
-    """Assert shear within its bound (at it, along the slip, in slip zones) and work >= 0."""
-    bound, length, slip = law.bound(now.pressure), np.hypot(*now.shear), np.hypot(*now.slip)
+    """Assert shear within its bound (at it, along the slip, in slip zones) and work >= 0.
+
+    A law with a constant shear strength admits shear in cells that touch without pressure.
+    """
+    touching = (now.pressure == 0) & (now.gap <= TOL * abs(now.approach))
+    bound = law.bound(np.where(touching, np.finfo(float).tiny, now.pressure))
+    length, slip = np.hypot(*now.shear), np.hypot(*now.slip)
     maximum = bound.max()
     assert (length <= bound * (1 + 1e-9)).all()
     assert not now.slip[:, now.sticking].any()
     far = slip > 1e-3 * max(slip.max(), 1e-300)
+    far &= ~touching
     assert (length[far] >= bound[far] - 1e-4 * maximum).all()
     power = (now.shear * now.slip).sum(axis=0)
     assert (power[far] >= (1 - 1e-3) * (length * slip)[far] - 1e-6 * maximum * slip.max()).all()
@@ -67,10 +72,7 @@ def require_law(law, now, before):
 
 @pytest.mark.parametrize("kind", BOUNDED, ids=lambda kind: kind.law)
 def test_random_contacts_satisfy_the_friction_law(kind):
-    """All contacts have a solution, except where the shear bound jumps at the contact edge of
-    dissimilar materials: a cell there may neither close, because of its shear, nor open."""
-    solved, identical, different_bodies = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
-    assert identical == 0
-    jumps = np.isinf(kind(*(1.0 for _ in kind.constants)).ratio(0.0))
-    assert different_bodies <= (0.03 * solved if jumps else 0)
+    solved, failed = np.sum([follow(kind, seed) for seed in range(40)], axis=0)
+    assert failed == 0
+    assert solved > 100
     assert solved > 0.7 * 5 * 40
