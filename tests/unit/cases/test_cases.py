@@ -41,6 +41,7 @@ def test_defaults_and_steps(write):
         "friction": 0.0,
         "tol": 1e-6,
         "on_border": "error",
+        "on_stall": "error",
         "max_iterations": 60,
         "contact_law": None,
         "increment_tol": None,
