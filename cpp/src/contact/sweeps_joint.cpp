@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "samcontact/base/reduce.hpp"
@@ -87,7 +86,7 @@ void PartialSlipContact::Sweeps::solve_jointly() {
   }
   starts.push_back(joint_start(problem, before_.pressure, before_.shear));
   const JointSolution found =
-      contact_.joint_.solve(problem, starts, settings_.tol, settings_.max_iterations);
+      JointSolver::solve(problem, starts, settings_.tol, settings_.max_iterations);
   s_.joint = found.work;
   s_.normal.iterations += found.work.iterations;
   s_.normal.operator_applications += found.work.applications;

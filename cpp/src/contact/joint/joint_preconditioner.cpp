@@ -2,17 +2,13 @@
 #include "samcontact/contact/joint/joint_preconditioner.hpp"
 
 #include <Eigen/Dense>
-#include <numbers>
 
+#include "samcontact/operators/surface/kernel_floor.hpp"
 #include "samcontact/operators/surface/near_displacement.hpp"
 #include "samcontact/operators/surface/relative_displacement.hpp"
 
 namespace samcontact::contact {
 namespace {
-
-/// Eigenvalues of the periodic kernels are raised to this fraction of the smallest eigenvalue of
-/// the half-space, so that the inverse exists for any shape of the cells.
-constexpr double smallest_joint_fraction = 0.1;
 
 /// Inverse of a symmetric matrix with its eigenvalues raised to at least `least`.
 Eigen::Matrix3d inverse_of(const Eigen::Matrix3d& matrix, double least) {
@@ -28,8 +24,7 @@ JointPreconditioner::JointPreconditioner(const Grid& grid,
     : convolution_(grid, operators::short_period_x(grid), operators::short_period_y(grid)),
       inverse_(operators::relative_kernels(grid, influence, convolution_.offsets())) {
   for (auto& entry : inverse_) convolution_.transform(entry.kernel);
-  const double shortest = std::numbers::pi * std::hypot(1 / grid.dx, 1 / grid.dy);
-  const double least = smallest_joint_fraction * influence.wave_compliance(shortest);
+  const double least = operators::kernel_floor(grid, influence);
   // Spectra contain 1/(mx my) of two transforms. A factor i on the tangential components makes the
   // matrix real and symmetric; that of a doubly odd kernel leaves a sign.
   const double points = static_cast<double>(convolution_.mx()) * convolution_.my();

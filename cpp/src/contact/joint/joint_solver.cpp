@@ -49,7 +49,7 @@ class Search {
   }
 
   /// Solves for slopes that decrease to that of the problem, each from the previous solution.
-  bool continue_to_slope(JointState state) {
+  bool continue_to_slope(const JointState& state) {
     JointProblem easier = problem_;
     const double target = problem_.cone.slope;
     double slope = std::max(first_slope, target), factor = slope_factor, reached = 0.0;
@@ -121,7 +121,7 @@ const JointOperators& JointSolver::operators() const {
 }
 
 JointSolution JointSolver::solve(const JointProblem& problem, const std::vector<JointState>& starts,
-                                 double tol, int max_steps) const {
+                                 double tol, int max_steps) {
   double touching = 0.0;
   for (const JointState& start : starts) touching = std::max(touching, touching_cells(start));
   require_memory(touching * vector_bytes, memory_use);

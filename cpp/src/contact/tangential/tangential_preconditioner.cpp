@@ -3,16 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "samcontact/operators/surface/kernel_floor.hpp"
 #include "samcontact/operators/surface/near_displacement.hpp"
 
 namespace samcontact::contact {
 namespace {
-
-/// Eigenvalues of kernels truncated by their period are raised to this fraction of the smallest of
-/// the half-space, so that the preconditioner is positive definite for any shape of the cells.
-constexpr double smallest_compliance_fraction = 0.1;
 
 /// Inverse of a symmetric matrix [[xx, xy], [xy, yy]] with its eigenvalues raised to at least
 /// `min_eigenvalue`.
@@ -33,8 +29,7 @@ TangentialPreconditioner::TangentialPreconditioner(const Grid& box,
     : convolution_(box, operators::short_period_x(box), operators::short_period_y(box)),
       inverse_(operators::tangential_kernels(box, influence, convolution_.offsets())) {
   for (auto& entry : inverse_) convolution_.transform(entry.kernel);
-  const double shortest = std::numbers::pi * std::hypot(1 / box.dx, 1 / box.dy);
-  const double min_eigenvalue = smallest_compliance_fraction * influence.wave_compliance(shortest);
+  const double min_eigenvalue = operators::kernel_floor(box, influence);
   // Spectra contain 1/(mx my) of two transforms, and that of a doubly odd kernel a sign.
   const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
   for (std::size_t k = 0; k < inverse_[0].kernel.quarter.size(); ++k) {

@@ -24,18 +24,14 @@ class JointSolver {
  public:
   JointSolver(const Grid& grid, operators::TangentialInfluence influence)
       : grid_(grid), influence_(std::move(influence)) {}
-  JointSolver(JointSolver&& other) noexcept
-      : grid_(other.grid_),
-        influence_(std::move(other.influence_)),
-        operators_(std::move(other.operators_)) {}
 
   /// Operators of the grid.
   const JointOperators& operators() const;
   /// Solves from each of the initial states in turn; then from the last one, with friction that
   /// increases from 1. Takes at most max_steps Newton steps in total. Returns converged = false if
   /// no attempt converges.
-  JointSolution solve(const JointProblem& problem, const std::vector<JointState>& starts,
-                      double tol, int max_steps) const;
+  static JointSolution solve(const JointProblem& problem, const std::vector<JointState>& starts,
+                             double tol, int max_steps);
 
  private:
   Grid grid_;

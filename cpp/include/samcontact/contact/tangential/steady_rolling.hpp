@@ -8,8 +8,8 @@
 namespace samcontact::contact {
 
 /// The slip per cell rolled is w = b - (1 - T) C s, where T u is the displacement of the next cell
-/// ahead. It is not the gradient of any function, but the conditions in the stick and slip zones
-/// are unchanged. The problem has `carried` equal to one row of cells; rows run along +x.
+/// ahead. It is not the gradient of any function, but the conditions in the stick zone and in the
+/// slip zone are unchanged. The problem has `carried` equal to one row of cells; rows run along +x.
 /// Semismooth Newton, including the motions of prescribed forces; if the error does not fall, the
 /// contact is rolled by steps of 4, 2 and 1 cells until it is steady, for which the box of the
 /// operators has `rolling_margin` rows of cells ahead. Returns converged = false after max_steps.
