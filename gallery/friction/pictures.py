@@ -17,6 +17,12 @@ from .setups import F1_FRICTION, F2_LOAD, HERTZ_DEPTH, MICRO_YIELD, RADIUS, SHOW
 from .statements import bound, rivals
 
 
+def mark_hertz_depth(ax: Axes) -> None:
+    """Mark the depth of the maximum von Mises stress below a Hertz contact."""
+    label = "depth of maximum\nvon Mises stress (Hertz)"
+    ax.axvline(HERTZ_DEPTH, color="k", linestyle=":", linewidth=1, label=label)
+
+
 def figures(results: Results) -> list[Picture]:
     return [
         rigid_elastic(results),
@@ -146,13 +152,7 @@ def pressure_and_strain(results: Results) -> Picture:
     left.set_xlim(-1.5, 1.5)
     right.set_xlim(0, 1.6)
     right.set_ylim(-0.05, 1.5)
-    right.axvline(
-        HERTZ_DEPTH,
-        color="k",
-        linestyle=":",
-        linewidth=1,
-        label="depth of maximum\nvon Mises stress (Hertz)",
-    )
+    mark_hertz_depth(right)
     finish(left, "x/a", "pressure [GPa]")
     finish(right, "depth z/a", "plastic strain [%]")
     return Picture(
@@ -171,13 +171,7 @@ def stress_profiles(results: Results) -> Picture:
     left.plot(z / ball.a, np.abs(axial - radial) * 1e-9, "k--", linewidth=1, label="elastic, µ = 0")
     by_friction(left, results, "von_mises", 1e-9)
     by_friction(right, results, "residual", 1e-6)
-    right.axvline(
-        HERTZ_DEPTH,
-        color="k",
-        linestyle=":",
-        linewidth=1,
-        label="depth of maximum\nvon Mises stress (Hertz)",
-    )
+    mark_hertz_depth(right)
     for ax in (left, right):
         ax.set_xlim(0, 1.8)
     finish(left, "depth z/a", "von Mises stress [GPa]")
@@ -233,7 +227,7 @@ def residual_map(results: Results) -> Picture:
     return Picture(
         "friction_residual_map",
         "Figure 2.56: residual von Mises stress in the plane y = 0 after a load of 5000 N, µ = 0. "
-        "Dotted: Hertz depth.",
+        "Dotted: depth of the maximum von Mises stress (Hertz).",
         figure,
     )
 
@@ -247,13 +241,7 @@ def hydrostatic(results: Results) -> Picture:
     by_friction(right, results, "hydrostatic", 1e-6)
     for ax in (left, right):
         ax.axhline(0, color="k", linewidth=0.6)
-        ax.axvline(
-            HERTZ_DEPTH,
-            color="k",
-            linestyle=":",
-            linewidth=1,
-            label="depth of maximum\nvon Mises stress (Hertz)",
-        )
+        mark_hertz_depth(ax)
         ax.set_xlim(0, 1.8)
         ax.set_ylim(-250, 80)
     finish(left, "depth z/a", "residual hydrostatic stress [MPa]")

@@ -7,7 +7,7 @@ import difflib
 import math
 import os
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from decimal import Decimal
 from itertools import islice
 from numbers import Integral, Real
@@ -362,7 +362,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
     return array
 
 
-def value_per_body(name: str, value: float | Sequence[float]) -> tuple[float, float]:
+def value_per_body(name: str, value: Any) -> tuple[float, float]:
     """Return a finite float >= 0 for each body; a single number applies to body 2 (body 1: 0)."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)

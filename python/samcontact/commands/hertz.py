@@ -105,16 +105,19 @@ def hertz(
             click.echo(f"{label:<40}{value:.9g}")
 
 
+def _check_of_number(name: str, value: float) -> PlausibilityCheck:
+    """Return the plausibility check of an option given as a number without a unit."""
+    at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
+    option = "--" + name.replace("_", "-")
+    remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
+    return PlausibilityCheck(Check(option, value, limit, at_least, unit), lambda: remedy)
+
+
 def _warn_of_unit_errors(contact: HertzContact, given: dict[str, float | None]) -> None:
     """Warn about implausible numbers without a unit and about an implausible contact size."""
     for name, value in given.items():
-        at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
         if isinstance(value, UnitlessNumber):
-            option = "--" + name.replace("_", "-")
-            check = Check(option, value, limit, at_least, unit)
-            remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
-            finding = PlausibilityCheck(check, lambda remedy=remedy: remedy)  # type: ignore[misc]
-            warn_if_implausible(finding, stacklevel=2)
+            warn_if_implausible(_check_of_number(name, value), stacklevel=2)
     if isinstance(contact, _hertz.LineContact):
         check = Check("half-width over the radius", contact.b / contact.R, MAX_HALF_WIDTH_RATIO)
         finding = PlausibilityCheck(check, lambda: "The bodies are modelled as half-spaces")

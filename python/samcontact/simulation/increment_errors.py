@@ -35,7 +35,7 @@ MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
 _MIN_CELLS = {True: 6.0, False: 16.0}
 """Cells across the contact on the coarsest grid used, with and without plastic flow. Without it,
-the size of increments affects only a few cells, between stick and slip zones."""
+the size of increments affects only a few cells, at the boundary of the stick zone."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
 """Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for

@@ -87,7 +87,7 @@ def make_setup(
             f"friction must be > 0 and finite for wear by frictional work, got {friction!r}"
         )
     law = exactly_one(energy=energy, archard=archard)
-    coefficients = value_per_body(law, energy if energy is not None else archard)  # type: ignore[arg-type]
+    coefficients = value_per_body(law, archard if energy is None else energy)
     if not any(coefficients):
         raise ValueError(f"{law} must be > 0 for at least one body, got {coefficients!r}")
     warn_if_implausible(wear_coefficient(law, max(coefficients)), stacklevel=4)
