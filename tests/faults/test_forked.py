@@ -50,7 +50,7 @@ def solve():
         elastic = sc.Material.elastic(210e9, 0.3)
         sc.ContactSolver(own, elastic, elastic, on_border="warn").solve(
             sc.surfaces.paraboloid(own, 7.5e-3), load=1.0)
-thread = threading.Thread(target=solve)
+thread = threading.Thread(target=solve, daemon=True)  # a failure must end the process
 thread.start()
 for _ in range(5):
     pid = os.fork()

@@ -272,11 +272,13 @@ def _masked_values(value: ArrayLike) -> int:
     """Return the number of masked values in an array or a list of arrays.
 
     `numpy.ma` is not imported for the check: this would take longer than solving a small contact.
+    Nor is the end of its import by another thread awaited, which a forked process would never see.
     """
-    if "numpy.ma" not in sys.modules:
+    masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)
+    if masked is None:
         return 0
     parts = value if isinstance(value, (list, tuple)) else (value,)
-    return sum(int(np.sum(p.mask)) for p in parts if isinstance(p, np.ma.MaskedArray))
+    return sum(int(np.sum(p.mask)) for p in parts if isinstance(p, masked))
 
 
 def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:

@@ -2,6 +2,8 @@
 """Values in messages are short, and lists of numbers contain numbers only."""
 
 import datetime
+import sys
+import types
 from decimal import Decimal
 
 import numpy as np
@@ -74,6 +76,12 @@ def test_numbers_of_any_kind_are_taken():
         1,
     ]
     assert np.isposinf(real_array("height", [np.inf, 1e300])[0])
+
+
+def test_an_import_of_masked_arrays_by_another_thread_is_not_awaited(monkeypatch):
+    monkeypatch.delattr(np, "ma")
+    monkeypatch.setitem(sys.modules, "numpy.ma", types.ModuleType("numpy.ma"))  # not yet executed
+    assert real_array("height", [1.0, 2.0]).tolist() == [1.0, 2.0]
 
 
 def test_the_number_one_is_not_true():
