@@ -3,15 +3,40 @@
 
 from __future__ import annotations
 
+from contextlib import contextmanager
 from itertools import combinations
+from unittest.mock import patch
+
+from matplotlib.figure import Figure
 
 SLACK = 0.5  # [pt]
 
 
-def overlaps(figure):
-    """Return overlapping pairs; texts within their own axes, such as legends, are permitted."""
-    figure.draw_without_rendering()
-    renderer = figure.canvas.get_renderer()
+@contextmanager
+def overlaps_when_saved():
+    """Collect the overlapping pairs of each saved figure, {figure: pairs}.
+
+    A figure is laid out before it is saved, where its tight box is asked for; to draw it once more
+    would take as long again.
+    """
+    found, tight = {}, Figure.get_tightbbox
+
+    def look(figure, renderer=None, *args, **options):
+        found[figure] = overlaps(figure, renderer or figure.canvas.get_renderer())
+        return tight(figure, renderer, *args, **options)
+
+    with patch.object(Figure, "get_tightbbox", look):
+        yield found
+
+
+def overlaps(figure, renderer=None):
+    """Return overlapping pairs; texts within their own axes, such as legends, are permitted.
+
+    A figure that was drawn by a renderer is not drawn again.
+    """
+    if renderer is None:
+        figure.draw_without_rendering()
+        renderer = figure.canvas.get_renderer()
     shrink = -SLACK * figure.dpi / 72
     boxes = [
         (text.get_text(), ax, text.get_window_extent(renderer).padded(shrink))
