@@ -152,3 +152,18 @@ def test_elastic_plastic_body_without_slip():
     assert yielded.converged
     assert yielded.tangential_load == pytest.approx(pull["tangential_load"], rel=1e-5)
     assert yielded.equivalent_plastic_strain().max() > 0
+
+
+@pytest.mark.parametrize("cells", [(8, 4), (8, 1)])
+def test_full_periodic_contact_without_slip_cannot_be_shifted(cells):
+    grid = sc.Grid(*cells, 10e-6, 10e-6, periodic="xy")
+    bodies = sc.Material.elastic(210e9, 0.3), sc.Material.elastic(70e9, 0.2)
+    load = 100e6 * grid.nx * grid.ny * grid.dx * grid.dy
+    simulation = sc.Simulation(grid, *bodies, np.zeros(cells), NO_SLIP)
+    simulation.step(load=load)
+    for shift in ((1e-7, 0.0), (0.0, -1e-7)):
+        with pytest.raises(ValueError, match="shift must be 0 in full contact without slip"):
+            simulation.step(load=load, shift=shift)
+    state = simulation.step(load=load, tangential_load=(0.2 * load, 0.0))
+    np.testing.assert_allclose(state.shear[0], 20e6)
+    np.testing.assert_allclose(state.shear[1], 0.0, atol=1.0)

@@ -74,6 +74,20 @@ void require_shorter(const TangentialDrive& drive, double limit, const MotionNam
           std::string("prescribe ") + motions.along + " instead");
 }
 
+/// Throws std::invalid_argument for a motion of surfaces that stick everywhere if both directions
+/// are periodic: their mean shear causes no mean displacement, so no shear attains the motion.
+void require_attainable(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
+                        const MotionNames& motions) {
+  if (grid.period.x != grid.nx || grid.period.y != grid.ny) return;  // a part ends in a free edge
+  if (!std::all_of(pressure.begin(), pressure.end(), in_contact)) return;
+  for (const Given& given : {drive[0], drive[1]}) {
+    require(given.is_force() || given.value == 0, motions.along,
+            "0 in full contact without slip on a doubly periodic grid, where a uniform shear does "
+            "not move the bodies",
+            given.value, "prescribe tangential_load instead");
+  }
+}
+
 }  // namespace
 
 void require_held(const TangentialDrive& drive, const FrictionLaw& friction, double load,
@@ -84,7 +98,7 @@ void require_held(const TangentialDrive& drive, const FrictionLaw& friction, dou
 
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
                   const FrictionLaw& friction, const MotionNames& motions) {
-  if (friction.prevents_slip()) return;
+  if (friction.prevents_slip()) return require_attainable(grid, drive, pressure, motions);
   const LargestForces limits = largest_forces(grid, pressure, friction);
   require_shorter(drive, limits.along, motions);
   const double torque = force_of(drive[2]);

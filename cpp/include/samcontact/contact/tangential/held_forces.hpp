@@ -20,7 +20,7 @@ void require_held(const TangentialDrive& drive, const FrictionLaw& friction, dou
                   const MotionNames& motions);
 
 /// Throws std::invalid_argument if forces or torque exceed the friction limit under a given
-/// pressure, individually or together.
+/// pressure, individually or together, or if a law without slip cannot attain a prescribed motion.
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
                   const FrictionLaw& friction, const MotionNames& motions);
 
