@@ -72,6 +72,13 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
   mkdir -p build
 }
 
+# Installs the packages that the development environment requires, but not the package itself.
+samcontact_requirements() {
+  grep -qxF -e "[dev]" .venv/samcontact-extras 2> /dev/null ||
+    .venv/bin/python scripts/requirements.py dev |
+    .venv/bin/python -m pip install --quiet --disable-pip-version-check --no-compile -r /dev/stdin
+}
+
 samcontact_install() {
   local strict=OFF state
   [ "$1" = "" ] || strict=ON
