@@ -86,10 +86,10 @@ def computed(folder):
 """,
     "heat of slip": """
 def computed(folder):
-    grid, gap = ball()
+    grid, gap = ball(11)
     warm = elastic.with_thermal(50.0, 12e-6, 1.4e-5)
     sim = sc.Simulation(grid, warm, warm, gap, MU, heat=sc.Heat(partition=0.5))
-    loop = sc.paths.fretting_loop(load=300.0, shift=(2e-6, 0.0), increments=2)
+    loop = sc.paths.fretting_loop(load=300.0, shift=(2e-6, 0.0), increments=1)
     path = [step | {"duration": 1e-3} for step in [{"load": 300.0}, *loop]]
     return followed(sim, path, folder, True)
 """,

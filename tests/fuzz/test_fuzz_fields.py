@@ -27,8 +27,8 @@ MAX_CHARACTERS = 400
 """Characters of a line but for lists of what is allowed, which are as long as they are."""
 WRONG = [
     math.nan, math.inf, -math.inf, 1e305, -1.0, 0, 10**400, -(10**400), True, "", "no", "0.3",
-    "1e9999999999999999999 m", "1 parsec**9", "x" * 100_000, "a\x1b[2J", [], [[]], {}, [{}],
-    [math.nan], [True], [0.0] * 3, ["x" * 100_000], {"x" * 1000: 1.0}, datetime.date(1979, 5, 27),
+    "1e9999999999999999999 m", "1 parsec**9", "x" * 5000, "a\x1b[2J", [], [[]], {}, [{}],
+    [math.nan], [True], [0.0] * 3, ["x" * 5000], {"x" * 1000: 1.0}, datetime.date(1979, 5, 27),
     datetime.time(7, 32),
 ]  # fmt: skip
 BASE = {

@@ -133,7 +133,7 @@ def test_identical_spheres_are_rotated_images_of_each_other(plastic):
     ("body1", "body2", "R1", "R2", "increments"),
     [
         (STEEL, HARD, 1.0, 2.0, 32),
-        (ELASTIC, STEEL, 2.0, 1.0, 24),
+        (ELASTIC, STEEL, 2.0, 1.0, 20),
         pytest.param(STEEL, ELASTIC, 1.3, 1.0, 20, marks=pytest.mark.slow),
     ],
 )

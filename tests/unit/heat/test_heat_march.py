@@ -184,11 +184,11 @@ class TestPlasticity:
         assert state.max_equivalent_plastic_strain() > 1e-3
 
     def test_automatic_increments(self):
-        plain = heated(STEEL)
+        plain, load = heated(STEEL), 0.5 * LOAD
         for _ in range(12):
-            expected = plain.step(load=LOAD * (plain.state.time / STEP + 1) / 12, duration=STEP)
-        simulation = heated(STEEL, increment_tol=2e-3)
-        state = simulation.step(load=LOAD, duration=12 * STEP)
+            expected = plain.step(load=load * (plain.state.time / STEP + 1) / 12, duration=STEP)
+        simulation = heated(STEEL, increment_tol=4e-3)
+        state = simulation.step(load=load, duration=12 * STEP)
         assert state.substeps > 1
         assert state.time == pytest.approx(12 * STEP)
         np.testing.assert_allclose(
@@ -219,15 +219,15 @@ class TestCheckpoint:
     @pytest.mark.parametrize("velocity", [(0.0, 0.0), (0.2, 0.1)])
     def test_continuation_is_bit_identical(self, velocity, tmp_path):
         simulation = heated(STEEL, velocity=velocity)
-        for _ in range(3):
-            simulation.step(load=LOAD, duration=2 * STEP)
+        for load in (0.6 * LOAD, LOAD):
+            simulation.step(load=load, duration=2 * STEP)
         simulation.save(tmp_path / "saved.h5")
         resumed = sc.Simulation.load(tmp_path / "saved.h5")
         assert resumed.state.time == simulation.state.time
         for name in FIELDS:
             a, b = (getattr(s.state, name)() for s in (simulation, resumed))
             assert np.array_equal(a, b)
-        for load in (LOAD, 0.5 * LOAD, 0.0):
+        for load in (LOAD, 0.0):
             a, b = (s.step(load=load, duration=STEP) for s in (simulation, resumed))
             for name in (*FIELDS, "plastic_strain"):
                 assert np.array_equal(getattr(a, name)(), getattr(b, name)())

@@ -34,6 +34,13 @@ def repeated(*arguments, cells=10, friction=0.0, **settings):
     return shakedown.run(simulation, cycle, progress=False, **settings)
 
 
+@pytest.fixture(scope="module")
+def ratcheting():
+    """Return a simulation of rollers that ratchet with friction, its result, and its cycle."""
+    simulation, cycle = rollers(3.4, friction=0.2, cells=6)
+    return simulation, shakedown.run(simulation, cycle, progress=False), cycle
+
+
 GRIDS = [10, pytest.param(20, marks=pytest.mark.slow)]
 
 
@@ -82,11 +89,10 @@ def test_kinematic_hardening_prevents_ratcheting():
     assert below.response == "elastic shakedown"
 
 
-def test_extrapolation_changes_only_the_number_of_cycles():
+def test_extrapolation_changes_only_the_number_of_cycles(ratcheting):
     """Extrapolation agrees within the stated error, with less than half the work."""
-    simulation, cycle = rollers(3.4, friction=0.2, cells=6)
-    result = shakedown.run(simulation, cycle, progress=False)
-    step_by_step, cycle = rollers(3.4, friction=0.2, cells=6)
+    simulation, result, cycle = ratcheting
+    step_by_step, _ = rollers(3.4, friction=0.2, cells=6)
     for _ in range(result.cycles[-1].number):
         state = step_by_step.run(cycle, progress=False)[-1]
     assert result.response == "ratcheting"
@@ -181,8 +187,8 @@ def test_cycles_of_a_rolling_ball():
     assert result.strain_per_cycle().shape == result.state.track(2, margin=0).plastic_strain().shape
 
 
-def test_an_interrupted_run_resumes_with_identical_bits(tmp_path, monkeypatch):
-    whole = repeated(3.4, cells=6, friction=0.2)
+def test_an_interrupted_run_resumes_with_identical_bits(ratcheting, tmp_path, monkeypatch):
+    whole = ratcheting[1]
     simulation, cycle = rollers(3.4, cells=6, friction=0.2)
     solve, count = sc.Simulation.step, iter(range(7 * len(cycle) + 5))
 
