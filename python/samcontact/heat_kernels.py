@@ -11,7 +11,8 @@ The `velocity` (Vx, Vy) [m/s] is the velocity of the body relative to the source
 downstream. Stress is positive in tension, components xx, yy, zz, yz, xz, xy; u_z is positive into
 the body, so heated surfaces bulge to negative u_z.
 
-conductivity k [W/(m K)], diffusivity kappa [m^2/s], expansion alpha [1/K], Young's modulus E [Pa].
+The material has the conductivity k [W/(m K)], diffusivity kappa [m^2/s], thermal expansion alpha
+[1/K], Young's modulus E [Pa] and Poisson's ratio nu.
 
 The functions `steady_...` are closed forms for a steady source at rest, at arbitrary points; arrays
 broadcast. The other functions tabulate all pairs of x and y: each table is a sum of products
@@ -142,10 +143,10 @@ def temperature(
     Raises
     ------
     ValueError
-        Times or depths are negative, sizes, conductivity or diffusivity are <= 0, numbers are not
-        finite, or the speed is so high that the body crosses the extent L of the table in less than
-        1e-7 of the diffusion time L^2/kappa. The computing time is proportional to V L/kappa; near
-        the limit a table of displacements takes seconds.
+        A time or depth is negative; a size, the conductivity or the diffusivity is <= 0; a number
+        is not finite; or the speed is so high that the body crosses the extent L of the table in
+        less than 1e-7 of the diffusion time L^2/kappa. The computing time is proportional to
+        V L/kappa; near the limit a table of displacements takes seconds.
 
     Notes
     -----
@@ -181,7 +182,8 @@ def displacement(
 
     Notes
     -----
-    Derived by reciprocity with the normal point force; Boucly (2008), eq. (2.45), corrected.
+    The solution is derived by reciprocity with the normal point force. It corrects Boucly (2008),
+    eq. (2.45).
     """
     table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
     scale = _distortion(nu, expansion, conductivity)
@@ -219,7 +221,7 @@ def stress(
 
     Notes
     -----
-    Liu & Wang (2003), Boucly (2008), appendix 1, corrected.
+    Liu & Wang (2003); Boucly (2008), appendix 1, with corrections.
     """
     table = _Table(x, y, a, b, diffusivity, time, velocity, tol)
     E, nu = _constants(E, nu)
@@ -301,6 +303,6 @@ class _Table:
             )
 
     def expand(self, values: FloatArray) -> FloatArray:
-        """Return the table for the coordinates x and y as given by the user."""
+        """Return the table at the x and y of the user from values at distinct coordinates."""
         expanded: FloatArray = values[:, self._rows[:, None], self._columns]
         return expanded

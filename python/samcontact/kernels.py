@@ -65,8 +65,9 @@ def pressure_displacement(
 ) -> FloatArray:
     """Return the surface displacement [m] per unit pressure on a rectangle; shape of X.
 
-    The displacement is along `axis`: "z", positive into the body (Love 1929), "x" or "y", directed
-    towards the rectangle (Boussinesq's point force, Johnson 1985, section 3.2, integrated).
+    `axis` is the direction of the displacement: "z", positive into the body (Love 1929), or "x" or
+    "y" (integral of Boussinesq's solution for a point force; Johnson 1985, section 3.2). In the
+    plane of the surface, points are displaced towards the rectangle.
     """
     return _displacement(_PRESSURE, axis, X, Y, a, b, E, nu)
 
@@ -138,7 +139,7 @@ def eigenstrain_displacement(
     """Return the surface displacement [m] per unit eigenstrain component of a cuboid, (6, ...).
 
     The displacement is along `axis`: "x", "y" or "z", with z into the body. zc is the depth of the
-    centre of the cuboid. A unit shear component means that the transposed component is 1 too.
+    centre of the cuboid. For a unit shear component, e.g. xy, the component yx is also 1.
     Raises ValueError if the cuboid extends beyond the half-space. u_z follows from Boucly (2008),
     eqs (2.64)-(2.71), corrected, with an added term for the trace of the eigenstrain; u_x and u_y
     follow by reciprocity, see docs/theory/half_space.md.
@@ -162,8 +163,9 @@ def eigenstrain_stress(
     E: float,
     nu: float,
 ) -> FloatArray:
-    """Return the stress [Pa] per unit eigenstrain of a cuboid, (6, 6, ...): [stress, strain].
+    """Return the stress [Pa] per unit eigenstrain of a cuboid, shape (6, 6, ...).
 
+    The first index is the stress component, the second index is the eigenstrain component.
     Inside the cuboid, the stress follows from the elastic strain: total strain minus eigenstrain.
     Mindlin's half-space solution is integrated in closed form, see docs/theory/half_space.md.
     """

@@ -215,7 +215,8 @@ def from_heights(
     Returns
     -------
     ndarray, shape (nx, ny)
-        upper - lower, its minimum shifted to 0 [m]; +inf where there is no body.
+        Heights of the upper minus heights of the lower surface, shifted so that the minimum is 0
+        [m]; +inf where either surface is absent.
 
     Raises
     ------
@@ -286,7 +287,7 @@ def rough_self_affine(
     low = shortest if wavelength_min is None else positive("wavelength_min", wavelength_min)
     high = longest if wavelength_max is None else positive("wavelength_max", wavelength_max)
     middle = high if roll_off is None else positive("roll_off", roll_off)
-    # relative slack: a wavelength computed by the caller as nx * dx may be an ulp off
+    # a wavelength computed by the caller as nx * dx may have a rounding error
     if low < shortest * (1.0 - 1e-9):
         raise ValueError(f"wavelength_min must be >= {shortest!r} (two cells), got {low!r}")
     if not low <= middle <= high:

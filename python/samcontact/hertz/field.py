@@ -10,7 +10,8 @@ with R(zeta) = sqrt(r^2 + zeta^2), at the distance r from the axis (Copson 1947;
 1968, section 5.7). Let f be a harmonic function in the solution for a point force, and f_n the
 result of n integrations of f with respect to z. For a Hertz pressure, f is then replaced by -2 pi
 (Re f_2 - Im f_3)(z + i). The harmonic functions of Boussinesq's and Cerruti's solutions (Johnson
-1985, section 3.2) have elementary primitives h_n, with h_0 = 1/R. They contain T = R + zeta.
+1985, section 3.2) have elementary primitives h_n, with h_0 = 1/R. The primitives contain
+T = R + zeta.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def _disc(second: NDArray[np.complex128], third: NDArray[np.complex128]) -> Floa
 def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: float) -> FloatArray:
     """Return the stress / p0, components xx, yy, zz, yz, xz, xy, shape (6, ...).
 
-    x, y, z: coordinates over a, in arrays of equal shape; z >= 0.
+    x, y, z: coordinates divided by the contact radius a, in arrays of equal shape; z >= 0.
     """
     zeta = z + 1j
     # z = 0 takes the limit from below the surface: the root with the positive imaginary part
@@ -49,7 +50,7 @@ def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: floa
     h5_2 = (3.0 * log_T + 5.0 * q - q**2) / 24.0
     h4_3, h5_3 = -1.0 / (3.0 * T**3), (3.0 - 2.0 * q) / (24.0 * T**2)
 
-    # derivatives of F = integral of pressure * ln(rho + z), over 2 pi; "zF..." times z
+    # derivatives of F = 1/(2 pi) integral of pressure * ln(rho + z); "zF..." is z times one
     F_zz = _disc(h1, h2)
     zF_zzz = _disc(z_h0, z * h1)
     zF_rzz = _disc(z_h1_1, z * h2_1)
@@ -65,7 +66,7 @@ def field(x: FloatArray, y: FloatArray, z: FloatArray, nu: float, friction: floa
     xy = -x * y * (k * F_rr + zF_rrz)
     if friction != 0.0:
         zF_rr, zF_rrr = z * F_rr, _disc(z_h3_3, z * h4_3)
-        G_rr, G_rrr = _disc(h4_2, h5_2), _disc(h4_3, h5_3)  # of the primitive of F
+        G_rr, G_rrr = _disc(h4_2, h5_2), _disc(h4_3, h5_3)  # derivatives of a primitive G of F
         xx = xx + friction * x * (
             (2.0 + 2.0 * nu) * F_rz
             + 2.0 * nu * (3.0 * G_rr + x**2 * G_rrr)

@@ -15,7 +15,7 @@ from .._util.checks import FloatArray
 def line_field(x: FloatArray, z: FloatArray, nu: float) -> FloatArray:
     """Return the stress / p0, components xx, yy, zz, yz, xz, xy, shape (6, ...).
 
-    x, z: coordinates over the half-width b, in arrays of equal shape; z >= 0.
+    x, z: coordinates divided by the half-width b, in arrays of equal shape; z >= 0.
     """
     # m + i n is the root of 1 - (x - i z)^2; on the surface the limit from below
     squared = (1.0 - x**2 + z**2) + 2j * x * z

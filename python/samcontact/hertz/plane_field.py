@@ -17,7 +17,7 @@ from .._util.checks import FloatArray
 def plane_field(x: FloatArray, z: FloatArray, nu: float, friction: float) -> FloatArray:
     """Return the stress / p0, components xx, yy, zz, yz, xz, xy, shape (6, ...).
 
-    x, z: coordinates over the half-width b, in arrays of equal shape; z >= 0.
+    x, z: coordinates divided by the half-width b, in arrays of equal shape; z >= 0.
     """
     zeta = x + 1j * z
     root = np.sqrt(zeta - 1.0) * np.sqrt(zeta + 1.0)

@@ -20,7 +20,7 @@ from .._util.checks import FloatArray
 
 PLAIN_FORMATS = (".npy", ".txt", ".dat", ".asc", ".csv")
 _TABLE_FORMATS = (*PLAIN_FORMATS, ".xyz")
-# errors of np.load; the last for headers and archives of numpy.save
+# errors of np.load; the last four are raised for damaged .npy headers or archives
 _READ_ERRORS = (
     OSError, ValueError, EOFError, TypeError, ArithmeticError, MemoryError,
     SyntaxError, TokenError, BadZipFile, KeyError, NotImplementedError,
@@ -64,7 +64,7 @@ def is_array(path: Path) -> bool:
 
 
 def is_plain(path: Path) -> bool:
-    """Whether a file is an array of numbers only, without sizes or units of its own."""
+    """Whether a file contains only an array of numbers, without sample spacings or units."""
     array = is_array(path)
     if array or path.suffix.lower() not in PLAIN_FORMATS:
         return array
@@ -134,10 +134,10 @@ def _unit_of(label: str) -> str | None:
 
 
 def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
-    """Return the indices of the columns x, (y,) z; None if the file contains rows of heights.
+    """Return the indices of the columns x, z or x, y, z; None for a file with rows of heights.
 
-    Raises ValueError if x of a profile reverses. This function does not check that points fill a
-    grid.
+    Raises ValueError if the positions x of a profile change direction. This function does not
+    check that points fill a grid.
     """
     if len(values) < _MIN_POSITION_ROWS or not np.isfinite(values[:, :-1]).all():
         return None
@@ -169,7 +169,7 @@ def _counts(column: FloatArray) -> bool:
 
 
 def _rises(column: FloatArray) -> float:
-    """Return the fraction of the steps between successive values with the more frequent sign."""
+    """Return the fraction of steps between successive values that have the more frequent sign."""
     steps = np.diff(column)
     return float(max((steps > 0).mean(), (steps < 0).mean()))
 

@@ -27,7 +27,7 @@ from .resampling import Sampling, resampled
 from .trends import detrended_profile, filled_profile
 
 TRENDS = ("center", "height", "slope", "curvature")
-MAX_UNDEFINED_FRACTION = 0.05  # of all points; above, a filled surface is unreliable
+MAX_UNDEFINED_FRACTION = 0.05  # fraction of all points above which a filled surface is unreliable
 
 
 def library(module: str = "SurfaceTopography") -> Any:

@@ -52,7 +52,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def stored_case(dataset: xr.Dataset) -> Case | None:
-    """Return the case stored with results; None without one that this version can read."""
+    """Return the case stored with the results; None if it is missing or unreadable."""
     from ..cases import Case, CaseError, parse_case
 
     try:

@@ -52,8 +52,7 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
 
 
 def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
-    """Compare the integrated pressure with the load of the case or, without one, the stored
-    load."""
+    """Compare the integrated pressure with the load of the case or, if missing, the stored load."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     total = area * dataset["pressure"].values.sum(axis=(1, 2))
     targets = dataset["load"].values.copy()

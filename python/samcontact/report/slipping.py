@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from ..plotting.contact_results import ContactResults
 
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted work, relative to the work input; this work depends on the
-increments."""
+"""Limit of the unaccounted work, relative to the work input; it decreases with finer increments."""
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
@@ -58,9 +57,9 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
 
 
 def _pressure_of_touching_cells(dataset: xr.Dataset, tol: float) -> FloatArray:
-    """Return the repulsion [Pa]; cells that touch without pressure have a very small value.
+    """Return the repulsion [Pa], with a tiny positive value in closed cells without pressure.
 
-    A law with a constant shear strength admits shear in these cells.
+    This value marks these cells as in contact: a constant shear strength admits shear in them.
     """
     pressure: FloatArray = repulsion_of(dataset).values
     closed = dataset["gap"].values <= tol * np.abs(dataset["approach"].values[:, None, None])

@@ -31,8 +31,7 @@ _COMPILED_TYPES = (
     BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
 )  # fmt: skip
 _PACKAGE_FOLDERS = {"site-packages", "dist-packages"}
-"""Folders of installed packages, whose code is identified by its version; other code is user
-code."""
+"""Folders of installed packages: code in them is identified by version; other code is user code."""
 _STATELESS_SLOTS = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
 _STATELESS_SLOTS |= {
     "__firstlineno__",

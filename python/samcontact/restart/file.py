@@ -49,7 +49,7 @@ def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckp
 
 @contextmanager
 def readable(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Context that converts errors due to invalid content to DamagedCheckpointError."""
+    """Context manager that converts errors due to invalid content to DamagedCheckpointError."""
     try:
         yield
     except CheckpointError:

@@ -66,7 +66,7 @@ def differences(now: Identity, before: Identity) -> str:
 
 
 def canonical(value: Any) -> str:
-    """Return the canonical text of a value, which is equal in every process, and for 1 and 1.0.
+    """Return the canonical text of a value, equal in all processes; 1 and 1.0 have the same text.
 
     Raises UnidentifiedError for a function or object with unknown dependencies.
     """

@@ -28,9 +28,9 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum pressure drop of the shortest wave due to the wear between two contact solutions,
-relative to the pressure. If it were 2 or more, the shortest waves would grow from one solution to
-the next.
+"""Maximum relative decrease of the shortest pressure wave on the grid by wear between two contact
+solutions. With a decrease of 2 or more, the shortest waves would grow from one solution to the
+next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
@@ -136,7 +136,7 @@ class _Repeat:
 
 
 def _solve_repeat(setup: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
-    """Solve one repeat on the current surfaces, after a lead-in from bodies without history."""
+    """Solve one repeat on the current surfaces, after a lead-in from unloaded bodies."""
     relief1, relief2 = reliefs_of(setup, WearProgress(dict(heights)))
     simulation = Simulation(
         setup.grid,

@@ -30,7 +30,7 @@ from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
 _ROUNDING_ERROR = 1e-9
-"""Relative difference (to the maximum of a cycle) below which loads or motions are equal."""
+"""Difference, relative to the maximum of a cycle, below which loads or motions count as equal."""
 
 
 @dataclass(frozen=True)

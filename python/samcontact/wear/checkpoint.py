@@ -78,7 +78,7 @@ def _identity(problem: WearProblem) -> Identity:
 
 
 def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
-    """Context in which no other run can write to a checkpoint file."""
+    """Context manager in which no other run can write to a checkpoint file."""
     file = file_path("checkpoint", path)
     return locked(file.parent, "choose another checkpoint", f".{file.name}.lock")
 
@@ -96,7 +96,7 @@ def require_own(path: str | os.PathLike[str] | None) -> None:
 
 
 def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProgress) -> None:
-    """Copy the existing checkpoint file to `_before`, and replace it; on failure it remains."""
+    """Copy the existing checkpoint file to `_before`, and replace it; on failure it is kept."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)

@@ -34,7 +34,7 @@ def repeat(
     checkpoint: str | os.PathLike[str] | None,
     progress: bool,
 ) -> R:
-    """Repeat cycles until no material is removed, from the start or from a checkpoint."""
+    """Repeat cycles, from the start or from a checkpoint, until a cycle removes no material."""
     with nullcontext() if checkpoint is None else alone(checkpoint):
         standing = None if checkpoint is None else latest(checkpoint, problem)
         if standing is None:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""States of a cycle at maximum load (among several, at maximum pressure) and after unloading."""
+"""States of a cycle at maximum load (of several, the one of maximum pressure) and unloaded."""
 
 
 @dataclass(frozen=True)

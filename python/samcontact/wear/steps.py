@@ -19,7 +19,7 @@ Window = int | Sequence[int] | None
 _BISECTIONS = 60
 """Number of bisections of one layer, sufficient to reach rounding errors."""
 _CUTOFF_DEVIATIONS = 4.0
-"""Standard deviations at which a Gaussian is cut off."""
+"""Distance at which a Gaussian is cut off, in standard deviations."""
 _MAX_RELATIVE_TRACE = 1e-9
 """Maximum trace of a deviator, relative to its largest component."""
 
@@ -79,8 +79,7 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
 
 
 def _slopes(columns: FloatArray) -> FloatArray:
-    """Return the slopes of the monotone interpolant in layers of thickness 1, shape (columns,
-    nz)."""
+    """Return the slopes of the monotone interpolant per layer, shape (columns, nz)."""
     count = columns.shape[-1]
     interpolant = scipy.interpolate.PchipInterpolator(np.arange(count), columns, axis=-1)
     return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
