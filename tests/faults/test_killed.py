@@ -23,9 +23,7 @@ def digest(*fields):
     return hashlib.sha256(data).hexdigest()
 
 """
-RUN = (
-    BEGIN
-    + """
+RUN = """
 def computed(folder):
     grid = sc.Grid(15, 15, 60e-6, 60e-6, 10, 60e-6)
     sim = sc.Simulation(grid, elastic, steel, sc.surfaces.paraboloid(grid, 7.5e-3))
@@ -35,10 +33,7 @@ def computed(folder):
     fields += [field for s in states for field in (s.pressure, s.gap, s.plastic_strain())]
     return digest(*fields)
 """
-)
-WEAR = (
-    BEGIN
-    + """
+WEAR = """
 def computed(folder):
     grid = sc.Grid(25, 21, 30e-6, 30e-6, 16, 20e-6)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
@@ -50,10 +45,7 @@ def computed(folder):
     numbers = [[c.number, *c.volume, *c.depth, c.max_pressure] for c in result.cycles]
     return digest(result.heights[2], numbers, *(s.pressure for s in result.last))
 """
-)
-ASPERITIES = (
-    BEGIN
-    + """
+ASPERITIES = """
 def computed(folder):
     collision = sc.asperities.Collision(1e-3, 1e-3, 2e-6)
     grid = collision.grid(increments=4, width=1.5, depth=1.2)
@@ -62,10 +54,7 @@ def computed(folder):
     series = result.series
     return digest(*(series[name].values for name in sorted(series.data_vars)))
 """
-)
-SWEEP = (
-    BEGIN
-    + """
+SWEEP = """
 def computed(folder):
     from samcontact.cases import parse_case
     case = parse_case('''
@@ -82,49 +71,13 @@ def computed(folder):
     numbers = [n for n in sorted(data.data_vars) if data[n].dtype.kind == "f"]
     return digest(*(data[name].values for name in numbers))
 """
-)
 SCRIPTS = {"run": RUN, "wear": WEAR, "asperities": ASPERITIES, "sweep": SWEEP}
-
-
-def check(kind, count, tmp_path):
-    """Kill at times spread over the run, twice in the same folder, then let the run finish."""
-    times = random.Random(f"killed {kind}")
-    with contextlib.closing(Nursery(SCRIPTS[kind])) as nursery:
-        expected, whole = nursery.run(tmp_path / "whole")
-        assert len(expected) == 64
-        for trial in range(count):
-            folder = tmp_path / f"trial{trial}"
-            moments = [(trial + times.random()) / count * whole for _ in range(2)]
-            while nursery.run(folder, moments[0], signal.SIGKILL)[0] is not None:
-                shutil.rmtree(folder, ignore_errors=True)
-                moments[0] /= 2  # the run had already ended
-            nursery.run(folder, moments[1], signal.SIGKILL)
-            assert nursery.run(folder)[0] == expected
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-@with_trials("kill: run")
-def test_run(count, tmp_path):
-    check("run", count, tmp_path)
-
-
-@with_trials("kill: wear")
-def test_wear(count, tmp_path):
-    check("wear", count, tmp_path)
-
-
-@with_trials("kill: asperities")
-def test_asperities(count, tmp_path):
-    check("asperities", count, tmp_path)
-
-
-@with_trials("kill: sweep")
-def test_sweep(count, tmp_path):
-    check("sweep", count, tmp_path)
-
-
-# The process kills itself at a system call of a write, which a random time rarely hits.
-WRITING = """
+# With a place, the process kills itself at a system call of a write, which a random time rarely
+# hits.
+ANY = (
+    BEGIN
+    + f"SCRIPTS = {SCRIPTS!r}\n"
+    + """
 import os, signal
 from samcontact.files import atomic as _atomic
 
@@ -137,21 +90,65 @@ def deadly(module, name, number):
         return call(*arguments, **named)
     setattr(module, name, counted)
 
-run = computed
 def computed(argument):
-    folder, *place = argument.split("|")
+    kind, folder, *place = argument.split("|")
     if place:
         owners = {"os": os, "file": _atomic._ErrorHoldingFile, "atomic": _atomic}
         deadly(owners[place[0]], place[1], int(place[2]))
-    return run(folder)
+    space = dict(globals())
+    exec(SCRIPTS[kind], space)
+    return space["computed"](folder)
 """
+)
 
 
 @pytest.fixture(scope="module")
-def writer(tmp_path_factory):
-    """Return a nursery, and the digest of its undisturbed run."""
-    with contextlib.closing(Nursery(RUN + WRITING)) as nursery:
-        yield nursery, nursery.run(tmp_path_factory.mktemp("writer") / "whole")[0]
+def nursery():
+    with contextlib.closing(Nursery(ANY)) as made:
+        yield made
+
+
+def check(kind, nursery, count, tmp_path):
+    """Kill at times spread over the run, twice in the same folder, then let the run finish."""
+    times = random.Random(f"killed {kind}")
+    expected, whole = nursery.run(f"{kind}|{tmp_path / 'whole'}")
+    assert len(expected) == 64, nursery.message()
+    for trial in range(count):
+        folder = tmp_path / f"trial{trial}"
+        run = f"{kind}|{folder}"
+        moments = [(trial + times.random()) / count * whole for _ in range(2)]
+        while nursery.run(run, moments[0], signal.SIGKILL)[0] is not None:
+            shutil.rmtree(folder, ignore_errors=True)
+            moments[0] /= 2  # the run had already ended
+        nursery.run(run, moments[1], signal.SIGKILL)
+        assert nursery.run(run)[0] == expected
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@with_trials("kill: run")
+def test_run(nursery, count, tmp_path):
+    check("run", nursery, count, tmp_path)
+
+
+@with_trials("kill: wear")
+def test_wear(nursery, count, tmp_path):
+    check("wear", nursery, count, tmp_path)
+
+
+@with_trials("kill: asperities")
+def test_asperities(nursery, count, tmp_path):
+    check("asperities", nursery, count, tmp_path)
+
+
+@with_trials("kill: sweep")
+def test_sweep(nursery, count, tmp_path):
+    check("sweep", nursery, count, tmp_path)
+
+
+@pytest.fixture(scope="module")
+def written(nursery, tmp_path_factory):
+    """Return the digest of an undisturbed run."""
+    return nursery.run(f"run|{tmp_path_factory.mktemp('written') / 'whole'}")[0]
 
 
 @pytest.mark.parametrize(
@@ -162,11 +159,10 @@ def writer(tmp_path_factory):
         ("os", "replace", 4),
     ],
 )
-def test_while_writing(writer, tmp_path, module, name, number):
-    nursery, whole = writer
-    folder = tmp_path / "run"
-    assert len(whole) == 64
-    assert nursery.run(f"{folder}|{module}|{name}|{number}")[0] is None
-    assert folder.is_dir()
+def test_while_writing(nursery, written, tmp_path, module, name, number):
+    run = f"run|{tmp_path / 'run'}"
+    assert len(written) == 64
+    assert nursery.run(f"{run}|{module}|{name}|{number}")[0] is None
+    assert (tmp_path / "run").is_dir()
     assert nursery.message() == ""  # of an error; it was killed
-    assert nursery.run(folder)[0] == whole
+    assert nursery.run(run)[0] == written

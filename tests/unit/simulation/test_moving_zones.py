@@ -34,7 +34,7 @@ def moved(sim, cells):
 @pytest.mark.parametrize(
     ("bodies", "cells", "steps", "options"),
     [
-        ((STEEL, RIGID), (24, 24), 3, {"reach": 48 * SIZE, "friction": 0.2}),
+        ((STEEL, RIGID), (24, 24), 2, {"reach": 20 * SIZE, "friction": 0.2}),
         ((SOFT, KINEMATIC), (16, 12.5), 2, {"friction": 0.1}),
         ((STEEL, RIGID), (16, 15.9), 2, {"friction": sc.Coulomb(0.2)}),
     ],
@@ -73,9 +73,8 @@ def test_continuation_from_a_file_changes_no_digit(tmp_path):
     assert zone_counts(sim)[0] > 1
     sim.save(tmp_path / "state.h5")
     other = sc.Simulation.load(tmp_path / "state.h5")
-    for cells in ((24, 24), (0, 0)):
-        assert same(moved(other, cells), moved(sim, cells), [1])
-        assert zone_counts(other) == zone_counts(sim)
+    assert same(moved(other, (24, 24)), moved(sim, (24, 24)), [1])
+    assert zone_counts(other) == zone_counts(sim)
     assert other.counters == sim.counters
 
 
