@@ -23,7 +23,7 @@ class Check:
     unit : str
         SI unit of `value` and `limit`; "" for pure numbers.
     of_input : bool
-        Whether the input is checked, e.g. against wrong units, and not the results.
+        Whether the check is of the input (e.g. for wrong units) and not of the results.
     """
 
     name: str

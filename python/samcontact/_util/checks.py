@@ -26,18 +26,18 @@ MAX_COUNT = (1 << 31) - 1
 MAX_CELLS_ALONG_AXIS = 1 << 24
 """Maximum number of cells along one axis; transforms need twice as many."""
 MAX_STRESS = 1e75
-"""Maximum stress, modulus [Pa] and load [N]: products stay in the floating-point range."""
+"""Maximum stress or modulus [Pa], and maximum load [N]: their products do not overflow."""
 MAX_INCREMENTS_OF_PATH = 100_000
 """Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]: 255 in file systems, less a suffix of partial files."""
+"""Maximum length of a file name [bytes]; file systems allow 255, temporary names are longer."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
 _NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy
 
 
 def _has_unit(value: Any) -> bool:
-    """Whether a value has a unit (e.g. a pint quantity), which NumPy would drop."""
+    """Whether a value has a unit (e.g. a pint quantity). NumPy would drop the unit."""
     return hasattr(value, "to_base_units")
 
 
@@ -59,7 +59,7 @@ def number(name: str, value: Any) -> float:
 
 
 def _remedy(value: Any) -> str:
-    """Return a remedy for a value that is not a number."""
+    """Return the remedy, for an error message, for a value that is not a number."""
     if _has_unit(value):
         return ": convert it with samcontact.units.si"
     if isinstance(value, str):
@@ -153,7 +153,7 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
-    """Return `steps` as a list of dicts of `Simulation.step` arguments; `known`: allowed names."""
+    """Return `steps` as a list of dicts of `Simulation.step` arguments named in `known`."""
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
@@ -249,7 +249,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
         array = np.asarray(given, dtype=np.float64) if not wrong else None
     except OverflowError:  # an integer of more than 308 digits
         array = np.array(sys.float_info.max)
-    except Exception:  # rows of different lengths, and whatever the conversion of an object raises
+    except Exception:  # unequal rows; any error from the conversion of an object
         array = None
     if array is None:
         rows = "" if wrong else ", whose rows are equally long"
@@ -263,7 +263,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum of an array without NaN values; 0 if it is infinite."""
+    """Return the minimum or maximum of an array, ignoring NaN; 0 if the result is not finite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
@@ -271,8 +271,8 @@ def _finite_end(end: np.ufunc, array: FloatArray) -> float:
 def _masked_values(value: ArrayLike) -> int:
     """Return the number of masked values in an array or a list of arrays.
 
-    `numpy.ma` is not imported for the check: this would take longer than solving a small contact.
-    Nor is the end of its import by another thread awaited, which a forked process would never see.
+    `numpy.ma` is not imported for this check: the import takes longer than solving a small contact.
+    An import of `numpy.ma` by another thread is not awaited: a forked process lacks this thread.
     """
     masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)
     if masked is None:
@@ -365,7 +365,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 
 def value_per_body(name: str, value: Any) -> tuple[float, float]:
-    """Return a finite float >= 0 for each body; a single number applies to body 2 (body 1: 0)."""
+    """Return a finite float >= 0 for each body; for a single number, 0 and this number."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
@@ -394,7 +394,7 @@ def file_path(name: str, value: Any) -> Path:
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return name and checked value of load or approach, of which one must be None."""
+    """Return the name and checked value of load or approach; the other one must be None."""
     name = exactly_one(load=load, approach=approach)
     # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

@@ -36,7 +36,7 @@ UNIT_OF_FIELD = {
     "y": "m",
     "z": "m",
 }
-# Units of area by the minimum value for which they are shown, and factors from m².
+# Units of area, each with the minimum area [m²] shown in it; below, factors from m².
 _AREA_UNITS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
 _AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
 

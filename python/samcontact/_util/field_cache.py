@@ -22,7 +22,7 @@ from .frozen import read_only
 MAX_BYTES = 512e6
 _MAX_MEMORY_FRACTION = 0.25
 _lock = threading.Lock()  # states can be used in several threads
-if hasattr(os, "register_at_fork"):  # a child has no thread that could release the lock
+if hasattr(os, "register_at_fork"):  # a forked child lacks the thread that holds the lock
     os.register_at_fork(
         before=_lock.acquire, after_in_parent=_lock.release, after_in_child=_lock.release
     )
@@ -44,7 +44,7 @@ def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> Float
 
 
 def forget() -> bool:
-    """Remove all fields from the cache; return whether there were any."""
+    """Remove all fields from the cache; return whether the cache contained any field."""
     with _lock:
         there = any(_fields.values())
         _fields.clear()

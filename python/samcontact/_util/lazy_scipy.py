@@ -31,6 +31,6 @@ class _LazyModule:
 
 
 if TYPE_CHECKING:
-    import scipy as scipy  # (as scipy: an explicit export)
+    import scipy as scipy  # "as scipy" marks an explicit export
 else:
     scipy = _LazyModule()

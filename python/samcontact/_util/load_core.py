@@ -50,7 +50,7 @@ def _limit(given: str) -> str:
 
 
 def _stack(given: str) -> str | None:
-    """Return OMP_STACKSIZE, at least the minimum for the core; None if it must be removed."""
+    """Return OMP_STACKSIZE, at least the minimum for the core; None to remove the variable."""
     text = given.strip().lower()
     number, unit = (text[:-1], text[-1]) if text[-1:] in _BYTES_PER_UNIT else (text, "k")
     count = _count(number.strip())

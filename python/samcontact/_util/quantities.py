@@ -71,7 +71,7 @@ class Quantity(NamedTuple):
         return self.of()
 
     def of(self, body: int | None = None) -> str:
-        """Return the label, with the number of a body if given."""
+        """Return the label of the quantity, with the body number if a body is given."""
         name = self.heading if body is None else f"{self.heading}, body {body}"
         return f"{name} [{self.shown}]" if self.shown else name
 
@@ -83,7 +83,7 @@ class Quantity(NamedTuple):
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """Return the quantity, with the unit µm² if it is an area and `largest` [m^2] is small."""
+        """Return the quantity; an area is shown in µm² if its maximum `largest` [m^2] is small."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 
@@ -389,6 +389,6 @@ WEAR = {
 
 
 def described(name: str) -> tuple[Quantity, int | None]:
-    """Return quantity and body number of a variable; None if it does not belong to one body."""
+    """Return the quantity and the body number of a variable; without a body the number is None."""
     kind, _, body = name.partition("_body")
     return CONTACT[kind], int(body) if body else None

@@ -20,15 +20,15 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _ESTIMATE_MARGIN = 3.0
-"""Safety factor on bounds from Hertz theory, for gaps within 3 % of a paraboloid, and from the
-yield stress, for elastic-plastic contacts."""
+"""Safety factor on estimated bounds: on those from Hertz theory, because a gap may deviate by 3 %
+from a paraboloid, and on those from the yield stress of elastic-plastic bodies."""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
     "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
     "": {"%": 1e-2, "x 1e-6": 1e-6},
 }
-"""Units that the user may have meant, the likeliest first, and their factors."""
+"""Units that the user may have meant instead of the SI unit, likeliest first, with factors."""
 _DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 
@@ -118,7 +118,7 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return the upper bound of a depth (grid width) or of an area (area of a fixed grid)."""
+    """Return the grid width as bound of a depth, or the area of a fixed grid as bound of areas."""
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
@@ -129,7 +129,7 @@ def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
 
 
 def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -> _Limit | None:
-    """Return the bound from the Hertz contact at the largest load and from the yield stress."""
+    """Return a bound estimated from the Hertz contact at maximum load and the yield stress."""
     contact, both = expected.contact, (simulation.body1, simulation.body2)
     bodies = [body for body in both if isinstance(body, Material)]
     if len(bodies) < len(both) or any(body.softening for body in bodies):
@@ -155,7 +155,7 @@ def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -
 
 
 def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return, as text, why the grid cannot resolve such a small value; None if it can."""
+    """Return, as text, why `target` is too small for the grid; None if the grid resolves it."""
     grid, estimate = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"

@@ -17,29 +17,31 @@ from .._util.checks import FloatArray
 REFINEMENT_RATIO = 2.0**0.5
 """Ratio of the cell sizes of successive grids."""
 MIN_ORDER, MAX_ORDER = 0.9, 4.0
-"""Range of accepted observed orders; extrapolation uses at most `ASSUMED_ORDER`."""
+"""Range of observed convergence orders for which values are extrapolated; the extrapolation uses
+the observed order, but at most `ASSUMED_ORDER`."""
 ASSUMED_ORDER = 2.0
 SAFETY_FACTOR = 1.5
-"""Error relative to the difference between successive grids: an error of order 1.5 is 1.47 times
-the last difference, an error of order 2 equals it."""
+"""Estimated error divided by the difference between the last two grids. With convergence of order
+1.5 the true ratio is 1.47, with order 2 it is 1."""
 MIN_RELATIVE_ERROR = 0.002
-"""Minimum relative error of the coarsest grid, decreasing with order 2; differences alone may
-vanish."""
+"""Minimum relative error on the coarsest grid, because a difference between grids may vanish by
+chance. On finer grids the minimum decreases with the square of the cell size."""
 MIN_EXTRAPOLATION_ERROR = 0.5
-"""Minimum error of an extrapolated value, relative to the change by extrapolation."""
+"""Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
-"""Minimum relative change, on a finer grid, of a correction found on a coarse grid."""
+"""Minimum assumed relative change of a correction from a coarse grid to the finest grid."""
 CORRECTION_CHANGE_PER_GRID = 3.0
-"""Relative change of a correction on a finer grid, divided by the relative difference between the
-grids."""
+"""Assumed relative change of a correction from a coarse grid to the finest grid, divided by the
+relative difference of the values on the two grids."""
 
 FIRST_ORDER_RATIOS = 1.4, 3.0
-"""Range of the ratio of corrections for n and 2 n increments that counts as first order. Outside
-this range, the excess over twice the correction for 2 n may differ on a finer grid."""
+"""Range of the ratio of the correction for n increments to the correction for 2 n increments in
+which convergence is taken as first order (ratio 2). Outside this range, the difference between the
+correction for n and twice the correction for 2 n may change on a finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
-"""Minimum change of the correction of the contact area, relative to the correction of the maximum
-pressure: on a coarse grid the area changes by whole cells, or not at all."""
+"""Relative error added for the contact area, divided by the relative correction of the maximum
+pressure, because on a coarse grid the area changes only by whole cells."""
 
 
 class Estimate(NamedTuple):
@@ -62,8 +64,8 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
     Returns
     -------
     Estimate
-        Extrapolated values, if the last three differences have one sign and decrease, and the ratio
-        of each two successive differences gives a convergence order within the limits. Otherwise,
+        Extrapolated values, if the last three differences have one sign and the ratios of
+        successive differences give convergence orders from `MIN_ORDER` to `MAX_ORDER`. Otherwise,
         the values of the finest grid: their error is `SAFETY_FACTOR` times the maximum of the last
         three differences, each scaled to the finest grid with order 2. This error, divided by the
         value, is at least `MIN_RELATIVE_ERROR`, scaled with order 2 from the first grid.
@@ -93,7 +95,7 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
 
 
 def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
-    """Estimate how much a value changes with infinitely many increments (convergence of order 1).
+    """Estimate the change of a value up to infinitely many increments, for convergence of order 1.
 
     Parameters
     ----------
@@ -110,7 +112,7 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
         Limit for infinitely many increments minus the value.
     """
     d = np.asarray(steps, dtype=np.float64)
-    last = d[-1]  # equals the sum of all following changes
+    last = d[-1]  # further doublings together change the value as much again
     left = np.abs(last)
     if len(d) > 1:
         left = np.maximum(np.abs(2.0 * last - d[-2]), 0.1 * left)
@@ -153,7 +155,7 @@ def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of each group of values, and its error from the errors of the values.
+    """Return the maximum of each group of values, with an error from the errors in the group.
 
     Parameters
     ----------

@@ -42,15 +42,15 @@ __all__ = ["GridErrors", "estimate_errors"]
 MAX_RELATIVE_ERROR = 0.2
 """Relative error above which the check of a report fails."""
 MAX_SLOPE_FRACTION = 0.25
-"""Limit of the fraction of the mean-square slope in the last octave of a grid: above it, most of
-the slope may be at shorter wavelengths."""
+"""Limit of the fraction of the mean-square slope at the shortest wavelengths of a grid (below four
+cells). Above this limit, most of the slope may be at wavelengths that the grid does not contain."""
 _KINDS = (
     ("approach", "max_pressure", "max_von_mises"),
     ("max_equivalent_plastic_strain", "max_residual_von_mises", "imprint_depth"),
 )
 _MIN_ERROR_OF_KIND = 0.2
-"""Minimum error of a quantity, relative to the largest relative difference of its kind: two grids
-may agree by chance."""
+"""Minimum relative error of a quantity, as a fraction of the largest relative difference in its
+group in `_KINDS`, because the values on two grids may agree by chance."""
 _AREA_ERROR_FACTOR = 0.7
 """Factor C of the bound C (cells per radius)^-1.5 on the relative error of the area of round spots.
 The factor applies to wavy surfaces; the error for balls is half as large."""
@@ -212,7 +212,7 @@ def estimated(
     _warn_of_depth(run.grid, coarse.grid)
     steps, which = coarsening.coarser_path(path, run.grid)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # they concern the coarser grid
+        warnings.simplefilter("ignore")  # these warnings concern the coarser grid
         found = solve(coarse, steps)
     names = error_controlled_quantities.names((run.body1, run.body2), volume=run.grid.has_volume)
     marks = _marks(states, names)
@@ -251,7 +251,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the indices of the increments with volume errors: at maximum stress, and the last."""
+    """Return the indices of the increments whose volume errors are estimated, see `GridErrors`."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
@@ -264,7 +264,7 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 def _differences(
     fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Return differences between two grids by name, with a lower bound against chance agreement.
+    """Return the differences between two grids by name, at least the bound for chance agreement.
 
     The difference is infinite for quantities that are singular at a sharp edge.
     """
@@ -285,7 +285,7 @@ def _differences(
         of_area += perimeter_correction(state.repulsion, state.grid.periodic)
         cells = np.count_nonzero(state.in_contact)
         if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
-            of_area *= (cells / open_) ** 0.5  # here the open spots are unresolved
+            of_area *= (cells / open_) ** 0.5  # unresolved: small open spots
         found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
     return found | dict.fromkeys(endless, np.inf)
 
@@ -293,7 +293,7 @@ def _differences(
 def _slip_errors(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
-    """Return frictional work and unprescribed tangential forces and motions, with errors.
+    """Return frictional work, and tangential forces and motions not prescribed, with errors.
 
     The error of each increment is at least 20 % of the largest error up to this increment, because
     both grids may agree by chance where a quantity changes sign.
@@ -320,7 +320,7 @@ def increments_note(attributes: Mapping[Any, Any]) -> str:
 
 
 def slope_note(share: float) -> str:
-    """Return, as text, the fraction of slope at wavelengths below four cells; "" if it is NaN."""
+    """Return, as text, the fraction of mean-square slope at wavelengths below four cells."""
     if not np.isfinite(share):
         return ""
     beyond = (
@@ -350,7 +350,7 @@ class ErrorRow(NamedTuple):
     relative: float
     target: float | None = None
     by_increments: float | None = None
-    """Relative change with more increments; None if unknown, or if included in `relative`."""
+    """Relative change with more increments; None if unknown or already included in `relative`."""
 
     @property
     def percent(self) -> str:
@@ -393,7 +393,7 @@ def _largest_of(
             label = quantity_of.heading
             label = label if body is None else f"{label}, body {body}"
             shown = quantity(float(values[name][at]), unit, 5)
-            target = targets.get(name)  # for all increments, relative to the maximum
+            target = targets.get(name)  # prescribed relative error of all increments
             relative = float((error[at] if target is None else np.nanmax(error)) / known[at])
             row = ErrorRow(label, at + 1, shown, relative, target, by_increments.get(name))
             rows.append(row)

@@ -13,13 +13,13 @@ from .estimate import by_grid, extrapolate_increments, irregular
 from .refinable_case import GridRun
 
 Runs = Mapping[tuple[int, int], GridRun]
-"""Runs, keyed by grid and number of increments."""
+"""Runs by (grid level, number of increments); level 0 is the coarsest grid."""
 TRIAL_LEVEL = 1
-"""Grid on which all numbers of increments are solved."""
+"""Level of the grid on which the case is solved with every number of increments."""
 
 
 class Doubling(NamedTuple):
-    """Number of increments n, and the finest grid solved with both n and 2 n increments."""
+    """Number of increments n, and the level of the finest grid solved with n and 2 n increments."""
 
     increments: int
     grid: int
@@ -34,19 +34,19 @@ class Correction(NamedTuple):
     doublings: list[Doubling]
     """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """Possible change, on the finest grid, of the correction from each doubling."""
+    """Possible error of the correction from each doubling when applied to the finest grid."""
     irregular: FloatArray
     """Part of the correction that is not of first order."""
 
 
 def trial_runs(runs: Runs) -> list[GridRun]:
-    """Return the runs on the coarsest grid, by increasing number of increments."""
+    """Return the runs on grid `TRIAL_LEVEL`, in order of their numbers of increments."""
     found = [run for (grid, _), run in runs.items() if grid == TRIAL_LEVEL]
     return sorted(found, key=lambda run: run.increments)
 
 
 def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
-    """Return the correction of values of the finest grid, solved with `used` increments."""
+    """Return the correction of values `finest`, from the finest grid with `used` increments."""
     made = []
     for run in trial_runs(runs)[:-1]:
         n = run.increments
@@ -55,7 +55,7 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
     first = [n for n, _ in made].index(used)
     more, doubled = extrapolate_increments(steps, first), extrapolate_increments(steps, first + 1)
     sizes = np.abs(steps[first:])
-    sizes[-1] *= 2.0  # the sum of all following changes equals the last
+    sizes[-1] *= 2.0  # all further doublings together change as much as the last one
     shares = [by_grid(runs[g, used].values, finest) for _, g in made[first:]]
     return Correction(
         values=more.values,

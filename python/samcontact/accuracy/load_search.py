@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Limits of the load: upper, relative to the maximum of the case; lower, to the initial load."""
+"""Upper limit of the load / maximum load of the case; lower limit of the load / initial load."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -108,7 +108,7 @@ class LoadSearch:
         self.solves = Solves(describe(simulation.engine, path=list(path), quantity=self.name))
         require_attainable(self.name, target, simulation, max_load)
         self.largest = (0.0, 0.0)
-        """Largest value so far, and the load that gives it."""
+        """Largest value so far, and the load [N] at which it was computed."""
         self._last: tuple[str, Built, list[State]] | None = None
         self._reported: set[str] = set()
 
@@ -130,7 +130,7 @@ class LoadSearch:
         return self._excess(_name(load), "fine", load, lambda: self._built(load))
 
     def run(self, load: float) -> tuple[Built, list[State]]:
-        """Return fine-grid simulation, path and states for a load [N]; solve if not in memory."""
+        """Return simulation, path and states on the fine grid for a load [N]; solve if needed."""
         if self._last is None or self._last[0] != _name(load):
             self._solve(_name(load), self._built(load))
         assert self._last is not None
@@ -181,7 +181,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names, in results files, of the quantities that are combined into the target quantity."""
+        """Names, in results files, of quantities whose sum or maximum is the target quantity."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -221,8 +221,8 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary with this layout; all forces are multiplied by one
-        factor. Or a function of the maximum load [N] that returns simulation and path.
+        Case, path of a case file, or dictionary in this layout: all forces are multiplied by one
+        factor; or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
         without a body number, the larger value of both bodies. The value used is the larger of the
@@ -258,7 +258,7 @@ def find_load(
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
-    if checkpoint is not None and callable(case):  # its results at other loads are unknown
+    if checkpoint is not None and callable(case):  # a function does not state how the load enters
         search.solves.run_identity |= identity(function=case)
     with search.solves.kept_in(checkpoint):
         return search.find()
@@ -306,7 +306,7 @@ def _checked_build(build: Callable[[float], Built], load: float) -> Built:
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """Return the indices of the last increment at maximum load and of the last increment."""
+    """Return the indices of the last increment at maximum load and the last increment of all."""
     loads = [state.load for state in states]
     max_load = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= max_load), len(states) - 1}
@@ -370,7 +370,7 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Return the slope between the last (load, difference) point and its nearest neighbour."""
+    """Return the slope of (value - target)/target between the last load and the load nearest it."""
     *others, (load, deviation) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (deviation - value) / (load - other)
@@ -383,10 +383,10 @@ def _outcome(search: LoadSearch, load: float, deviation: float, slope: float) ->
         solve = partial(search.solves.run, f"errors_{load!r}")
         estimates = estimated(simulation, path, states, solve)
         errors = [_relative(estimates.values[n], estimates.errors[n]) for n in search.parts]
-        if search.has_depth_profile:  # kinks of the profile are resolved to one layer
+        if search.has_depth_profile:  # error of a depth profile with kinks, known to one layer
             errors.append(abs(search.on_coarse(load) - deviation))
         error = max(errors)
-    except (ValueError, ConvergenceError, MemoryError):  # no estimate
+    except (ValueError, ConvergenceError, MemoryError):  # the error is unknown
         error = math.nan
     value = search.target * (1.0 + deviation)
     load_error = (abs(deviation) + error) / slope
@@ -394,7 +394,7 @@ def _outcome(search: LoadSearch, load: float, deviation: float, slope: float) ->
 
 
 def _relative(values: FloatArray, errors: FloatArray) -> float:
-    """Return the relative error at the increment of the maximum value."""
+    """Return the relative error at the increment at which the value is largest."""
     known = np.where(np.isfinite(errors), np.abs(values), -1.0)
     at = int(known.argmax())
     return float(errors[at] / known[at]) if known[at] > 0 else 0.0

@@ -70,7 +70,7 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """Return a quantity's name with body number; ValueError if the simulation cannot give it."""
+    """Return a quantity's name with body number; ValueError if the simulation has no such value."""
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
@@ -114,7 +114,7 @@ def resolved(name: str, simulation: Simulation) -> str:
 
 
 def label_and_unit(name: str) -> tuple[str, str]:
-    """Return label and unit of a quantity, from its name with body number."""
+    """Return the label and the unit of the quantity with this name in results files."""
     if name == YIELD:
         return "von Mises stress / yield stress", ""
     if name == PERMANENT_DEFORMATION:

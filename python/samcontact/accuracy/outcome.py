@@ -27,15 +27,15 @@ class AccuracyResult(HtmlTable):
 
     For each quantity, by its name in results files, ``values[name]`` is the maximum of the run and
     ``errors[name]`` its estimated error, both in SI units. ``series[name]`` and
-    ``series_errors[name]`` are values and errors at selected increments, whose indices in
-    ``states`` are ``increments``: the end of each path segment and, for passes, also the last
-    loaded increment.
+    ``series_errors[name]`` are values and errors at selected increments: the end of each path
+    segment and, for passes, also the last loaded increment. ``increments`` contains the indices of
+    these increments in ``states``.
     """
 
     values: dict[str, float]
     errors: dict[str, float]
     accuracy: dict[str, float]
-    """Prescribed accuracy, relative to the maximum of the run."""
+    """Prescribed accuracy of each quantity: error divided by the maximum value of the run [-]."""
     reached: bool
     """Whether all errors are below the prescribed accuracy."""
     series: dict[str, FloatArray]

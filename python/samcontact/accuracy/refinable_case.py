@@ -30,36 +30,35 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
-"""Cells per semi-axis of the Hertz contact on the first grid; sqrt(2) times as many on each finer
-grid."""
+"""Cells per semi-axis of the Hertz contact on the first grid. Each finer grid has sqrt(2) times as
+many as the grid before."""
 HERTZ_MARGIN = 1.35
-"""Half-width of the first grid, relative to the semi-axis."""
+"""Half-width of the first grid, relative to the semi-axis of the Hertz contact."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
-"""Half-width of the first grid along x for moving bodies, relative to the semi-axis: plastic strain
-then stays in the grid for this distance."""
+"""Half-width of the first grid along x for moving bodies, relative to the semi-axis. Plastic strain
+carried along by a body then remains in the grid for a longer distance."""
 TOL_SHARE = 0.01
-"""Tolerance of the iteration, relative to the accuracy; the error of the values is about a tenth of
-the tolerance."""
+"""Tolerance of the contact solver divided by the prescribed accuracy. The tolerance causes an error
+of the values of about a tenth of the tolerance."""
 _FRESH_START_FACTOR = 8
-"""Factor on the number of increments of a segment with a `start`. The start may be beyond the value
-reached before; the end of the first increment must also be beyond it, which requires small
-increments."""
+"""Factor on the number of increments of a segment with a `start`. The first increment leads from
+the value reached before to a value beyond `start`; with more increments it is shorter."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
     "max_time",
 }  # fmt: skip
-"""Fields of a case that do not affect the values on a grid."""
+"""Fields of a case that do not affect the values computed on a given grid."""
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
-"""Minimum number of cells of the first grid in the common divisor of the elastic-plastic layer
-thicknesses: maxima at an interface are extrapolated from this number of cells."""
+"""Minimum number of cells, on the first grid, in the largest common divisor of the thicknesses of
+elastic-plastic layers: maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
-"""Maximum ratio of the cell width of the first grid to the common divisor of the thicknesses."""
+"""Maximum ratio of the cell width of the first grid to this largest common divisor."""
 
 
 class GridSolution(NamedTuple):
-    """Case with a grid, simulation and states, and the warnings issued by the solution."""
+    """Solution on one grid: case with this grid, simulation, states and the warnings issued."""
 
     case: Case
     simulation: Simulation
@@ -109,12 +108,12 @@ class GridSolution(NamedTuple):
 
 @dataclass(eq=False)
 class GridRun:
-    """Results of a case on one grid. `solved` may be released: it can be solved again."""
+    """Results of a case on one grid. `solved` may be None to save memory."""
 
     level: int
     increments: int
     cells: tuple[int, int]  # along x and y
-    values: FloatArray  # (marks, parts of all names)
+    values: FloatArray  # shape (increments from `marks_of`, parts of all quantities)
     half: tuple[float, float]
     elastic: list[int]
     memory: float
@@ -146,7 +145,7 @@ class RefinableCase:
         given = drives if len(drives) == 1 else set()
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
-        """Whether layers are elastic: stress is not evaluated, as cells straddle interfaces."""
+        """Whether layers are elastic. Stress is then not evaluated: cells cross interfaces."""
         names = error_controlled_quantities.names(
             self.bodies, case.output.body, volume=not self.elastic_layers
         )
@@ -169,7 +168,7 @@ class RefinableCase:
 
     @property
     def parts(self) -> list[int]:
-        """Number of values, e.g. one for each material, whose maximum is the quantity."""
+        """For each quantity: number of values, e.g. one per material, whose maximum it is."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
@@ -218,7 +217,7 @@ class RefinableCase:
         return f"RefinableCase({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
-        """Return the case with the grid of a level, which has a cell at the grid centre."""
+        """Return the case on the grid of a level; the centre of a cell lies at the grid centre."""
         from ..cases.sections import GridSection
 
         cells = self.cells(level)
@@ -242,7 +241,7 @@ class RefinableCase:
         heat = case.heat
         if heat is None or heat.history is None:
             return case
-        # time steps of the heat are as short as the increments
+        # time steps of heating are at most as long as the shortest increment
         shortest = min([heat.history[0], *(step["duration"] for step in case.steps())])
         history = [shortest, heat.history[1]]
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
@@ -255,7 +254,7 @@ class RefinableCase:
         return self._part_of_layers / round(cells * REFINEMENT_RATIO**level)
 
     def _part_of_all_layers(self) -> float | None:
-        """Return the largest common divisor of elastic-plastic layer thicknesses [m], or None."""
+        """Return the largest common divisor of elastic-plastic layer thicknesses [m], if any."""
         depths = [
             float(depth) for body in self.bodies if isinstance(body, Layered) and body.is_plastic
             for depth in body.interfaces
@@ -274,7 +273,7 @@ class RefinableCase:
         return part
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the number of increments of a segment, from the number chosen for all segments."""
+        """Return the number of increments of segment `number`: 1, `increments` or a multiple."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -319,7 +318,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """From a run, set the half-widths of later grids and the segments without plastic flow."""
+        """Set half-widths of later grids, and segments without plastic flow, as found in a run."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]

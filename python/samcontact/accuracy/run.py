@@ -37,15 +37,15 @@ the change of the pressure."""
 INCREMENT_TIME_SHARE = 0.3
 """Fraction of the allowed time for choosing the increments."""
 MAX_IRREGULAR_SHARE = 0.25
-"""Limit of the part of the correction that is not of first order, relative to the accuracy."""
+"""Limit of the irregular part (not of first order) of the correction / prescribed accuracy."""
 MAX_CORRECTION_CHANGE = 0.5
-"""Possible change of the correction on a finer grid, relative to the accuracy, above which the
-correction is determined on a finer grid."""
+"""Possible error of the correction when applied to the finest grid, divided by the prescribed
+accuracy. Above this limit the correction is determined on a finer grid."""
 NEXT_GRID_TIME_SHARE = 0.5
 """Time limit of a run with more increments on a finer grid, relative to the expected time of the
 next grid."""
 MAX_CORRECTED_ERROR = 10.0
-"""Maximum error due to the increments, relative to the accuracy, that is corrected."""
+"""Maximum error due to the increments, relative to the accuracy, that may be corrected."""
 MAX_GRIDS = 24
 
 
@@ -88,7 +88,7 @@ class AccuracySearch:
         for run in self.runs.values():
             if run not in but:
                 run.solved = None
-        # names are in the order of the grids: the last may be of an interrupted run
+        # names sort by grid; the last one may belong to an interrupted run
         self.solves.forget_increments([max(self.solves.given), *(run.name for run in but)])
 
     @property
@@ -169,7 +169,7 @@ class AccuracySearch:
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        """Solve the coarse grid with twice the increments; return False if limits forbid it."""
+        """Solve again on grid `TRIAL_LEVEL` with twice the increments; return False if too many."""
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
@@ -179,7 +179,7 @@ class AccuracySearch:
         return True
 
     def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
-        """Repeat the least accurate doubling of increments on a finer grid, if affordable."""
+        """Repeat the least accurate doubling of increments on a finer grid, if time allows."""
         error_ratios = [self._error_ratio(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(error_ratios))]
         allowed = min(
@@ -195,7 +195,7 @@ class AccuracySearch:
         return False
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
-        """Return the estimate with grid and increment errors, shape (increments, quantities)."""
+        """Return values with grid and increment errors; arrays (increments, quantities)."""
         found = extrapolate_grids([run.values for run in grids])
         if self.refinable.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
@@ -204,7 +204,7 @@ class AccuracySearch:
         return combined(found, self.parts)
 
     def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
-        """Return the error of coarse-grid increment corrections when applied to the finest grid."""
+        """Return the error of increment corrections of coarse grids if used on the finest grid."""
         mixed: FloatArray = sum(more.by_grid) + more.irregular
         before = self.refinable.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
@@ -239,7 +239,7 @@ class AccuracySearch:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[GridRun]) -> float:
-        """Return the estimated ratio of solution times on the next and the last grid [-]."""
+        """Return the estimated ratio of solution times on the next and the present grid [-]."""
         known = len(grids) > 2
         growth = (
             grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO
@@ -247,7 +247,7 @@ class AccuracySearch:
         return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[GridRun], worst: float) -> bool:
-        """Whether memory and time suffice for the next grid; `needs` describes what is missing.
+        """Whether memory and time suffice for the next grid; if not, `needs` states the need.
 
         worst: maximum ratio of error to prescribed accuracy, assumed to halve with each grid.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stored results of a task that needs several solutions, and increments of the last solutions."""
+"""Storage for a task with several solutions: results of all, increments of the latest."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class _Solve(NamedTuple):
 
 
 class Solves:
-    """Solutions of one task, by name: results, and increments that may still be needed.
+    """Solutions of one task by name: the results of all, and the increments of some.
 
     Parameters
     ----------
@@ -55,7 +55,7 @@ class Solves:
 
     @contextmanager
     def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
-        """Read stored results from a folder, and write new results to it; None: store nothing."""
+        """Read stored results from a folder and write new ones to it; None: no effect."""
         if folder is None:
             yield
             return
@@ -86,7 +86,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """Return the states of a solution on a common grid; only missing increments are solved."""
+        """Solve increments of a path that are not stored; return all states on a common grid."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step

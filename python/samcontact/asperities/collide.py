@@ -90,13 +90,13 @@ def collide(
     Returns
     -------
     CollisionResult
-        Results of all passes. `series` has, by pass and increment: offset, angle, approach,
+        Results of all passes. `series` has, for each pass and increment: offset, angle, approach,
         normal_force (along the line of centres), force_x, force_y, force_z (of sphere 1 on sphere
         2: force_x > 0 resists motion towards +X, force_z > 0 is compressive), load_ratio
         force_x/force_z (NaN without contact), work of force_x since the start of the pass,
         plastic_work of both bodies since the start of the first pass, max_pressure, contact_area,
         cells_across_contact (NaN without contact), and for each body max_equivalent_plastic_strain
-        and layers_across_plastic_zone (NaN without plastic strain). By pass: net_energy (work of
+        and layers_across_plastic_zone (NaN without plastic strain). Per pass: net_energy (work of
         the pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
         dissipation and increase of residual energy: the error due to grid and increments), and for
         each body residual_displacement (maximum of the field).
@@ -128,9 +128,9 @@ def collide(
     count = integer("passes", passes, 1)
     gap = surfaces.paraboloid(grid, collision.R)
     if not (body1.is_plastic or body2.is_plastic):
-        settings = {"tol": 1e-8, **settings}  # for a net energy of zero, at 20 % more work
+        settings = {"tol": 1e-8, **settings}  # net energy close to 0; 20 % more work
     simulation = Simulation(grid, body1, body2, gap, relief1=relief1, relief2=relief2, **settings)
-    simulation.monitor.checks_steps = False  # the first contact is always small
+    simulation.monitor.checks_steps = False  # no warning of few cells at first contact
     simulation.monitor.checks_increments = False
     arguments = {"passes": count, "step": step, "back_and_forth": back_and_forth}
     rows: list[list[IncrementRow]] = []

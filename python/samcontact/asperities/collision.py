@@ -82,7 +82,7 @@ class Collision:
         return self.interference - 2.0 * self.height * math.sin(0.5 * angle) ** 2 / math.cos(angle)
 
     def advance(self, angle: float) -> tuple[float, float]:
-        """Displacements [m] of the surfaces through the contact, on bodies 1 and 2.
+        """Displacements [m] of the surfaces of bodies 1 and 2 through the contact.
 
         angle: rotation of the line of centres [rad].
 
@@ -101,7 +101,7 @@ class Collision:
         dy: float = 1.0,
         dz: float = 1.0,
     ) -> Grid:
-        """Grid for `collide`, with cells that match its increments.
+        """Grid for `collide`, with cells that match the increments of a pass.
 
         Parameters
         ----------

@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
 
 _ROUNDING_ERROR = 1e-9
-"""Relative value below which a step or an approach is attributed to rounding."""
+"""Relative excess of a distance, or approach/interference, below which it is rounding error."""
 
 
 def whole_steps(distance: float) -> int:
-    """Round a distance in step lengths up to whole steps; rounding errors add no step."""
+    """Round a distance, in units of the step, up to whole steps; rounding errors add no step."""
     return math.ceil(distance * (1.0 - _ROUNDING_ERROR))
 
 
@@ -74,7 +74,7 @@ class CollisionPasses:
         return float(self.state.track(body, margin=0).residual_displacement().max())
 
     def _outside(self) -> int:
-        """Number of steps from alignment at which the spheres, with roughness, no longer touch."""
+        """Number of steps from the aligned position beyond which the rough spheres cannot touch."""
         highest = 0.0
         for body, relief in ((1, self.simulation.relief1), (2, self.simulation.relief2)):
             surface = np.zeros(1) if relief is None else relief.heights

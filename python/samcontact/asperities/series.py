@@ -33,8 +33,8 @@ BY_PASS = (
 class IncrementRow:
     """Results of one increment.
 
-    The last three values belong to the whole pass and are stored with the last increment of the
-    pass; they are NaN if the pass is incomplete.
+    `work` is the work since the start of the pass. `residual_energy` and `residual_displacement`
+    are values after the pass: they are stored with its last increment, and NaN in all others.
     """
 
     offset: float
@@ -56,7 +56,7 @@ class IncrementRow:
 
 
 def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
-    """Array of a quantity by pass, increment (and body); NaN after the end of shorter passes."""
+    """Array of a quantity, axes pass, increment (and body); NaN after the end of shorter passes."""
     values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
     longest = max(len(column) for column in values)
     table = np.full((len(values), longest, *values[0].shape[1:]), np.nan)

@@ -23,8 +23,8 @@ def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[f
     Parameters
     ----------
     epsilon : float
-        Loaded fraction of the bearing diameter, > 0: with 0.5 half of the circumference is loaded,
-        with 1 or more the whole circumference.
+        Loaded fraction of the bearing diameter, > 0. With 0.5, half of the circumference is loaded;
+        with 1 or more, the whole circumference.
     exponent : float
         Exponent n in load ~ approach^n: 1.5 for point contacts (default), 10/9 for line contacts.
 
@@ -115,7 +115,7 @@ def ball_load(
 
     Notes
     -----
-    The rings are assumed rigid, all contact angles equal, and one element directly under the load.
+    Assumptions: rigid rings, equal contact angles, and one element directly under the load.
     J_r replaces a sum over the elements; the sum differs from J_r by 1.4 % for 6 balls and by 0.2 %
     for 10 balls.
     """
@@ -196,8 +196,8 @@ def load_zone(
 
     Notes
     -----
-    Solves J_r(epsilon)/J_a(epsilon) = F_r tan(alpha)/F_a (Sjövall 1933) for rings that remain
-    parallel; the maximum element load follows from the axial force.
+    The equation J_r(epsilon)/J_a(epsilon) = F_r tan(alpha)/F_a (Sjövall 1933), for rings that
+    remain parallel, is solved for epsilon. The maximum element load follows from the axial load.
     """
     F_r, F_a = non_negative("radial_load", radial_load), positive("axial_load", axial_load)
     count, angle = integer("balls", balls, 1), angle_of(contact_angle)

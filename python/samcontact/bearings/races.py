@@ -76,7 +76,7 @@ def ball_on_race(
     Parameters
     ----------
     ball_diameter, pitch_diameter : float
-        Diameters of a ball, and of the circle of the ball centres [m].
+        Diameter of a ball, and diameter of the circle through the ball centres [m].
     groove_radius : float, optional
         Radius of the groove cross-section [m], more than half the ball diameter.
     conformity : float, optional
@@ -133,8 +133,8 @@ def roller_on_race(
     Parameters
     ----------
     roller_diameter, pitch_diameter : float
-        Diameters of a roller, and of the circle of the roller centres [m]; for tapered rollers at
-        mid-length.
+        Diameter of a roller, and diameter of the circle through the roller centres [m]; for tapered
+        rollers, both at mid-length.
     crown_radius : float, optional
         Radius of the roller profile along its axis [m]. Default: inf, a straight profile.
     contact_angle : float, optional
