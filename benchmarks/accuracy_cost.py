@@ -36,9 +36,9 @@ For comparison each grid of the sequence is solved separately, with {increments}
 loading and one increment of elastic unloading, with the default tolerance of case files and with
 the extent of the first grid. Numbers of increments that would take more than about {longest:.0f} s
 are omitted. The best manual grid is the fastest grid whose error does not exceed the error of
-`to_accuracy`. The error is the maximum error of all quantities, relative to [reference
-values](accuracy.md); the page of the reference values also lists the cases. Times are processor
-times with one thread.
+`to_accuracy`. The error is the maximum error of all quantities, relative to the reference values of
+the page [reliability of the estimated errors](accuracy.md), which also lists the cases. Times are
+processor times with one thread.
 
 {table}
 

@@ -93,8 +93,8 @@ The [contact area](theory/contact.md#contact-area) in states and results is corr
 if spots are small; if they are large, the edge is located within the cells. The area in the tables
 is the number of cells in contact times the area of a cell, without correction; the mean pressure is
 too low by the same factor by which this area is too large. Plastic strain and residual stress below
-the surface are largest in spots that are wider than the average. They are therefore considerably
-more accurate.
+the surface are largest in spots that are wider than the average, and are therefore considerably
+more accurate than the area.
 
 ## Recommendations
 

@@ -44,10 +44,10 @@ page.
 If a row of a gallery page contains several numbers, the table gives the largest change, relative to
 the largest of these numbers. Numbers in text are rounded as on the page, so a change of the last
 digit of a small number is a large percentage. A dash means that the change of the mesh does not
-apply to this contact, or that it changes how many numbers the row contains. In rolling, the contact
-advances by one cell per step, so halved cells also halve the steps. In asperity collisions,
-increments can be halved only if the cells are halved too. The column "increments" then gives the
-change relative to the results on halved cells.
+apply to this contact, or that the row contains more or fewer numbers after the change. In rolling,
+the contact advances by one cell per step, so halved cells also halve the steps. In asperity
+collisions, increments can be halved only if the cells are halved too. The column "increments" then
+gives the change relative to the results on halved cells.
 """
 MESHES = {
     moves.OWN_MESH_NOTE: "Mesh of the page.\n",

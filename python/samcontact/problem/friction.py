@@ -94,7 +94,7 @@ class FrictionLaw(HtmlTable):
 
 @dataclass(frozen=True, repr=False)
 class GrossSliding(FrictionLaw):
-    """Full sliding along x with the shear traction mu p; selected by a number mu as friction."""
+    """Full sliding along x with the shear traction mu p; selected by friction = mu."""
 
     coefficient: float
 

@@ -46,7 +46,7 @@ class Grid(HtmlTable):
     ValueError, TypeError
         A count or size is not positive. A size is below 1e-75 or above 1e75 m. nz is given without
         dz. The number of cells along a periodic direction is odd and not 1, or cells are longer
-        than eight periods of the other direction.
+        than eight times the period of the grid in the other direction.
 
     Notes
     -----

@@ -28,7 +28,7 @@ Bodies = tuple[Body, Body]
 
 
 def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: FrictionLaw) -> Heat:
-    """Check `heat` against bodies, grid and friction law, and return it; None: no heat."""
+    """Check `heat` against bodies, grid and friction law, and return it; None means no heating."""
     checked = NO_HEAT if heat is None else heat
     require_type("heat", checked, Heat)
     heating(checked, bodies, grid)
@@ -117,7 +117,7 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
 
 
 def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
-    """Return the thermal softening law of a body, with results of shape (nz, nx, ny); or None."""
+    """Return the thermal softening law of a body, with results of shape (nz, nx, ny), or None."""
     law = body.softening
     if law is None:
         return None

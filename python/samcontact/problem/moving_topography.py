@@ -90,7 +90,7 @@ def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
 
 
 def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray, int]:
-    """Return x [m] of rows of cells within `radius` of a position x, and the first row index."""
+    """Return positions [m] of grid rows within `radius` of x, and the index of the first row."""
     middle = 0.5 * (grid.nx - 1)
     if not (abs(x) + radius) / grid.dx < MAX_ROWS:
         raise ValueError(

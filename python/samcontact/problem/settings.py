@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Settings of `ContactSolver` and `Simulation`, with their defaults and ranges.
 
-Argument checks, repr, checkpoints, section [contact] of case files and the core use them.
+They are used for argument checks, repr, checkpoints, the section [contact] of case files, and the
+core.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from .friction import FrictionLaw, friction_law, is_law
 
 @dataclass(frozen=True)
 class RangeSetting:
-    """Range of a setting that is a finite number; None: no limit."""
+    """Range of a setting that is a finite number; a bound of None means no limit."""
 
     gt: float | None = None
     ge: float | None = None
@@ -132,7 +133,7 @@ class ContactSettings:
 
     @property
     def law(self) -> FrictionLaw:
-        """Friction law; a number `friction` selects full sliding."""
+        """Friction law; if `friction` is a number, the contact slides fully."""
         return friction_law(self.friction)
 
     def arguments(self) -> dict[str, Any]:

@@ -34,7 +34,7 @@ class SimulationSetup:
 
     @cached_property
     def friction(self) -> FrictionLaw:
-        """Friction law; a number `friction` selects full sliding."""
+        """Friction law; if `friction` is a number, the contact slides fully."""
         return self.settings.law
 
     @property

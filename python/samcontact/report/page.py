@@ -92,10 +92,10 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     -------
     list of Check
         Checks with name, value, limit and result. If the run is incomplete, one check fails.
-        Contact: load balance, complementarity of pressure and gap, yield condition, distance from the edge
-        of the grid, small strain, and plausibility of the input (`Check.of_input`); with partial
-        slip also the friction law, tangential forces and energy. Asperity collisions: energy, and
-        no force at the end of a pass. Wear: volume.
+        Contact: load balance, complementarity of pressure and gap, yield condition, distance from
+        the edge of the grid, small strain, and plausibility of the input (`Check.of_input`); with
+        partial slip also the friction law, tangential forces and energy. Asperity collisions:
+        energy, and no force at the end of a pass. Wear: volume.
 
     Raises
     ------

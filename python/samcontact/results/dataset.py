@@ -216,7 +216,7 @@ def _inelastic(simulation: Simulation) -> list[int]:
 
 
 def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
-    """Return the bodies with volume fields; the value is True if the body is elastic-plastic."""
+    """Return, for each body with volume fields, whether it is elastic-plastic."""
     stored = {number: True for number in _inelastic(simulation)}
     if body not in stored and _material(simulation, body).law != "rigid":
         stored[body] = False

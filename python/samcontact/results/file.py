@@ -120,7 +120,7 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Raise ValueError for values in other files, or dimension links that lead to no dimension.
+    """Raise ValueError for values stored in other files, or for invalid dimension links.
 
     HDF5 follows dimension links without checking their type, and crashes if they are plain numbers.
     """

@@ -55,7 +55,7 @@ def _stored_names(body: int) -> dict[str, str]:
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
-    """Return the stored track of a body in the form of `Track.to_dataset`, or None."""
+    """Return the stored track of a body in the form of `Track.to_dataset`; None if missing."""
     names = _stored_names(body)
     if names["x"] not in dataset.coords:
         return None

@@ -33,8 +33,7 @@ def parts_of_a_run() -> Iterator[None]:
 
 
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
-    """Return the body number, by default the body of [output] or the only one with volume
-    fields."""
+    """Return the body number; default: body of [output], or the only one with volume fields."""
     if body is not None:
         return int(choice("body", body, (1, 2)))
     selected = int(dataset.attrs.get("body", 2))
@@ -65,7 +64,7 @@ def grid_of(dataset: xr.Dataset) -> Grid:
 
 
 def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
-    """Return a body with layers, a yield profile or initial stress; None for other bodies."""
+    """Return the body if it has layers, a yield profile or initial stress; otherwise None."""
     prefix = f"body{body}_"
     law = str(dataset.attrs.get(f"{prefix}law"))
     if law == Layered.law and f"{prefix}substrate_law" in dataset.attrs:

@@ -75,11 +75,11 @@ def run(
     Returns
     -------
     ShakedownResult
-        "elastic shakedown": a cycle adds an equivalent plastic strain of less than tol yield
-        strains. "plastic shakedown": a cycle changes the plastic strain by less than tol yield
-        strains, and the plastic flow in this cycle equals the flow in the preceding cycle to 2 %.
-        "ratcheting": the strain added per cycle has changed by less than 10 % over the last 20
-        cycles; a rate that decreases more slowly than this cannot be distinguished from a steady
+        "elastic shakedown": a cycle adds an equivalent plastic strain of less than tol times the
+        yield strain. "plastic shakedown": a cycle changes the plastic strain by less than tol times
+        the yield strain, and the plastic flow in this cycle equals the flow in the preceding cycle
+        to 2 %. "ratcheting": the strain added per cycle has changed by less than 10 % over the last
+        20 cycles; a rate that decreases more slowly than this cannot be distinguished from a steady
         rate.
 
     Raises
@@ -225,7 +225,7 @@ class _RepeatedCycles:
         return self.simulation.state
 
     def _confirmed(self, found: Changes) -> bool:
-        """Return whether the cycle after a jump agrees with the prediction; if not, undo it."""
+        """Return whether the cycle after a jump confirms the prediction; if not, undo the jump."""
         made, self._jump = self._jump, None
         assert made is not None
         if made.confirmed(found):

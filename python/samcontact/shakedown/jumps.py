@@ -31,7 +31,7 @@ MAX_JUMP_CYCLES = 20
 _MAX_PREDICTION_ERROR = 0.3
 """Maximum error of the sum over a jump and of the next cycle, relative to the change per cycle."""
 _MIN_REMAINING_FRACTION = 0.1
-"""Fraction of decaying changes that a jump leaves to solved cycles."""
+"""Fraction of a decaying change that must remain after a jump, for the solved cycles."""
 _MAX_DECAY_RATIO = 0.98
 Changes = Mapping[int, PlasticChange]
 

@@ -100,7 +100,7 @@ def _smallest_ball(deviator: FloatArray) -> float:
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Return a path and its mirror image with opposite shear; their optimum residual shear is 0."""
+    """Return a path and its mirror image of opposite shear; the optimum residual shear is 0."""
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 
@@ -315,7 +315,8 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
     """Upper bound of elastic shakedown of an elliptic contact, from the orthogonal shear stress.
 
     The shear stress sigma_xz alternates between +tau_0 and -tau_0 as the contact passes. Neither
-    residual stress nor kinematic hardening reduces the range of this stress, so p0/k <= p0/tau_0.
+    residual stress nor kinematic hardening reduces the range of this stress, so tau_0 must not
+    exceed the shear yield stress. In this docstring, k is the ratio of the semi-axes.
     Friction shifts both extremes equally.
 
     Parameters
@@ -325,13 +326,13 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
         > 0 [-], e.g. `k` of `hertz.elliptic` for rolling along x.
     friction : float, optional
         Ratio of shear traction to pressure, in [0, 10] [-]. The surface of a perfectly plastic body
-        yields in each pass for p0/k above 1/friction, because the residual shear stress vanishes at
-        the surface.
+        yields in each pass if the ratio of p0 to the shear yield stress is above 1/friction,
+        because the residual shear stress vanishes at the surface.
 
     Returns
     -------
     ShakedownLimit
-        Upper bound; p0/k = 4.675 for a circular contact (axis ratio 1), 4.000 for a line contact.
+        Upper bound p0/tau_0: 4.675 for a circular contact (k = 1), 4.000 for a line contact.
 
     Raises
     ------

@@ -47,7 +47,7 @@ def max_equivalent(strain: FloatArray) -> float:
 
 
 def product(one: FloatArray, other: FloatArray) -> float:
-    """Return the sum over all cells of a product a:b; for tensors, of all nine components."""
+    """Return the sum of a product of two fields over all cells and all components of tensors."""
     weights = _SHEAR_WEIGHTS if one.ndim > 3 else 1.0
     return float(np.sum(weights * one * other))
 

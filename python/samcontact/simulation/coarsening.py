@@ -81,8 +81,11 @@ def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
 
 
 def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
-    """Return the ratio of coarse to fine cell depth: 2, or the smallest larger ratio for which all
-    elastic-plastic layers are whole numbers of cells thick; 1 if there is none."""
+    """Return the ratio of coarse to fine cell depth, preferably 2.
+
+    With elastic-plastic layers, it is the smallest ratio >= 2 for which each of these layers is a
+    whole number of coarse cells thick; 1 if there is no such ratio.
+    """
     ends = [
         round(float(depth) / dz) for body in bodies if isinstance(body, Layered) and body.is_plastic
         for depth in body.interfaces

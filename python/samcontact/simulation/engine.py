@@ -57,7 +57,7 @@ class Engine:
         """The domain before any enlargement."""
 
     def _open(self, domain: Domain, prepare: Callable[[Any], object] | None = None) -> None:
-        """Switch to another domain; `stand` sets the state of the new core (default: initial).
+        """Switch to another domain; `prepare` sets the state of the new core (default: initial).
 
         After an error or interrupt, the old domain and core remain in use.
         """

@@ -143,8 +143,7 @@ def _count(materials: int) -> int:
 
 
 def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
-    """Return upper bounds of the interpolated stress maxima [Pa]: the yield stress of each
-    material.
+    """Return upper bounds of the interpolated stress maxima: the yield stresses of materials [Pa].
 
     A bound is infinite if the yield stress is not known.
     """

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class History:
-    """Record of the increments of a simulation since its start; empty if they are not all known."""
+    """Record of the increments of a simulation since its start; empty if any is unknown."""
 
     heat: Heat
     """Heat of the first increment."""

@@ -34,8 +34,8 @@ __all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
 MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
 _MIN_CELLS = {True: 6.0, False: 16.0}
-"""Cells across the contact on the coarsest grid used, with and without plastic flow. Without it,
-the size of increments affects only a few cells, at the boundary of the stick zone."""
+"""Cells across the contact on the coarsest grid used, with and without plastic flow. Without
+plastic flow, the size of increments affects only a few cells, at the boundary of the stick zone."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
 """Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
@@ -63,8 +63,8 @@ class IncrementErrors(HtmlTable):
         only at the increment of maximum load and the last increment.
     values : dict of float
         Errors of the quantities with error control, by their names in results files: the larger
-        error at the increment of maximum load and the last increment, relative to the larger value
-        at these increments.
+        error of two increments, of maximum load and the last, relative to the larger value at these
+        increments.
     compared : str
         Description of the runs that were compared.
     """
@@ -101,7 +101,7 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether some of the states depend on the number of increments.
 
-    States with partial slip do, and so do states after a body has yielded, unless `increment_tol`
+    States with partial slip depend on it. States after plastic flow also do, unless `increment_tol`
     controls the error.
     """
     last = states[-1]

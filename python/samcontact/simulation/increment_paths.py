@@ -32,10 +32,12 @@ def cleaned(step: Step) -> dict[str, Any]:
 def doubled(
     path: Sequence[Step], states: Sequence[State], start: float, dx: float, heat: Heat
 ) -> tuple[list[dict[str, Any]], Ends]:
-    """Split each increment in two, unless a half would move by a fraction of a cell or be shorter
-    than the heat history allows.
+    """Split each increment in two, if halves are allowed by motion and heating.
 
-    start: approach at first contact [m]; dx: cell length.
+    An increment is not split if the bodies would move by a fraction of a cell in each half, or if a
+    half would be shorter than the heat history allows.
+
+    start: approach at first contact [m]; dx: cell length [m].
     """
     steps: list[dict[str, Any]] = []
     ends = []
@@ -50,7 +52,7 @@ def halved(
 ) -> tuple[list[dict[str, Any]], Ends] | None:
     """Merge neighbouring increments that continue in one direction; leave the others unchanged.
 
-    Return None if a comparison would reveal too little: only few increments can be merged, or an
+    Return None if a comparison would not be meaningful: only few increments can be merged, or an
     unmerged increment is larger than all merged increments.
     """
     steps: list[dict[str, Any]] = []

@@ -50,7 +50,7 @@ def describe(engine: Engine, **what: Any) -> Identity:
 def journal_of(
     folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
-    """Lock a folder in this context, and give the journal of the run there; None without folder."""
+    """Context manager: lock a folder and give the journal of the run, or None without a folder."""
     if folder is None:
         yield None
         return

@@ -139,7 +139,7 @@ def _travels(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
     if grid.along_x and (first, second) != AT_REST:
         raise ValueError(
             f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
-            f"{(first, second)!r}"
+            f"{tuple(given.tolist())!r} m: a surface that is periodic along x cannot move along x"
         )
     return first, second
 
@@ -222,8 +222,10 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
 def _require_motion_of_heat(
     heat: Heat, duration: float, advance: tuple[float, float], dx: float
 ) -> None:
-    """Require motion by whole cells (heat history is stored per cell) at the velocity of the
-    heat."""
+    """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
+
+    The heat history is stored for each cell.
+    """
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:

@@ -34,9 +34,10 @@ def contact_area(
     of second order. If the spots are not resolved, or if the area by this method would exceed the
     count (nearly full contact), each cell side on the contact outline reduces the count by (pi - 1
     + ln 2)/24 of a cell. This is the mean overestimate of counting, averaged over all directions of
-    a smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). In
-    between, both values are blended. Sides at the edge of the grid or at a step of the gap do not
-    reduce the count, because the contact edge lies on these sides.
+    a smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). For
+    intermediate resolution, the area is a weighted mean of both values. Sides at the edge of the
+    grid or at a step of the gap do not reduce the count, because the contact edge lies on these
+    sides.
 
     Parameters
     ----------
@@ -91,7 +92,7 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
         return by_perimeter, taken_off
     steps = [(sides, fixed) for sides, fixed in zip(outline, on_cells, strict=True) if fixed.any()]
     by_pressure = _inside_of_zero_line(field, periodic, steps)
-    # straight edges along the grid all have one position within their cells: up to half a cell off
+    # the position of a straight edge along the grid is equal in all cells: up to half a cell off
     straight = smooth[0] + smooth[1] == 0 or smooth[2] + smooth[3] == 0
     slack = 0.25 * sum(smooth) if straight else 0.0
     beyond = (by_pressure - count - slack) / (slack or taken_off)
@@ -165,7 +166,7 @@ def _continued(squared: FloatArray) -> FloatArray:
 
 
 def _area_above_zero(level: FloatArray) -> float:
-    """Area with positive interpolated values at lattice points, in units of a lattice square."""
+    """Area in which values interpolated between lattice points are positive [lattice squares]."""
     corners = (level[:-1, :-1], level[1:, :-1], level[1:, 1:], level[:-1, 1:])
     middle = 0.25 * sum(corners)
     area = 0.0

@@ -18,7 +18,7 @@ from .contact_area import contact_area
 from .outline import Outline, outline_of
 
 Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None for an unknown one."""
+"""Pressure, shear, gap and approach at the end of an increment; None for an unknown quantity."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
@@ -164,24 +164,25 @@ class PartialSlipSolution(ShearedSolution):
     friction_work : float
         Frictional dissipation since the first increment [J].
     tangential_error : float
-        Natural residual of the slip conditions [-]: change of the shear traction when it is moved
-        along the slip and limited to mu p, relative to the maximum of mu p or to ten times the
-        maximum shear, whichever is smaller. With dissimilar materials this residual refers to the
-        final pressure, and `error` is the complementarity error of the pressure for the final
-        shear.
+        Natural residual of the slip conditions [-]: the shear traction is shifted in the direction
+        of the slip and limited to mu p. The residual is the resulting change of the shear traction,
+        relative to the maximum of mu p or to ten times the maximum shear, whichever is smaller.
+        With dissimilar materials this residual refers to the final pressure, and `error` is the
+        complementarity error of the pressure for the final shear.
     energy_gap : float
-        Error bound of the shear, as an energy [J]: friction with these slips could dissipate at
-        most this much more, and the elastic energy of the error of the shear is at most half of
-        this value. NaN for infinite friction.
+        Error bound of the shear, as an energy [J]: for the computed slip, friction could dissipate
+        at most `energy_gap` more. The elastic energy of the error of the shear is at most half of
+        `energy_gap`. NaN for infinite friction.
     sweeps : int
-        Number of iterations between pressure and shear; 1 if pressure and shear are uncoupled.
+        Number of alternating solutions for pressure and for shear; 1 if they are uncoupled.
     joint_steps : int
-        Number of Newton steps on pressure and shear together; 0 if the sweeps converged.
+        Number of Newton steps for pressure and shear together; 0 if the alternating solutions
+        converged.
     tangential_iterations : int
         Iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int
-        Evaluations of shear displacement on the bounding box of the contact, each two pairs of
-        transforms.
+        Evaluations of shear displacement on the bounding box of the contact; each requires two
+        pairs of transforms.
     tangential_work : float
         Computing work of all transforms for the shear, including transforms for the preconditioner
         and on coarser grids, in units of one evaluation of the shear displacement [-].
@@ -250,7 +251,7 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
     """Return pressure, shear, gap and approach of a solution on a grid with equal cells.
 
-    Raises ValueError, with the name of the argument, for a grid with other cells."""
+    Raises ValueError for a grid with other cells; `name` is the argument named in the message."""
     if not fits(solution, grid):
         raise ValueError(
             f"{name} must be a solution with equal cells, got one on {solution.grid!r} for {grid!r}"

@@ -16,7 +16,7 @@ from ..problem.contact_law import in_contact
 MIN_EDGE_PRESSURE_RATIO = 1.05
 """Minimum ratio of the pressures in a cell at a sharp edge and in the next inner cell."""
 MIN_STEP_RATIO = 8.0
-"""Minimum ratio of the height of a step to the bends of the gap next to it."""
+"""Minimum ratio of the height of a step to the changes of slope of the gap next to it."""
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 18
@@ -70,7 +70,7 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Return i and j of the cells a number of cells further out; cyclic at the grid edge."""
+        """Return i and j of the cells `cells` cells outwards, cyclic at the edge of the grid."""
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
@@ -114,9 +114,9 @@ def steps_next_to(
 ) -> tuple[NDArray[np.bool_], FloatArray]:
     """Return whether the gap has an upward step at each side, and the height of each step [m].
 
-    A step is higher than the change of slope across the side can cause between two cells, and
-    higher than `MIN_STEP_RATIO` times the bends of the gap on both sides. If there is no body
-    outside (gap NaN or infinite), the height of the step is infinite.
+    Slopes are differences of the gap between neighbouring cells. The height of a step exceeds the
+    change of slope across the side, and `MIN_STEP_RATIO` times the changes of slope beside it. If
+    there is no body outside (gap NaN or infinite), the height of the step is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -133,7 +133,7 @@ def steps_next_to(
 
 
 def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArray:
-    """Return the gap a number of cells further out; the last cell is used beyond the grid."""
+    """Return the gap `cells` cells outwards of each side; the last cell is used beyond the grid."""
     i, j = sides.i, sides.j
     at = (i if sides.axis == 0 else j) + sides.step * cells
     n = gap.shape[sides.axis]

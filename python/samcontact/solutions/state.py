@@ -143,7 +143,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         Returns
         -------
         Track
-            Fields are computed on access; MemoryError if they require more than is available.
+            Fields are computed on access; MemoryError if the available memory is too small.
         """
         choice("body", body, (1, 2))
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
@@ -165,8 +165,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         -------
         tuple of Zone
             Subdomains in which the plastic strain was solved, if there are several (see
-            `Simulation`); otherwise a single subdomain, or none without plastic strain. The fields
-            of a Zone require memory for its own cells only, not for the whole grid.
+            `Simulation`); otherwise a single subdomain, or none if there is no plastic strain. The
+            fields of a Zone require memory for its own cells only, not for the whole grid.
         """
         found = ZoneStress(self._core, choice("body", body, (1, 2)))
         return tuple(Zone(self.grid, body, number, found) for number in range(len(found.boxes)))
@@ -312,8 +312,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to the plastic strain. With axis="x" or "y", it is tangential, along the axis
-        common to both bodies. On a periodic surface, it is relative to the body far below.
+        It is due to the plastic strain. With axis="x" or "y", the tangential displacement; these
+        axes are common to both bodies. On a periodic surface, relative to the body far below.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1

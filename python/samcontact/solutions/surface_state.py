@@ -114,14 +114,13 @@ class SurfaceState:
 
     @property
     def friction_work(self) -> float:
-        """Frictional dissipation since the start [J]; errors as for `shift`."""
+        """Frictional dissipation since the start [J]; ValueError in full sliding."""
         _require_sticking("friction_work", self.setup)
         return float(self._core.friction_work)
 
     @property
     def joint_steps(self) -> int:
-        """Number of Newton steps on pressure and shear together in this increment; 0 if the sweeps
-        converged."""
+        """Newton steps for pressure and shear together in this increment; 0 if none were needed."""
         return int(self._core.joint_steps)
 
     def _surface(self, name: str) -> FloatArray:

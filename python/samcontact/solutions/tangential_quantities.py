@@ -18,7 +18,7 @@ ROUNDING_ERROR = 1e-8
 
 
 def along_surface(states: Sequence[State]) -> dict[str, FloatArray]:
-    """Return forces, motions and frictional work of states with Coulomb friction, by name."""
+    """Return forces, motions and frictional work by name, for states with partial slip."""
     given: dict[str, list[float]] = {}
     for state in states:
         (force_x, force_y), (x, y) = state.tangential_load, state.shift

@@ -90,7 +90,7 @@ def sweep(
     ------
     CaseError
         A case is invalid, a field does not exist or a file cannot be read; raised before any case
-        is solved. A subclass of ValueError.
+        is solved. CaseError is a subclass of ValueError.
     ValueError, TypeError
         Parameters, mode or executor are invalid.
     OSError
@@ -201,7 +201,7 @@ def _outcome(future: Future[Outcome]) -> Outcome:
 
 @contextmanager
 def _resolved(executor: Any) -> Iterator[Any]:
-    """Context that provides the executor described by the argument `executor`."""
+    """Context manager that provides the executor described by the argument `executor`."""
     if executor is None:
         yield None
     elif isinstance(executor, int):

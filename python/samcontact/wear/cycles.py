@@ -103,8 +103,8 @@ def run(
     ValueError, TypeError
         An argument is outside its range (before the first cycle); the plastic strain exceeds the
         threshold at the bottom of the grid, or material wears at the sides of the grid; a
-        checkpoint was written by a run with different arguments. The exception of a later cycle holds the result
-        of the completed cycles in its attribute `result`.
+        checkpoint was written by a run with different arguments. The exception of a later cycle
+        holds the result of the completed cycles in its attribute `result`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
