@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Small contact of a ball whose description capabilities modify, and checks of its states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+import samcontact as sc
+
+CELLS, LAYERS, SIZE = 16, 10, 40e-6
+RADIUS, LOAD, APPROACH = 5e-3, 260.0, 6e-6
+SPEED = 0.2
+TOL = 1e-5
+Body = sc.Material | sc.Layered
+
+
+@dataclass
+class Contact:
+    """Description of a contact of two bodies, with a path of loads and motions."""
+
+    body1: sc.Material = field(default_factory=lambda: sc.Material.elastic(210e9, 0.3))
+    body2: sc.Material = field(default_factory=lambda: sc.Material.elastic(210e9, 0.3))
+    has_thermal_properties: bool = False
+    coating: sc.Material | None = None
+    periodic: str = ""
+    heights: np.ndarray | None = None
+    """Measured heights, which are added to the gap [m]."""
+    is_enlarged: bool = False
+    """Whether the grid is enlarged when the contact reaches its edge."""
+    law: float | sc.Coulomb = 0.0
+    heat: dict[str, Any] = field(default_factory=dict)
+    travels: tuple[float, float] | None = None
+    """Distances by which the surfaces travel in each of three increments [m]."""
+    drive: dict[str, Any] = field(default_factory=dict)
+    """Tangential motions or forces in one increment at the full load."""
+    pulls: float | None = None
+    """Ratio of the tangential load along x to the load, unless `drive` prescribes a motion."""
+    prescribes_approach: bool = False
+    settings: dict[str, Any] = field(default_factory=dict)
+
+    def slips_partially(self) -> None:
+        """Use Coulomb friction with partial slip, unless a friction law is set."""
+        if self.law == 0.0:
+            self.law = sc.Coulomb(0.3)
+
+    def bodies(self) -> tuple[Body, Body]:
+        """Return both bodies, with thermal properties and coating."""
+        body1, body2 = self.body1, self.body2
+        if self.has_thermal_properties:
+            body1, body2 = (body.with_thermal(50.2, 11.7e-6, 1.39e-5) for body in (body1, body2))
+        if self.coating is None:
+            return body1, body2
+        return body1, sc.Layered([(self.coating, SIZE)], body2)
+
+    def simulation(self) -> sc.Simulation:
+        """Return the simulation before the first increment."""
+        grid = sc.Grid(CELLS, CELLS, SIZE, SIZE, LAYERS, SIZE, periodic=self.periodic)
+        settings = {"on_border": "error" if self.is_enlarged else "warn"} | self.settings
+        if self.heat:
+            settings["heat"] = self.heating()
+        gap = self.gap if self.is_enlarged else self.gap(grid)
+        return sc.Simulation(grid, *self.bodies(), gap, self.law, **settings)
+
+    def heating(self) -> sc.Heat:
+        """Return the heating; the displacement due to heat has a reference if it is prescribed."""
+        heat = dict(self.heat)
+        if self.prescribes_approach:
+            heat["reference"] = 1e-2
+        if "history" in heat and self.travels:
+            heat["velocity"] = (-SPEED, 0.0)
+        return sc.Heat(**heat)
+
+    def gap(self, grid: sc.Grid) -> np.ndarray:
+        """Return the initial gap [m], shape (nx, ny)."""
+        gap = sc.surfaces.paraboloid(grid, RADIUS)
+        if self.heights is None:
+            return gap
+        measured = sc.measured.MeasuredSurface(self.heights, dx=SIZE)
+        return sc.surfaces.from_heights(grid, measured.on(grid), gap)
+
+    def path(self) -> list[dict[str, Any]]:
+        """Return the increments: loading in two steps, tangential drive, motion, unloading."""
+        lasting = {"duration": SIZE / SPEED} if self.lasts() else {}
+
+        def pressed(fraction: float) -> dict[str, Any]:
+            name, most = ("approach", APPROACH) if self.prescribes_approach else ("load", LOAD)
+            return {name: fraction * most} | lasting
+
+        drive = dict(self.drive)
+        if self.pulls and not self.travels and "shift" not in drive:
+            drive.setdefault("tangential_load", (self.pulls * LOAD, 0.0))
+        path = [pressed(0.5), pressed(1.0)]
+        if drive:
+            path.append(pressed(1.0) | drive)
+        if self.travels:
+            path += [pressed(1.0) | {"advance": self.travels}] * 3
+        return [*path, pressed(-0.1 if self.prescribes_approach else 0.0)]
+
+    def lasts(self) -> bool:
+        """Whether increments have a duration."""
+        return "history" in self.heat or "partition" in self.heat
+
+
+def faults(contact: Contact) -> list[str]:
+    """Run a contact, and return the conditions that its states violate."""
+    simulation = contact.simulation()
+    found = set()
+    for step in contact.path():
+        found |= set(_faults_of(simulation.step(**step), step, contact))
+    return sorted(found)
+
+
+def _faults_of(state: sc.State, step: dict[str, Any], contact: Contact) -> list[str]:
+    pressure, gap = state.pressure, state.gap
+    highest = pressure.max()
+    conditions = {"finite pressure": bool(np.isfinite(pressure).all())}
+    conditions["pressure >= 0"] = bool(pressure.min() >= 0)
+    if "load" in step:
+        load = pressure.sum() * state.grid.cell_area
+        conditions["load"] = bool(abs(load - step["load"]) <= 1e-6 * LOAD)
+    if highest > 0:
+        closed = np.minimum(pressure / highest, gap / np.abs(gap).max())
+        conditions["pressure or gap zero"] = bool(np.abs(closed).max() <= TOL)
+    if isinstance(contact.law, sc.Coulomb) and np.isfinite(contact.law.coefficient):
+        excess = np.hypot(*state.shear) - contact.law.coefficient * pressure
+        conditions["shear below the friction limit"] = bool((excess <= 1e-6 * highest).all())
+    for body in (1, 2):
+        conditions |= _conditions_in(state, body)
+    return [name for name, holds in conditions.items() if not holds]
+
+
+def _conditions_in(state: sc.State, body: int) -> dict[str, bool]:
+    """Return the conditions on the plastic strain of a body; none for an elastic body."""
+    if not state.equivalent_plastic_strain(body).any():
+        return {}
+    strain = state.plastic_strain(body)
+    volume = np.abs(strain[:3].sum(axis=0)).max()
+    return {
+        "plastic flow without change of volume": bool(volume <= 1e-9 * np.abs(strain).max()),
+        "finite stress": bool(np.isfinite(state.stress(body)).all()),
+    }

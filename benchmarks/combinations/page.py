@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Page on pairs of capabilities: which work together, and why others are refused."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from ..study import Record, Study, table
+from .capabilities import CAPABILITIES, PAIRS, contact_with
+from .contact import faults
+
+TEXT = Path(__file__).with_name("template.md")
+RETESTED = (
+    ("plastic body", "heat history"),
+    ("no slip", "prescribed rotation"),
+    ("periodic along x", "sliding"),
+    ("full sliding", "prescribed shift"),
+    ("steady heat", "periodic along y"),
+    ("elastic coating", "heat history"),
+)
+"""Pairs that the tests run again."""
+
+
+@dataclass(frozen=True)
+class Reason:
+    """Reason why pairs are refused, recognised by the error message."""
+
+    message: str
+    """Regular expression of the error message."""
+    text: str
+    is_limit: bool = False
+    """Whether physics or mathematics excludes the pairs; otherwise the method is missing."""
+    heat: str = ""
+    """Name of the heating to which the reason is limited; empty: all."""
+
+
+REASONS = (
+    Reason(
+        "is not supported in full sliding",
+        "In full sliding, friction is the coefficient times the pressure in a given direction, so "
+        "that a tangential motion or force would be prescribed twice.",
+        is_limit=True,
+    ),
+    Reason(
+        "in full sliding the heat flux is proportional",
+        "In full sliding, the heat flux follows from the pressure (`Heat(factor)`), and there is "
+        "no slip to be computed.",
+        is_limit=True,
+    ),
+    Reason(
+        "uniform heating of a half-space has no steady state",
+        "The mean temperature of a half-space that is heated everywhere rises without limit.",
+        is_limit=True,
+        heat="steady heat",
+    ),
+    Reason(
+        "there are no closed-form kernels|exact kernels cannot be summed",
+        'No closed form exists for the kernels of the method "exact". The default method, "fast", '
+        "has no such limit.",
+        is_limit=True,
+    ),
+    Reason("uniform heating of a half-space", "Transient heating of periodic surfaces."),
+    Reason("heating of layered bodies", "Temperature in coated bodies."),
+    Reason("heat follows from the slip", "Heat that does not come from the slip, in partial slip."),
+    Reason("cannot move along x", "Motion of periodic surfaces along the period."),
+)
+
+
+def points(quick: bool) -> list[Record]:
+    return [{"of": "pairs", "first": first, "second": second}
+            for first, second in (RETESTED if quick else PAIRS)]  # fmt: skip
+
+
+def run(of: str, first: str, second: str) -> Record:
+    """Return the error message of a refused pair; empty: the pair works."""
+    try:
+        violated = faults(contact_with(first, second))
+    except ValueError as error:
+        return {"refusal": str(error)}
+    if violated:
+        raise ArithmeticError(f"{first} with {second}: violated: {', '.join(violated)}")
+    return {"refusal": ""}
+
+
+def reason(record: Record) -> Reason:
+    """Return the reason of a refused pair."""
+    pair = {record["first"], record["second"]}
+    for known in REASONS:
+        if re.search(known.message, record["refusal"]) and (not known.heat or known.heat in pair):
+            return known
+    raise LookupError(f"no reason is known for {sorted(pair)}: {record['refusal']}")
+
+
+def _refused(records: list[Record], limits: bool) -> str:
+    """Return the table of reasons with the refused pairs."""
+    found: dict[Reason, dict[str, list[str]]] = {}
+    for record in records:
+        if record["refusal"] and (known := reason(record)).is_limit == limits:
+            found.setdefault(known, {}).setdefault(record["first"], []).append(record["second"])
+    rows = []
+    for known, pairs in found.items():
+        listed = "; ".join(f"{first} with {' or '.join(others)}" for first, others in pairs.items())
+        rows.append([known.text, listed])
+    return table(["reason" if limits else "missing method", "pairs"], rows)
+
+
+def page(records: list[Record]) -> str:
+    refused = [record for record in records if record["refusal"]]
+    limits = sum(reason(record).is_limit for record in refused)
+    values = {
+        "capabilities": len(CAPABILITIES),
+        "pairs": len(records),
+        "works": len(records) - len(refused),
+        "limits": limits,
+        "missing": len(refused) - limits,
+        "listed": ", ".join(CAPABILITIES),
+        "excluded": _refused(records, True),
+        "not_available": _refused(records, False),
+    }
+    return TEXT.read_text(encoding="utf-8").format(**values)
+
+
+STUDY = Study("combinations", "Pairs of capabilities: which work together.", points, run, page)
