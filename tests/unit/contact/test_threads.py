@@ -41,7 +41,7 @@ FAST = """
 import hashlib, samcontact as sc
 steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
 perfect = sc.Material.perfect_plastic(210e9, 0.3, 1.3e9)
-grid = sc.Grid(37, 37, 3.6e-5, 3.6e-5, 22, 3.6e-5)
+grid = sc.Grid(31, 31, 4.3e-5, 4.3e-5, 18, 4.3e-5)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3) + {tilt} * grid.x[:, None] * grid.y
 sim = sc.Simulation(grid, steel, perfect, gap, residual_stress="fast")
 state = sim.run([{{"load": 700.0}}, {{"load": 1400.0}}], progress=False)[1]
