@@ -55,7 +55,7 @@ class Solves:
 
     @contextmanager
     def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
-        """Read stored results from a folder and write new ones to it; None: no effect."""
+        """Read stored results from a folder and write new ones to it; with None, store nothing."""
         if folder is None:
             yield
             return

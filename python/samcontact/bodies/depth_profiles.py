@@ -18,16 +18,16 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 Profile = tuple[tuple[float, ...], ...]
-"""Depths, and one or more values at each depth."""
+"""The first tuple contains the depths, each further tuple one quantity at these depths."""
 
 PROFILE_ARGUMENTS: Mapping[str, Sequence[str]] = {
     "yield_profile": ("z", "factor"),
     "residual_stress": ("z", "sxx", "syy", "sxy"),
 }
-"""Kinds of depth profile, with the names of the arguments of each."""
+"""Names of the arguments for each kind of depth profile."""
 
 MAX_PROFILE_POINTS = 4096
-"""Maximum number of depths in a profile, limited by attributes of HDF5 files."""
+"""Maximum number of depths in a profile, limited by the size of attributes in HDF5 files."""
 
 
 def profile(kind: str, given: Any) -> Profile:
@@ -56,7 +56,7 @@ def profile(kind: str, given: Any) -> Profile:
 
 
 class HasDepthProfiles:
-    """Part of `Material`: yield stress and initial stress that depend on depth."""
+    """Base class of `Material` with yield stress and initial stress that depend on depth."""
 
     yield_profile: Profile | None
     residual_stress: Profile | None
@@ -104,7 +104,7 @@ class HasDepthProfiles:
 
         The stress acts in the plane of the surface and varies with depth only. It is therefore in
         equilibrium for any profile and causes no displacement. A half-space needs no balancing
-        tension; for a part of finite thickness the user must add the balancing stress. The initial
+        tension. For a component of finite thickness, include the balancing stress. The initial
         stress enters the yield condition and is included in all stresses of a State, also in the
         residual stress.
 
@@ -142,7 +142,7 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor on the yield stress [-] at depths z [m], shape of z; 1 without a yield profile.
+        """Factor on the yield stress [-] at depths z [m], same shape; 1 without a yield profile.
 
         Raises ValueError if z is negative or not finite.
         """
@@ -187,5 +187,5 @@ def checked_depths(z: ArrayLike) -> FloatArray:
 
 
 def _at(of: Profile, z: FloatArray) -> FloatArray:
-    """Interpolate each quantity of a profile at depths z [m], shape (quantities, *z.shape)."""
+    """Interpolate the quantities of a profile to depths z [m]; shape (quantities, *z.shape)."""
     return np.array([np.interp(z, of[0], values) for values in of[1:]])

@@ -64,8 +64,9 @@ class Layered(HtmlTable):
 
     Notes
     -----
-    Each Fourier mode is reflected and transmitted at the interfaces. An impedance recursion, stable
-    for thick and thin layers, computes these modes (docs/theory/layers.md). In-plane stresses jump
+    Each Fourier mode of the tractions is transmitted and reflected at the interfaces. The modes are
+    computed by an impedance recursion, which is stable for thick and thin layers
+    (docs/theory/layers.md). In-plane stresses jump
     at interfaces. A depth z exactly at an interface belongs to the material below it;
     ``np.nextafter(z, 0.0)`` belongs to the layer above.
 
@@ -143,7 +144,7 @@ class Layered(HtmlTable):
         return self._named_materials()[below][1]
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Initial yield stress [Pa] at depths z [m], shape of z; infinite in elastic materials.
+        """Initial yield stress [Pa] at depths z [m], same shape; infinite in elastic materials.
 
         Raises ValueError if z is negative or not finite.
         """
@@ -161,13 +162,13 @@ class Layered(HtmlTable):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """Fill `out`, along its last axes, with a function of material and depth [m]."""
+        """Fill `out` with `of(material, depth)` at each depth [m]; last axes: depths."""
         for material, there in materials_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out
 
     def wave_compliance(self, wavenumber: ArrayLike) -> FloatArray:
-        """Surface displacement u_z over pressure for a pressure wave cos(q x) [m/Pa].
+        """Ratio of surface displacement u_z to pressure for a pressure wave cos(q x) [m/Pa].
 
         Parameters
         ----------

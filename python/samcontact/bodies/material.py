@@ -25,7 +25,7 @@ def _as_list(value: Any) -> list[Any]:
 
 
 def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Return a group of constants, e.g. the thermal constants, as floats; check their number."""
+    """Return a group of constants as floats; raise ValueError unless there is one per name."""
     values = _as_list(given)
     if len(values) != len(parts):
         raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
@@ -150,8 +150,8 @@ class Material(HasDepthProfiles, HtmlTable):
         E, nu : float
             As in `elastic`.
         plastic_strain : array_like, shape (n,)
-            Uniaxial plastic strains [-], total strain - true stress/E: at most 4096 increasing
-            values, the first is 0.
+            Uniaxial plastic strains [-], i.e. total strain minus true stress/E. At most 4096
+            increasing values; the first value is 0.
         stress : array_like, shape (n,)
             True stress [Pa] at each plastic strain, > 0, not decreasing.
 
@@ -183,12 +183,12 @@ class Material(HasDepthProfiles, HtmlTable):
         ----------
         modulus : float or sequence of up to 4 floats
             Contribution of each backstress to the slope of uniaxial stress against plastic strain
-            [Pa], > 0. For a tangent modulus Et of the uniaxial curve, the sum must be
-            E Et/(E - Et).
+            [Pa], > 0. For a tangent modulus Et of the uniaxial curve, the sum of the moduli must
+            be E Et/(E - Et).
         recovery : float or sequence of floats, optional
-            Dynamic recovery >= 0 [-]. 0: linear (Prager 1949). Otherwise X saturates at
-            modulus/recovery (Armstrong and Frederick 1966); several backstresses: Chaboche (1986),
-            doi:10.1016/0749-6419(86)90010-0. Default: 0.
+            Dynamic recovery >= 0 [-]. With 0, hardening is linear (Prager 1949); otherwise X
+            saturates at modulus/recovery (Armstrong and Frederick 1966). Several backstresses:
+            Chaboche (1986), doi:10.1016/0749-6419(86)90010-0. Default: 0.
 
         Returns
         -------
@@ -204,7 +204,7 @@ class Material(HasDepthProfiles, HtmlTable):
             An argument is not a number.
         """
         moduli, recoveries = _as_list(modulus), _as_list(recovery)
-        if not isinstance(recovery, (list, tuple)) and len(recoveries) == 1:  # one for all
+        if not isinstance(recovery, (list, tuple)) and len(recoveries) == 1:  # for all
             recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
             raise ValueError(
@@ -315,11 +315,11 @@ class Material(HasDepthProfiles, HtmlTable):
         return bool(self._core.is_plastic)
 
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
-        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), shape of g.
+        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), same shape as g.
 
-        With kinematic hardening, it is the radius of the yield surface, without backstress. It does
-        not include a yield profile, see `yield_factor`. It is infinite for an elastic or rigid
-        body. Raises ValueError if g is negative or not finite.
+        With kinematic hardening, this is the radius of the yield surface, without backstress. The
+        factor of a yield profile is not included, see `yield_factor`. For an elastic or rigid body
+        the result is infinite. Raises ValueError if g is negative or not finite.
         """
         return self._at(g, self._core.yield_stress)
 
@@ -334,8 +334,8 @@ class Material(HasDepthProfiles, HtmlTable):
     def plastic_work(self, g: ArrayLike) -> float | FloatArray:
         """Plastic work [J/m^3] up to equivalent plastic strain g: integral of the yield stress.
 
-        This is the energy dissipated per volume. It does not include the work of backstresses
-        (kinematic hardening) and the factors of thermal softening and of a yield profile. The
+        This is the energy dissipated per volume. It includes neither the work of backstresses
+        (kinematic hardening) nor the factors of thermal softening and of a yield profile. The
         result has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is
         negative or not finite.
         """

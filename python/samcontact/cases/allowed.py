@@ -21,7 +21,7 @@ _TYPE_NAMES = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
-    """Return the type inside an annotation, without `Annotated` and None, and all its metadata."""
+    """Return the type inside an annotation, without `Annotated` and None, and the metadata."""
     marks = list(metadata)
     while True:
         origin, parts = get_origin(annotation), get_args(annotation)
@@ -75,7 +75,7 @@ def discriminated(marks: Sequence[Any]) -> bool:
 
 
 def tags(annotation: Any, key: str | None = None) -> tuple[Any, ...]:
-    """Return the words that select a section in a union, e.g. "sphere", as pydantic tags.
+    """Return the words (pydantic tags) that select a section in a union, e.g. "sphere".
 
     key: name of the field that selects the section; default: any field.
     """
@@ -122,7 +122,7 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
 
 
 def _counted(limits: dict[str, Any], one: str) -> str:
-    """Describe a list by its allowed lengths and the description `one` of an element."""
+    """Describe a list: allowed numbers of elements, and `one`, the description of an element."""
     min_count, max_count = limits.get("min_length"), limits.get("max_length")
     if max_count is None:
         count = f"at least {min_count} " if min_count else ""
@@ -145,7 +145,7 @@ def _number(kind: Any, limits: dict[str, Any]) -> str:
     if kind is float and limits.get("allow_inf_nan") is False and high is None:
         name = f"finite {name}"
     if kind is int and high == MAX_COUNT:
-        high = None  # a technical limit, above any available memory
+        high = None  # a technical limit that exceeds any available memory
     if low is not None and high is not None:
         if kind is int:
             if high == low + 1:

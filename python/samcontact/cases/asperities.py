@@ -18,7 +18,7 @@ from .sections import GridSection, settings_section
 
 
 class AsperitySection(Section):
-    """[asperities]: two spheres, their passes, and the cell sizes unless the case has a [grid]."""
+    """[asperities]: two spheres, the passes, and cell sizes unless the case has a [grid]."""
 
     R1: Length
     R2: Length
@@ -39,7 +39,7 @@ class AsperitySection(Section):
         return Collision(self.R1, self.R2, self.interference)
 
     def grid_arguments(self) -> dict[str, Any]:
-        """Values of the specified fields that define the grid, as arguments of `Collision.grid`."""
+        """Arguments of `Collision.grid` from the fields that the case specifies."""
         names = ("increments", "width", "depth")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
 
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 
     AsperitySolver = Section
 else:
-    # the spheres are smooth; without tol the default of `collide` applies
+    # smooth frictionless spheres; without tol, the default tol of `collide` applies
     AsperitySolver = settings_section(
         "AsperitySolver", __name__, without=("friction", "contact_law"), tol=None
     )

@@ -39,7 +39,7 @@ def convert(value: Any, unit: str) -> Any:
         return [convert(item, unit) for item in value]
     if not isinstance(value, str):
         return value
-    if value == "inf":  # as a number: other items of a list may have units
+    if value == "inf":  # as a number, because `from_text` expects a unit
         return math.inf
     try:
         return from_text(value, unit)
@@ -117,7 +117,7 @@ class OutputPlace(Section):
 class CaseFile(Section):
     """Base class of case files, with the path of the file and the folder of the results."""
 
-    if TYPE_CHECKING:  # the first and the last field of each kind
+    if TYPE_CHECKING:  # fields that each kind of case file has, first and last
         title: str
         output: OutputPlace
 
@@ -183,7 +183,7 @@ class HeightsFile(Section):
     fill: Position | None = None
 
     def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
-        """Heights [m] at the cell centres from a plain text file; None for other files."""
+        """Heights [m] at the cell centres if the file is plain text with one number per cell."""
         path = folder / self.path
         if not changed(self, HeightsFile.model_fields) <= {"path"} or not is_plain(path):
             return None
@@ -207,6 +207,6 @@ class HeightsFile(Section):
         return surface if self.mirror is None else surface.mirrored(self.mirror)
 
     def placement(self) -> dict[str, Any]:
-        """Specified arguments of `MeasuredSurface.on` and `MeasuredSurface.relief`, except x."""
+        """Arguments of `MeasuredSurface.on` or `relief` that the case specifies, except x."""
         names = ("y", "method", "average", "fill")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

@@ -176,7 +176,7 @@ class Case(CaseFile):
         return any(any(step.get("advance", ())) for step in self.steps())
 
     def _check_motion(self, steps: paths.Path) -> None:
-        """Check that the motion agrees with the friction direction and the velocity of heating."""
+        """Check that motion suits the direction of friction and the velocity given for heating."""
         heat = NO_HEAT if self.heat is None else self.heat.build()
         friction = self.friction
         attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit
@@ -221,7 +221,7 @@ class Case(CaseFile):
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
     def _surface_on(self, grid: Grid, section: Any) -> Any:
-        """Return the gap or relief of a section, after building it once on the grid as a check.
+        """Return the gap or relief described by a section; check the section on the given grid.
 
         If the surface is defined on every grid, a function of the grid is returned.
         """
@@ -253,7 +253,7 @@ class Case(CaseFile):
                     "[grid] is missing: add [grid], or solve the case with samcontact.to_accuracy"
                 )
             grid = self.grid.build()
-            # before the surface is created, which already needs part of the memory
+            # before the surface, which also requires memory, is created
             needed = memory.surface(grid, memory.CONTACT_BYTES + memory.SIMULATION_BYTES)
             memory.require_for_grid("a simulation", grid, needed)
             section = "body1"
@@ -348,7 +348,7 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCa
         case = validated(content, source)
     except CaseError:
         raise
-    except ValueError as error:  # also raised for numbers of thousands of digits
+    except ValueError as error:  # ValueError: also for numbers of thousands of digits
         raise CaseError(f"{source}: not valid TOML: {error}") from error
     except RecursionError:
         raise CaseError(f"{source}: lists or tables are nested too deeply") from None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks across the sections of a case; error messages name the fields that have no effect."""
+"""Checks of combinations of sections and fields; messages name fields that have no effect."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 def require_all_used(case: Any) -> None:
-    """Raise ValueError naming the first field of a `Case` that has no effect."""
+    """Raise ValueError for the first field of a `Case` without effect or in conflict."""
     _require_accuracy(case)
     bodies = (("body1", case.body1), ("body2", case.body2))
-    # a factor of 0 switches the source off on purpose
+    # [[path]] heat_factor: 0 switches the heat source off on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
         require_cold(bodies, "add [heat]")
     if case.wear is not None:
@@ -90,7 +90,7 @@ def _require_repeatable(case: Any) -> None:
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError if tangential motion or force, or wear, does not suit the friction law."""
+    """Raise ValueError if tangential motion, tangential force or wear requires another friction."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
@@ -159,7 +159,7 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
-    """Raise ValueError if a body has thermal constants or softening that are without effect."""
+    """Raise ValueError if thermal constants or softening of a body have no effect without heat."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:
@@ -181,6 +181,6 @@ def _require_zones(case: Any) -> None:
 
 
 def require_image_tol(contact: Any) -> None:
-    """Raise ValueError if image_tol is given although residual_stress is "exact"."""
+    """Raise ValueError if image_tol is specified although residual_stress is "exact"."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
         raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')

@@ -19,7 +19,7 @@ MAX_LINES = 20
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
-# Fields by their synonyms, which are in lower case without separators.
+# Names of fields by synonym; synonyms are in lower case and without separators.
 _SYNONYMS = {
     "radius": ("R", "Rx", "R1"),
     "radiusx": ("Rx",),
@@ -60,7 +60,7 @@ _SYNONYMS = {
 
 
 def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
-    """Return the errors of a case without repetition, as "field: must be ALLOWED, got VALUE"."""
+    """Return each error of a case once, as "field: must be ALLOWED, got VALUE"."""
     lines = dict.fromkeys(_explain(root, item, content) for item in error.errors())
     if len(lines) > MAX_LINES:
         return [*list(lines)[:MAX_LINES], f"and {len(lines) - MAX_LINES} more errors"]
@@ -111,7 +111,7 @@ def _holds_tables(annotation: Any) -> bool:
 
 
 def _remedy(allowed: str, given: Any) -> str:
-    """Return a remedy for a value of the wrong type; "" if none is obvious."""
+    """Return a remedy for a value of the wrong type; "" if no remedy is obvious."""
     if isinstance(given, (date, time)):
         return ": this is a date or a time; write text in quotes"
     if allowed.startswith("true or false"):
@@ -124,7 +124,7 @@ def _remedy(allowed: str, given: Any) -> str:
 
 
 def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
-    """Return the value at a location of the file, before unit conversion."""
+    """Return the value at a location in the file, without unit conversion, or `otherwise`."""
     for name in names:
         try:
             content = content[name]
@@ -134,7 +134,7 @@ def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
 
 
 def nearest(name: str, fields: Sequence[str]) -> str | None:
-    """Return the field probably meant by a wrong name (synonym, similar spelling), or None."""
+    """Return the field probably meant by a wrong name (a synonym or misspelling), or None."""
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
     for suggestion in _SYNONYMS.get(word, ()):
@@ -172,10 +172,10 @@ class _FieldLocation(NamedTuple):
 
 
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
-    """Convert the location of a pydantic error, which may contain union tags, to a field location.
+    """Find the field of a pydantic error; the location `loc` may also contain tags of unions.
 
-    For a value of several allowed types, pydantic reports an error for each type; the location
-    returned ends at the field.
+    If a field allows several types, pydantic reports an error for each type and appends the type to
+    `loc`. The location returned ends at the field.
     """
     place = _FieldLocation([], [], root, ())
     for element in loc:

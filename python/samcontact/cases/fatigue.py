@@ -62,7 +62,7 @@ class FatigueSection(Section):
         """Evaluate each criterion in a body over the stress cycle formed by the increments.
 
         With `steady_axis`, the cycle is the stress history of material that passes through the
-        contact of the increment with the highest load.
+        steady stress field of the increment with the highest load.
         """
         seen: Cycle
         if self.steady_axis is None:

@@ -13,7 +13,7 @@ from .allowed import models_in, unit_of
 from .asperities import AsperityCase
 from .case import Case
 
-# Units of parameters of laws that are not conversion units: microstrain is a plain number.
+# Units of law constants; microstrain is not converted, as it is stored as a plain number.
 _LAW_UNITS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
 
 

@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Friction law with partial slip, by name: its coefficient (inf: no slip) or constants."""
+    """Table {law = coefficient (inf: no slip)} or {law = {constants}} for partial slip."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:
@@ -26,14 +26,14 @@ class _FrictionLaw(Section):
         return self
 
     def build(self) -> FrictionLaw:
-        """Create the friction law from its coefficient or its table of constants."""
+        """Create the friction law from the coefficient or the table of constants."""
         ((name, given),) = self.model_dump(exclude_none=True).items()
         parameters = given if isinstance(given, dict) else {next(iter(LAWS[name].constants)): given}
         return law_of({"law": name, **parameters})
 
 
 def _friction_section() -> Any:
-    """Create the section: one field per law, a number for one constant, otherwise a table."""
+    """Create the section with one field per law: a number for a single constant, else a table."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:

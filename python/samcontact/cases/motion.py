@@ -77,7 +77,7 @@ class Sliding(_Passes):
 
 
 class Segment(TangentialSection):
-    """[[path]]: ramp of load or approach from its previous value, or passes at a constant value."""
+    """[[path]]: ramp of load or approach from the previous value, or passes at a constant value."""
 
     load: Annotated[Finite, in_unit("N")] | None = None
     approach: Position | None = None
@@ -159,7 +159,7 @@ class Segment(TangentialSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the steps and the end of this segment; `reached`: end of the previous segment.
+        """Return the steps and the end of this segment; `reached` is the end of the previous one.
 
         Raises ValueError if the segment cannot start from the end of the previous segment.
         """
@@ -211,7 +211,7 @@ class Segment(TangentialSection):
 
 
 class FileRelief(HeightsFile):
-    """Heights from a file, positive out of the body: ny columns along y, any number along x."""
+    """Heights from a file, positive outwards; ny heights along y and any number along x."""
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["file"]

@@ -215,7 +215,7 @@ class _LawSection(Section):
 
 
 def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
-    """Create the section of a contact law; its constants must be non-negative."""
+    """Create the section of a contact law; the constants must be non-negative."""
     parameters: Any = {
         item.name: (Annotated[NonNegative, in_unit(item.metadata["unit"])], ...)
         for item in fields(law)
@@ -255,11 +255,11 @@ def _annotation(allowed: Allowed) -> Any:
 
 
 def settings_section(name: str, module: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
-    """Create a section [contact] with the settings of a simulation.
+    """Create a section [contact] whose fields are settings of `Simulation`.
 
     module: name of the module in which the section is defined, for pickling.
     without: settings to omit.
-    defaults: defaults that differ from the defaults of a simulation.
+    defaults: default values that differ from the defaults of `Simulation`.
     """
     found: dict[str, Any] = {}
     for setting, allowed in allowed_of(Settings).items():

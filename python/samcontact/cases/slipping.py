@@ -21,9 +21,9 @@ Force = Annotated[Finite, in_unit("N")]
 
 
 class EndState(NamedTuple):
-    """End of a path segment: name and value of load or approach; tangential forces and torque.
+    """End of a path segment: "load" or "approach" and the value, tangential forces, torque.
 
-    After a prescribed motion, the force is None, because it is unknown before the solution.
+    A force is None after a prescribed motion, because this force is unknown before the solution.
     """
 
     quantity: str = ""
@@ -32,7 +32,7 @@ class EndState(NamedTuple):
 
 
 class TangentialSection(Section):
-    """Tangential motion of body 1 relative to body 2 in a segment, or final force on body 2."""
+    """Tangential motion of body 1 relative to body 2, or final force on body 2, in a segment."""
 
     shift_x: Position | None = None
     shift_y: Position | None = None
@@ -97,7 +97,7 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
 
 
 def _arguments(*directions: tuple[float | None, float | None]) -> dict[str, Any]:
-    """Return the arguments of `Simulation.step` that are not None.
+    """Return the tangential arguments of `Simulation.step`, without arguments that are None.
 
     directions: (motion, force) along x, along y and about z.
     """

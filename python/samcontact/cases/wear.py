@@ -25,7 +25,7 @@ _STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth")
 
 
 class WearSection(Section):
-    """[wear]: wear over repeated cycles; `wear.run` or, with energy or archard, `wear.fretting`."""
+    """[wear]: wear over cycles, by `wear.run` or (with energy or archard) by `wear.fretting`."""
 
     threshold: Positive | None = None
     energy: WearPerPressure | None = None
@@ -65,10 +65,10 @@ class WearSection(Section):
         checkpoint: str | os.PathLike[str] | None,
         progress: bool,
     ) -> WearResult | FrettingResult:
-        """Repeat the path as a load cycle with wear; the simulation itself is not advanced."""
+        """Repeat the path as a load cycle with wear; the simulation passed in keeps its state."""
         from .. import wear
 
-        # all settings, so that none is read from the file and then ignored
+        # all settings of the case file, so that none is ignored
         arguments = signature(type(simulation)).parameters.values()
         names = [argument.name for argument in arguments if argument.kind is argument.KEYWORD_ONLY]
         common: dict[str, Any] = {name: getattr(simulation, name) for name in names}

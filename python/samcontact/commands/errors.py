@@ -34,7 +34,7 @@ def short_errors(*, files: bool = False) -> Iterator[None]:
     """
     try:
         if files:
-            buffers = BLAS_BUFFER_BYTES * 2 * (blas_threads() - 1)  # of NumPy and of SciPy
+            buffers = BLAS_BUFFER_BYTES * 2 * (blas_threads() - 1)  # for NumPy and for SciPy
             require_address_space("the command", LIBRARY_BYTES + buffers)
         yield
     except KeyboardInterrupt as stop:
@@ -89,7 +89,7 @@ def with_resume_hint(text: str, directory: Path) -> str:
 
 
 def _message_and_code(error: Exception) -> tuple[str, int]:
-    """Return the message of an error and the exit code; no message for internal errors."""
+    """Return the message of an error, "" for an internal error, and the exit code."""
     from .._core import ConvergenceError
 
     if isinstance(error, ConvergenceError):
@@ -123,7 +123,7 @@ def _system_message(error: OSError) -> str:
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Whether an error, of any kind, means that memory is exhausted."""
+    """Whether an error is due to a lack of memory; its type need not be MemoryError."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")

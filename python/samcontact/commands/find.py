@@ -64,7 +64,7 @@ def find(
 
 
 def _run_search(case: Case, search: LoadSearch) -> FoundLoad:
-    """Run the search, or continue an interrupted search; save progress if it is interrupted."""
+    """Run or continue the search; if the search is interrupted, save the solutions so far."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints
     from ..restart.identity import digest

@@ -31,7 +31,7 @@ _OUTPUT_FILES = re.compile(
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )
-"""Names of the files that runs, reports and exports write into the folder of a run."""
+"""Pattern for the names of files that runs, reports and exports write to the run folder."""
 
 
 def is_own(file: Path) -> bool:

@@ -37,8 +37,8 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Plausible bound of a number without a unit: whether the bound is a lower bound, the value of the
-bound, and an example of a number with a unit."""
+"""Plausible bound of each option given without a unit: whether it is a lower bound, the value and
+unit of the bound, and an example of a number with a unit."""
 
 
 @click.command()
@@ -143,7 +143,7 @@ def _line(
     approach: float | None,
     p0: float | None,
 ) -> tuple[_hertz.LineContact, Rows]:
-    """Return a line contact, given by load, load per length or p0, and its table rows."""
+    """Return the line contact for the given load, load per length or p0; and the table rows."""
     if approach is not None:
         raise ValueError(
             "approach is not supported for a line contact, because it depends on the shape of the "
@@ -151,7 +151,7 @@ def _line(
         )
     exactly_one(load=load, load_per_length=per_length, p0=p0)
     if load is not None:
-        assert length is not None  # else it is no line contact
+        assert length is not None  # without length or load per length, `_line` is not called
         per_length = positive("load", load) / positive("length", length)
     contact = _hertz.line(radius, modulus, load_per_length=per_length, p0=p0)
     rows = [("half-width b [m]", contact.b), ("load per length [N/m]", contact.load_per_length)]

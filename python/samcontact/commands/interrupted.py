@@ -25,8 +25,8 @@ FOREIGN_FOLDER = "checkpoints.old"
 FINISHED_MARK = ".checkpoints.done"
 REMEDY = "use another --output"
 MAX_INTERRUPT_DELAY = 20
-"""Number of increments above which writing checkpoints is announced; Ctrl-C has no effect
-meanwhile."""
+"""Number of increments above which writing checkpoints is announced, because Ctrl-C has no effect
+while checkpoints are written."""
 
 
 class Checkpoints:
@@ -46,7 +46,7 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Whether to continue from existing checkpoints; checkpoints of another run are moved away.
+        """Return whether to continue from checkpoints; move checkpoints of another run away.
 
         With `resume`, no checkpoints are moved; reading them fails if they belong to another run.
         """
@@ -74,10 +74,10 @@ class Checkpoints:
 
     @contextmanager
     def used(self) -> Iterator[Path]:
-        """Context with the checkpoint folder, into which each solved increment is written.
+        """Context manager for a run that writes each solved increment to the checkpoint folder.
 
-        The folder is marked as belonging to this case. The previous mark is restored if the
-        checkpoints turn out to belong to another run.
+        The folder is marked as belonging to this case. If the checkpoints turn out to belong to
+        another run, the mark of that run is restored.
         """
         before = _text(self.folder / CASE_FILE)
         folder = self.remember()
@@ -86,7 +86,7 @@ class Checkpoints:
         except Exception as error:
             if not any(folder.rglob("*.h5")):  # nothing to continue from
                 remove_checkpoints(folder)
-            elif isinstance(error, ForeignCheckpointError):  # of the earlier run
+            elif isinstance(error, ForeignCheckpointError):  # checkpoints of another run
                 if before is None:
                     (folder / CASE_FILE).unlink(missing_ok=True)
                 else:
@@ -94,7 +94,7 @@ class Checkpoints:
             raise
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
-        """Write checkpoints of a run that had none; report if this fails, e.g. on a full disk."""
+        """Write the checkpoints of a stopped run at once; report a failure, e.g. a full disk."""
         if increments > MAX_INTERRUPT_DELAY:
             click.echo(f"writing checkpoints of {increments} increments", err=True)
         try:
@@ -104,7 +104,7 @@ class Checkpoints:
             click.echo(f"could not write all checkpoints: {error}", err=True)
 
     def forget(self) -> None:
-        """Remove the checkpoints once the results are written; signals cannot interrupt this."""
+        """Remove the checkpoints, after the results were written; signals are delayed meanwhile."""
         with undisturbed(), suppress(OSError):
             for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER):
                 if (self.directory / name).exists():
@@ -155,7 +155,7 @@ def _require_own(file: Path, record: OwnershipRecord, case: CaseFile) -> None:
 
 
 def is_interrupted(directory: Path) -> bool:
-    """Whether the folder contains the mark of an interrupted run."""
+    """Whether the folder contains the checkpoint mark (`CASE_FILE`) of an interrupted run."""
     return (directory / CHECKPOINT_FOLDER / CASE_FILE).is_file()
 
 
@@ -184,7 +184,7 @@ def interrupted_case(directory: Path) -> Path:
 
 
 class _CheckpointMark(NamedTuple):
-    """Content of the file that identifies the run to which checkpoints belong."""
+    """Content of the file `CASE_FILE`: key of the run, path and text of the case file."""
 
     key: str
     source: str

@@ -71,7 +71,7 @@ def export(
         source = _results_of(run, ("results.nc",))
         target = source.with_suffix("") if output is None else output
         if output is not None and output.suffix.lower() in _ENDINGS and vtk and html:
-            target = output.with_suffix("")  # each format has its own suffix
+            target = output.with_suffix("")  # one suffix per format is added later
         number = None if body is None else int(body)
         written: list[Path] = []
         # a file named by the user is replaced in any case
@@ -134,7 +134,7 @@ def report(run: Path, output: Path | None) -> None:
 
 @contextmanager
 def _recorded(target: Path, default: Path) -> Iterator[None]:
-    """Record a file written under its default name; refuse to replace files of other programs.
+    """Record `target` if it has the default name; refuse to replace a file of another program.
 
     A file that the user named with --output is replaced in any case.
     """
@@ -148,7 +148,7 @@ def _recorded(target: Path, default: Path) -> Iterator[None]:
 
 def _require_page(target: Path) -> None:
     """Raise ValueError, before any work, if the page cannot be written to `target`."""
-    if target.exists() and not target.is_file():  # a device would become a file
+    if target.exists() and not target.is_file():  # a device would be replaced by a file
         kind = "directory" if target.is_dir() else "device or pipe"
         raise ValueError(f"--output must be a file, got {target}, a {kind}")
     if not target.parent.is_dir():
@@ -160,7 +160,7 @@ def _require_page(target: Path) -> None:
 
 
 def _results_of(run: Path, names: tuple[str, ...]) -> Path:
-    """Return `run` if it is a file, or the only file in the folder `run` with a name in `names`."""
+    """Return the file `run`, or the only file with a name in `names` in the folder `run`."""
     if not run.is_dir():
         return run
     found = [run / name for name in names if (run / name).exists()]

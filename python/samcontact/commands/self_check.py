@@ -29,9 +29,9 @@ REQUIRED_PACKAGES = (
     "numpy", "scipy", "matplotlib", "pydantic", "xarray", "h5netcdf", "h5py", "jinja2", "pandas",
     "click", "rich", "tqdm",
 )  # fmt: skip
-# library: (extra that installs it, purpose)
+# library: (extra of samcontact that installs the library, purpose of the library)
 OPTIONAL_PACKAGES = {"vtk": ("vtk", "export for ParaView")}
-# Instruction sets that define the x86-64 levels for which the core has compiled loops.
+# CPU flags required for each x86-64 level for which the core has compiled loops.
 SIMD_LEVELS = {
     "x86-64-v4 (AVX-512)": {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"},
     "x86-64-v3 (AVX2)": {"avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"},
@@ -48,7 +48,7 @@ def installation() -> list[tuple[str, str]]:
         Package, Python, machine, compiler, FFTW, SIMD level, threads, and versions of libraries.
     """
     core = Path(_core_file())
-    library = ctypes.CDLL(str(core))  # already loaded: only symbols are looked up
+    library = ctypes.CDLL(str(core))  # already loaded; used to look up symbols only
     return [
         ("samcontact", version),
         ("Python", f"{platform.python_version()} ({platform.python_implementation()})"),
@@ -160,7 +160,7 @@ def _hertz() -> Iterator[Check]:
     grid = Grid(35, 35, step, step)
     state = Simulation(grid, steel, steel, surfaces.paraboloid(grid, R)).step(load=1000.0)
     pressure = abs(float(state.pressure.max()) / exact.p0 - 1.0)
-    # limits: a few times the discretisation error found in the validation at this resolution
+    # limits: a few times the discretisation error known from validation at this resolution
     yield Check("Hertz: relative error of the maximum pressure", pressure, 5e-3)
     approach = abs(state.approach / exact.approach - 1.0)
     yield Check("Hertz: relative error of the approach", approach, 2e-3)

@@ -27,7 +27,7 @@ class StopRequested(KeyboardInterrupt):
 
 
 def exit_code(stop: BaseException) -> int:
-    """Return the exit code of an interrupted command, by the convention of shells."""
+    """Return the exit code of an interrupted command: 128 + signal number, as in shells."""
     return getattr(stop, "exit_code", EXIT_INTERRUPTED)
 
 

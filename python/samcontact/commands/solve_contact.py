@@ -54,9 +54,9 @@ def solve_contact(
 ) -> list[Path]:
     """Solve a case of one contact, write results.nc and figures, and return the files.
 
-    With `resume`, a checkpoint is written after each increment. Without it, the checkpoints of all
-    solved increments are written if the run stops before all files are written. If an error stops
-    the run, the solved increments are also written as results.
+    With `resume`, a checkpoint is written after each increment. Otherwise, the checkpoints of all
+    solved increments are written only if the run stops before all files are written. If an error
+    stops the run, the solved increments are also written as results.
     """
     if animate and not (case.sticks or (case.moves and case.has_volume)):
         raise ValueError(
@@ -64,7 +64,7 @@ def solve_contact(
         )
     simulation, path = case.build()
     run_identity = describe(simulation.engine, path=path)
-    # before the computation: an unusable folder must not cost a run
+    # check the folder before the computation, not after it
     written = written_names(case, "results", figures, animate)
     with checkpoints_of(directory, case, written) as checkpoints:
         journal = checkpoints.claim(resume)
@@ -138,7 +138,7 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation of a case and its solved increments: all, or after an error only some."""
+    """Simulation of a case with the solved increments: all of them, or those before an error."""
 
     case: Case
     checkpoints: Checkpoints
@@ -209,7 +209,7 @@ class _ContactRun:
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
-        """Estimate grid errors from a coarsened grid; on failure print a message, return None."""
+        """Return grid errors from a run on a coarsened grid; None if not requested or failed."""
         if not self.case.estimate_error:
             run = self.simulation
             repeat = repeat_with(type(run))
@@ -224,7 +224,7 @@ class _ContactRun:
             return None
 
     def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
-        """Return the results with all volume fields that the figures require."""
+        """Return the dataset, extended by all volume fields that the figures require."""
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)

@@ -52,10 +52,10 @@ class _StudyKind(NamedTuple):
     """Solution of the case, given the folder of its checkpoints."""
     dataset: Callable[[Any], xr.Dataset]
     amount: Callable[[Any], str]
-    """Amount of results of a run that stopped early, as text."""
+    """Text that describes the results of a run that stopped early, e.g. "2 of 5 cycles"."""
     sheet: Callable[[xr.Dataset], Sheet]
     rows: Callable[[xr.Dataset], pd.DataFrame]
-    """Rows of the .csv file."""
+    """Data frame with the rows of the .csv file."""
     draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
 
 
@@ -170,7 +170,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """Return the table of cycles, with the maximum of both bodies or the sum of worn volumes."""
+    """Return the table of cycles: maximum over both bodies, but sum of the worn volumes."""
     columns = []
     for name in (name for name in _CYCLE_COLUMNS if name in dataset):
         values = dataset[name]

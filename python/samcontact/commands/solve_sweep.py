@@ -97,7 +97,7 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
 
 
 def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
-    """Convert texts FIELD=VALUE,VALUE,... to lists of values by field; values are TOML or words."""
+    """Convert texts FIELD=VALUE,VALUE,... to a list of values (TOML, or plain words) by field."""
     parameters: dict[str, list[Any]] = {}
     for setting in settings:
         name, equals, text = setting.partition("=")
@@ -121,7 +121,7 @@ def _values(text: str) -> list[Any]:
 
 
 def _value(word: str) -> Any:
-    """Convert a text to a TOML value or a number, e.g. "1."; return other texts unchanged."""
+    """Convert text to a TOML value or a number (e.g. "1."); return any other text unchanged."""
     try:
         return tomllib.loads(f"v = {word}")["v"]
     except tomllib.TOMLDecodeError:
@@ -132,7 +132,7 @@ def _value(word: str) -> Any:
 
 
 def _errors(dataset: xr.Dataset) -> list[str]:
-    """Return the errors of all cases without repetition; sweep.nc has the error of each case."""
+    """Return each different error message once; sweep.nc contains the error of each case."""
     texts = [text for text in dict.fromkeys(dataset["error"].values.flat) if text]
     if len(texts) > MAX_PRINTED_ERRORS:
         texts[MAX_PRINTED_ERRORS:] = [

@@ -42,7 +42,7 @@ class _GuardedStream:
         self.error: OSError | None = None
 
     def write(self, text: str | bytes) -> int:
-        if isinstance(text, bytes):  # from shell completion
+        if isinstance(text, bytes):  # bytes come from shell completion
             text = text.decode()
         if self.error is None:
             try:
@@ -70,7 +70,7 @@ class _GuardedStream:
             os.close(null_device)
 
     def __getattr__(self, name: str) -> Any:
-        if name == "buffer":  # click would write to it directly
+        if name == "buffer":  # click would write to the buffer directly
             raise AttributeError(name)
         return getattr(self._stream, name)
 
@@ -91,7 +91,7 @@ def guarded_output() -> Iterator[None]:
             yield
         except SystemExit as end:
             if end.code:
-                raise  # otherwise the exit code depends on lost output
+                raise  # a nonzero exit code is kept, even if output was lost
         finally:
             for guard in guards:
                 guard.flush()
@@ -99,6 +99,6 @@ def guarded_output() -> Iterator[None]:
             sys.stdout, sys.stderr = streams
     lost = guards[0].error
     if lost is not None:
-        if lost.errno != errno.EPIPE:  # otherwise the reader closed the pipe
+        if lost.errno != errno.EPIPE:  # EPIPE: the reader closed the pipe; no message
             click.echo(f"error: cannot write to the standard output: {lost.strerror}", err=True)
         raise SystemExit(1)

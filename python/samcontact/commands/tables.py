@@ -23,7 +23,7 @@ UNLIMITED_WIDTH = 10_000
 """Width for output to a file or a pipe, in characters."""
 MIN_WIDTH = 40
 """Minimum width of a table, in characters; a narrower terminal wraps the lines itself."""
-_MAX_WORD_WIDTH = 24  # a double with all its digits; longer words are folded
+_MAX_WORD_WIDTH = 24  # width of a float with all digits; longer words are folded
 _FRAME_WIDTH = 3  # width of a cell's frame: a line, and a space on either side
 
 
@@ -74,12 +74,12 @@ class Sheet:
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text | Table]:
         available = options.max_width
         for number, part in enumerate(self._parts(available)):
-            # as its own line: a title of the table would be wrapped at the table's width
+            # on a separate line, because Table would wrap a title at the width of the table
             yield Text(self.title if number == 0 else f"{self.title}, continued", style="italic")
             yield self._part(part, available)
 
     def _parts(self, available: int) -> list[list[int]]:
-        """Distribute columns over as few parts as possible, of similar width."""
+        """Return the columns of each part: as few parts as possible, of similar width."""
         narrow = [_FRAME_WIDTH + _narrowest(*column) for column in self.columns]
 
         def filled(limit: int) -> list[list[int]]:
@@ -129,11 +129,11 @@ CONTACT_COLUMNS = (
     "load", "approach", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
     "max_temperature",
 )  # fmt: skip
-"""Quantities in tables of a contact."""
+"""Quantities shown in the tables of a contact, by name in results files."""
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the quantities listed in `names`, of the contact or a body, by variable name."""
+    """Return the quantities `names` by variable in `dataset`: of `body` if stored per body."""
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)
     return {variable: CONTACT[name] for variable, name in variables if variable in dataset}
@@ -142,7 +142,7 @@ def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dic
 def values_sheet(
     title: str, rows: ArrayLike, columns: Iterable[tuple[Quantity, ArrayLike, int | None]]
 ) -> Sheet:
-    """Return a table with a column for each quantity; `rows`: number shown before each row."""
+    """Return a table with a column for each quantity; `rows` are the numbers of the rows."""
     sheet = Sheet(title)
     sheet.add("", [str(number) for number in np.asarray(rows)])
     for quantity, values, body in columns:
