@@ -15,20 +15,20 @@ if TYPE_CHECKING:
 
 ENLARGEMENT_HINT = "pass gap and reliefs as functions to enlarge the grid automatically"
 """Remedy if the grid is not enlarged because the gap or a relief is an array."""
-_MIN_TILT_SHARE = 0.5  # rise of the mean plane / other heights, above which tilt is the cause
-_ROUNDING_ERROR = 1e-12  # rise / maximum height, below which it is attributed to rounding
+_MIN_TILT_SHARE = 0.5  # minimum (rise of the mean plane)/(other heights) for tilt as the cause
+_ROUNDING_ERROR = 1e-12  # maximum rise/height that is attributed to rounding
 _PERIODIC_HINT = 'make the surface periodic with Grid(..., periodic="xy")'
 _REMEDY = ": enlarge "
 _WARNING_HINT = ', or set on_border="warn"'
 
 
 def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
-    """Add remedies to a GridTooSmallError for a gap that is an array (fixed grid)."""
+    """Add remedies to a GridTooSmallError for a gap given as an array (fixed grid)."""
     error.args = (f"{advised(str(error), setup, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 
 
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
-    """Return the message `text` about the grid edge with remedies for a gap that is an array.
+    """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
     remedy_prefix: further remedy, with a leading comma, for the end of a new message.
     """

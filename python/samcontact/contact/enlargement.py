@@ -12,14 +12,14 @@ from ..diagnostics import hertz_estimate
 from ..problem.grid import Grid
 
 MAX_ENLARGEMENT, MAX_CELLS_UNFITTED = 64, 1 << 22
-"""Maximum number of cells as a multiple of the initial grid; number of cells always allowed while
-the grid is smaller than the Hertz estimate."""
+"""Maximum ratio of the number of cells to the number in the initial grid; and the number of cells
+that is always allowed while the grid is smaller than the Hertz estimate."""
 HERTZ_MARGIN = 1.25
-"""Side of an enlarged grid / width of the Hertz contact: plastic flow widens the contact."""
+"""Side of an enlarged grid / width of the Hertz contact; > 1, as plastic flow widens contacts."""
 _SIDE_GROWTH, _MIN_SIDE_GROWTH = (
     1.5,
     1.25,
-)  # growth of a side reached by the contact; minimum growth
+)  # factor on a side that the contact reaches; minimum factor
 
 
 def counts_for(
@@ -51,7 +51,7 @@ def counts_for(
 
 @contextmanager
 def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
-    """Raise `error`, with the reason, if the grid cannot be enlarged within the context."""
+    """Context manager that raises `error` with the reason if enlarging the grid fails in it."""
     try:
         yield
     except (ValueError, MemoryError) as reason:
@@ -61,7 +61,7 @@ def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator
 
 
 def enlarged_evenly(n: int, min_cells: float) -> int:
-    """Return n if n >= `min_cells`; else at least `min_cells`, n plus an even number >= n/4."""
+    """Return n if n >= `min_cells`; else n plus an even number, >= `min_cells` and >= 1.25 n."""
     if min_cells <= n:
         return n
     return n + 2 * math.ceil((max(min_cells, _MIN_SIDE_GROWTH * n) - n) / 2)

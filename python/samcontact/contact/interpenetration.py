@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 MAX_RELATIVE_OVERLAP = 1e-3
-"""Overlap regarded as an error, relative to (maximum pressure) times (contact size)/E*."""
+"""Minimum overlap regarded as an error, divided by (maximum pressure) * (contact size)/E*."""
 
 
 def may_overlap(bodies: tuple[Body, Body], friction: FrictionLaw) -> bool:

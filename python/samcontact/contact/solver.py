@@ -239,7 +239,7 @@ class ContactSolver(ContactFields):
         value: float,
         drive: TangentialDriver,
     ) -> tuple[ContactSolution, str]:
-        """Return the solution and a message about the grid edge.
+        """Return the solution, and a message if the contact reaches the grid edge ("" if not).
 
         If the iteration from `start` does not converge, it is repeated without `start`.
         """
@@ -271,7 +271,7 @@ def _made(
     return ContactSolver(grid, body1, body2, heat=heat, **settings)
 
 
-def solve_driven(  # warnings name the caller's caller
+def solve_driven(  # warnings show the line two calls up
     initial: ContactSolver,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     load: float | None,
@@ -287,7 +287,7 @@ def solve_driven(  # warnings name the caller's caller
     start = None
     if initial_pressure is not None:
         start = finite_array("initial_pressure", initial_pressure, initial.grid.surface_shape)
-        # values negligible against any load would lead to division by zero
+        # tiny values would cause a division by zero
         start = np.where(np.abs(start) > 1e-75, start, 0.0)
     surfaces, solver = SurfaceGeometry(gap), initial
     if callable(gap) and drive.previous is not None and not fits(drive.previous, initial.grid):

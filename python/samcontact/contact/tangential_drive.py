@@ -26,22 +26,22 @@ from ..solutions.contact_solution import (
 _DIRECTIONS = ("x", "y")
 
 Pressing = tuple[FloatArray, bool, float]
-"""Initial gap, whether the load is prescribed, and the load or approach."""
+"""Initial gap [m]; whether the load (not the approach) is prescribed; its value [N] or [m]."""
 Settings = tuple[float, int, bool, bool]
-"""Tolerance, maximum number of iterations, whether reaching the edge is an error, and whether the
-state with the smallest error is accepted if it has not converged."""
+"""Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether,
+without convergence, the state with the smallest error is accepted."""
 
 
 @dataclass(frozen=True)
 class TangentialInput:
-    """Prescribed motion or force along x, along y and about z."""
+    """Prescribed motion, or force if `is_force`, along x, along y and about z."""
 
     is_force: tuple[bool, bool, bool]
     values: tuple[float, float, float]
 
     @classmethod
     def of(cls, motions: Mapping[str, Any], forces: Mapping[str, Any]) -> TangentialInput:
-        """Combine motions and forces; components without a prescribed value have zero motion."""
+        """Combine motions and forces; a direction with neither has a prescribed motion of zero."""
         (moved, motion), (rotation_name, rotation) = motions.items()
         (pulled, force), (wrung, torque) = forces.items()
         given = zip(
@@ -68,7 +68,7 @@ class TangentialDriver(Protocol):
 
     @property
     def previous(self) -> ShearedSolution | None:
-        """Solution of the preceding increment; the new solution uses the same grid."""
+        """Solution of the preceding increment, whose grid the new solution also uses."""
 
     def solved(
         self,
@@ -118,9 +118,9 @@ class TangentialDrive:
         p, s, g, d = self._before(grid)
         moves = self.mean_travel != 0
         if start is None and moves and self.previous is not None:
-            start = before_on(self.previous, grid)[0]  # the contact stays where it is
+            start = before_on(self.previous, grid)[0]  # the contact keeps its position on the grid
         x, y, turn = self.given.values
-        # slip due to rotation: at the positions of the cells during the motion
+        # slip due to rotation is taken at the cell positions during, not after, the motion
         lead = _core.spin_lead * self.mean_travel
         if not self.given.is_force[0]:
             x += self.travels[0] - self.travels[1]
@@ -181,7 +181,7 @@ def given_along(
     torque: float | None,
     **more: Any,
 ) -> TangentialInput:
-    """Return the prescribed tangential quantities; raise ValueError for any in full sliding."""
+    """Return the prescribed tangential motions and forces; raise ValueError in full sliding."""
     motions, forces = (
         {"shift": shift, "twist": twist},
         {"tangential_load": tangential_load, "torque": torque},
@@ -207,7 +207,7 @@ def tangential_drive(
     advance: Sequence[float],
     grid: Grid,
 ) -> TangentialDrive:
-    """Create a tangential drive from checked arguments; in full sliding it prescribes nothing."""
+    """Check the arguments and create a tangential drive, which is empty in full sliding."""
     first, second = (float(distance) for distance in finite_array("advance", advance, (2,)))
     moves = None if first == second == 0 else advance
     along = given_along(

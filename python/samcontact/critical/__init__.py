@@ -257,7 +257,7 @@ def onset_over_depth(
     E_star : float
         Contact modulus of the pair [Pa].
     body : Material
-        Body that yields. Its elastic constants are also part of E_star.
+        Body that yields. E_star must include the elastic constants of this body.
     friction : float, optional
         Friction coefficient mu >= 0 [-]; the shear acts along +x, as in `onset_sliding`.
 
@@ -267,8 +267,9 @@ def onset_over_depth(
         Values at the smallest load for which the von Mises stress, including residual stress,
         reaches the local yield stress anywhere within 1.3 contact radii of the axis and down to a
         depth of 12 contact radii. The stress is the closed form of Hamilton (1983),
-        doi:10.1243/PIME_PROC_1983_197_076_02; relative errors are about 1e-5. C is relative to the
-        yield stress of the hardening law, without yield profile.
+        doi:10.1243/PIME_PROC_1983_197_076_02; the search for this load has a relative error of
+        about 1e-5. C, the ratio of maximum pressure to yield stress, uses the yield stress of the
+        hardening law, without the yield profile.
 
     Raises
     ------
@@ -355,7 +356,7 @@ def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> C
 
 
 def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
-    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments: see `green`."""
+    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments as `green`."""
     return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)
 
 

@@ -19,16 +19,17 @@ from ..hertz.line_field import line_field
 _PRESSURE_FACTOR = 1.1
 """Factor by which the pressure is increased until the body yields."""
 _MAX_RADIUS, _MAX_DEPTH = 1.3, 12.0
-"""Limits of the search for yield, in contact radii."""
+"""Limits of the searched region in contact radii: distance from the axis, and depth."""
 _NUMBER_OF_ANGLES = 8
-"""Number of planes through the axis if the residual stress depends on the direction."""
+"""Number of searched planes through the axis if the in-plane residual stress is not equal in all
+directions."""
 _MAX_KINKS = 150
 _REFINEMENTS = 4
 """Number of local refinements, each by a factor of ten."""
 
 
 class YieldPosition(NamedTuple):
-    """Position of maximum relative excess over the yield stress; r and z in contact radii."""
+    """Maximum of (von Mises stress)/(yield stress) - 1, and the position; r, z in contact radii."""
 
     excess: float
     r: float
@@ -37,11 +38,11 @@ class YieldPosition(NamedTuple):
 
 
 ExcessAt = Callable[[float], YieldPosition]
-"""Function that gives the maximum excess at a maximum pressure [Pa]."""
+"""Function of the maximum pressure [Pa] that returns the maximum excess and the position."""
 
 
 def first_yield(body: Material, spread: float, friction: float | None) -> tuple[float, FloatArray]:
-    """Maximum Hertz pressure [Pa] at first yield of a body, and the position of yield [m].
+    """Maximum Hertz pressure [Pa] at first yield of a body, and position (x, y, z) of yield [m].
 
     spread: contact radius divided by maximum pressure [m/Pa]. friction: coefficient, or None for a
     frictionless line contact along y, for which "radius" means half-width.
@@ -93,7 +94,7 @@ def _is_even(body: Material) -> bool:
 
 
 def _angles(body: Material, friction: float | None) -> int:
-    """Number of planes through the axis in which yield is searched."""
+    """Number of planes through the axis in which the onset of yield is searched."""
     return 1 if friction is None or _is_even(body) else _NUMBER_OF_ANGLES
 
 
@@ -125,7 +126,7 @@ def _max_excess(
 
 
 class _GlobalSearch:
-    """Search in the whole region, with stored contact stress interpolated at kinks of profiles."""
+    """Search in the whole region; contact stress is stored, and interpolated at profile kinks."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
@@ -151,7 +152,7 @@ class _GlobalSearch:
 
 
 class _LocalSearch:
-    """Search in a small region around a position, at finer points and at all kinks of profiles."""
+    """Search on a finer grid around a position, including the depths of all profile kinks."""
 
     def __init__(
         self,

@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 MIN_CONTACT_MODULUS = 1e4
-"""Contact modulus below which the unit of E is questioned [Pa]: the softest gels have about 1e3."""
+"""Contact modulus [Pa] below which the unit of E may be wrong; only soft gels have less."""
 
 
 @dataclass(frozen=True)
 class ExpectedContact:
-    """Elastic Hertz contact of smooth bodies; str() gives size, pressure and unit errors."""
+    """Elastic Hertz contact of smooth bodies; str() gives size, pressure and a hint on units."""
 
     contact: hertz.PointContact | hertz.EllipticContact
 

@@ -26,9 +26,10 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 MAX_PARABOLOID_DEVIATION = 0.03
-"""Maximum deviation of a gap from a paraboloid, relative to its height: (r/R)^2/4 for a sphere."""
+"""Maximum deviation of a gap from a paraboloid, divided by the height range of the gap. A sphere
+of radius R has a ratio of (r/R)^2/4 on a grid of half-width r."""
 _ROUNDING_MARGIN = 1e-6
-"""Relative reduction of the range of loads known to pass a check, for rounding."""
+"""Relative margin for rounding at both ends of the range of loads that pass all checks."""
 _FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
 _WARNING_HINT = ', or set on_border="warn"'
 
@@ -37,7 +38,7 @@ FailedChecks = tuple[plausibility.PlausibilityCheck, ...]
 
 
 class PlasticBody(NamedTuple):
-    """Number, yield stresses and Young's moduli of an elastic-plastic body."""
+    """Body number, yield stresses and Young's moduli of an elastic-plastic body."""
 
     number: int
     weakest: float
@@ -49,8 +50,8 @@ class PlasticBody(NamedTuple):
 class ContactSetup:
     """Gap between two bodies, with a Hertz estimate if the gap is a paraboloid.
 
-    relieved: whether a body has a relief, or the bodies attract each other. There is no Hertz
-    estimate in these cases.
+    relieved: whether a body has a relief, or the bodies attract each other. In both cases there is
+    no Hertz estimate.
     """
 
     def __init__(
@@ -61,7 +62,7 @@ class ContactSetup:
         relieved: bool = False,
     ) -> None:
         self.grid, self.gap, self.bodies = grid, gap, bodies
-        # the periodic images of a contact act as well
+        # Hertz theory does not include the periodic images
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
         self._lowest = float(gap.min())
@@ -134,7 +135,7 @@ class ContactSetup:
         xx, xy, yy = (found[3:] / (a * a, a * b, b * b)).tolist()
         mean, half = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
         flattest, sharpest = mean - half, mean + half
-        if not flattest > 1e-9 * sharpest:  # a cylinder, a saddle, a hollow
+        if not flattest > 1e-9 * sharpest:  # cylinder, saddle or hollow
             return None
         scale = highest - lowest
         sine = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the plane of maximum curvature
@@ -147,7 +148,7 @@ class ContactSetup:
 
     @cached_property
     def _is_hertzian(self) -> bool:
-        """Whether Hertz theory applies to this gap."""
+        """Whether Hertz theory applies to this gap and these bodies."""
         return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
 
     def hertz(
@@ -297,7 +298,7 @@ def extent(
 def _extent_of(
     expected: ExpectedContact, paraboloid: tuple[float, float, float] | None
 ) -> tuple[float, float]:
-    """Half-widths of a contact in any orientation, along x and y [m]."""
+    """Half-widths along x and y [m] of a contact ellipse in any orientation."""
     if paraboloid is None:
         return 0.0, 0.0
     (a, b), c = expected.semi_axes, paraboloid[2]
@@ -306,7 +307,7 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Widths of a contact over the sides of the grid [-], in the most favourable orientation."""
+    """Widths of a contact divided by the sides of the grid [-]; longer axis on the longer side."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Warnings before and after the increments of a simulation; each is issued once."""
+"""Warnings before and after the increments of a simulation; each warning is issued once."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Monitor:
     limit_warned: bool = False
     alternation_warned: bool = False
     checks_increments: bool = True
-    """Whether the increment error is estimated after further increments."""
+    """Whether the error due to increments is estimated after later increments."""
     checks_steps: bool = True
     """Whether the resolution is checked after each step; in a run it is checked at the end."""
     clipping_warned: bool = False
@@ -41,7 +41,7 @@ class Monitor:
 
     @contextmanager
     def deferred_resolution_checks(self) -> Iterator[None]:
-        """Context in which the resolution is checked only after the run, not after each step."""
+        """Context manager for a run: resolution and increments are not checked after each step."""
         enabled = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
         try:
@@ -52,7 +52,7 @@ class Monitor:
     def warn_of_units(
         self, setup: ContactSetup, heat: Heat, target: Mapping[str, Any], *, stacklevel: int
     ) -> None:
-        """Issue unit warnings before an increment; equivalent later warnings are suppressed."""
+        """Issue unit warnings before an increment; suppress later warnings of the same cause."""
         if self.setup_warned:
             return
         loaded = self.largest_load > 0
@@ -72,7 +72,7 @@ class Monitor:
     def warn(
         self, state: State, setup: ContactSetup, found: Sequence[UserWarning], *, stacklevel: int
     ) -> None:
-        """Issue warnings after an increment; found: warnings of the core."""
+        """Issue warnings after an increment, including the warnings `found` by the core."""
         for warning in found:
             warnings.warn(warning, stacklevel=stacklevel + 1)
         if setup.plastic and not self.clipping_warned and (text := _cut_text(state)):
@@ -117,7 +117,7 @@ def _strain_text(state: State, setup: ContactSetup) -> str:
                 f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
                 f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
             )
-        if magnitude > MAX_SMALL_STRAIN:  # after reversed flow, or as prescribed
+        if magnitude > MAX_SMALL_STRAIN:  # with reversed flow, or prescribed as initial strain
             name = "plastic strain magnitude sqrt(2/3 e:e)"
             return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
     return ""

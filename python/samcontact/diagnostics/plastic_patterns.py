@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from .hertz_estimate import ContactSetup
 
 LIMIT_PRESSURE_RATIO = 3.0
-"""Mean pressure of a fully plastic contact over the yield stress."""
+"""Mean pressure of a fully plastic contact divided by the yield stress."""
 _MAX_LIMIT_EXCESS = 1.05
 _MIN_ALTERNATION = 0.15
-"""Alternation, relative to the maximum strain, above which a warning is issued: smooth plastic
-zones of four layers stay below it, grid artefacts reach 0.2."""
+"""Minimum result of `alternation` for a warning: smooth plastic zones of four layers have smaller
+values, grid artefacts up to 0.2."""
 
 
 def warn_of_limit(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
@@ -34,7 +34,7 @@ def warn_of_limit(state: State, setup: ContactSetup, *, stacklevel: int) -> bool
     the computed pressure is higher, because plastic flow at the edge is resolved to one cell only.
     """
     largest, max_ratio = state.outline.largest, _MAX_LIMIT_EXCESS * LIMIT_PRESSURE_RATIO
-    # yield stress never falls, mean pressure is below maximum
+    # quick check: mean pressure <= maximum, yield stress >= initial
     if largest <= max_ratio * setup.weakest:
         return False
     if not state.load > 0 or state.grid.periodic or not math.isfinite(state.approach):
