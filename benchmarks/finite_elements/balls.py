@@ -95,7 +95,7 @@ points near the axis, samcontact at cell centres on the axis.
 
 
 def solve(across: int) -> dict[str, float]:
-    """Solve the contact with `across` cells on the Hertz radius; results and processor time [s]."""
+    """Solve the contact by samcontact; return number of cells, processor time [s] and results."""
     start = time.process_time()
     cell = 1e-3 * deck.CONTACT / across
     n = 2 * int(1.25 * across) + 1
@@ -116,7 +116,7 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int, flatter: float | None = None) -> dict[str, float]:
-    """Return results of the finite-element model, number of elements and processor time [s].
+    """Solve by finite elements; return number of elements, processor time [s] and results.
 
     flatter: as for `balls_deck.write`.
 
@@ -131,7 +131,7 @@ def finite_elements(folder: Path, across: int, flatter: float | None = None) -> 
 
 
 def numbers_of(file: Path) -> dict[str, float]:
-    """Return load, stresses, strain and imprint depth from the outputs of both steps."""
+    """Return load, stresses, strain and imprint depth, read from the output of CalculiX."""
     tables = calculix.tables_of(file)
     loaded, released = tables["stresses", "AXIAL"]
     strain = tables["equivalent plastic strain", "AXIAL"][0]
@@ -152,13 +152,13 @@ CASE = {
 
 
 def limit() -> dict[str, float]:
-    """Return the limit of fine grids and small increments."""
+    """Return the quantities in the limit of fine grids and small increments."""
     truth = finest(CASE, REFERENCE_SECONDS)
     return {quantity: truth[name] for quantity, name in CONTROLLED_QUANTITIES.items()}
 
 
 def measure_accuracy(accuracy: float) -> dict[str, float]:
-    """Solve the contact to a prescribed accuracy."""
+    """Solve to a prescribed accuracy; return number of cells, processor time [s] and results."""
     timed = []
     for _ in range(REPEATS):
         start = time.process_time()
@@ -170,7 +170,7 @@ def measure_accuracy(accuracy: float) -> dict[str, float]:
 
 
 def measure_slopes(flatter: float) -> dict[str, float]:
-    """Return ratios of finite element results of an elastic contact to Hertz's (slope effect)."""
+    """Return load and von Mises stress of an elastic FE contact, divided by the Hertz values."""
     with tempfile.TemporaryDirectory() as folder:
         run = finite_elements(Path(folder), SLOPES_ON, flatter)
     approach = 1e-3 * deck.APPROACH / flatter
@@ -181,7 +181,7 @@ def measure_slopes(flatter: float) -> dict[str, float]:
 
 
 def section(found: dict[str, Runs]) -> str:
-    """Return the section of the page."""
+    """Return the text of the section on the balls."""
     runs = both(found)
     name = "cells on the radius"
     rows = time_rows(runs, QUANTITIES)
@@ -213,7 +213,7 @@ def section(found: dict[str, Runs]) -> str:
 
 
 def ours(found: dict[str, Runs]) -> dict[str, Points]:
-    """Draw errors and times of samcontact, by choice of the cells."""
+    """Return errors and times of samcontact, by the way to choose the grid."""
     return {
         "a grid": points(found["samcontact"], QUANTITIES),
         "an accuracy": points_against(found["truth"]["0"], found["an accuracy"], QUANTITIES),

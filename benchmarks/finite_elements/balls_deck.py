@@ -26,23 +26,23 @@ STIFFNESS = 1e9  # contact stiffness [N/mm^3]: 4 nm of penetration
 
 
 class Block(NamedTuple):
-    """Elements of one body: nodes, corners and faces."""
+    """Mesh of one body: node numbers, lines of the deck, and element numbers."""
 
     nodes: dict[tuple[int, int], int]  # node numbers by row and column; corners have even indices
     lines: list[str]
     elements: dict[tuple[int, int], int]
 
     def column(self, i: int) -> list[int]:
-        """Return the nodes at one radius."""
+        """Return the numbers of the nodes at the radius with index i."""
         return [number for (a, _), number in self.nodes.items() if a == i]
 
     def row(self, j: int) -> list[int]:
-        """Return the nodes at one depth."""
+        """Return the numbers of the nodes at the depth with index j."""
         return [number for (_, b), number in self.nodes.items() if b == j]
 
 
 def ticks(per_radius: int) -> FloatArray:
-    """Return the corners of elements along r or z [mm]."""
+    """Return the coordinates of the element corners along r or z [mm]."""
     step = 1.0 / per_radius
     found = [n * step for n in range(round(FINE_RADIUS * per_radius) + 1)]
     while found[-1] < OUTER_RADIUS:
@@ -60,7 +60,7 @@ def lifted(r: float, depth: float, flatter: float = 1.0) -> float:
 def block(
     per_radius: int, upper: bool, flatter: float, first_node: int, first_element: int
 ) -> Block:
-    """Return nodes and elements of one body."""
+    """Return the mesh of the upper or the lower body."""
     z = ticks(per_radius)
     r = z.copy()
     r[0] = HOLE * CONTACT
@@ -88,7 +88,7 @@ def block(
 
 
 def to_approach(approach: float, increments: int) -> list[str]:
-    """Return a step to an approach, with the output at its end."""
+    """Return the deck lines of a step to an approach [mm], with output at the end of the step."""
     drive = ["*BOUNDARY", f"TOP, 2, 2, {-approach:.10g}"]
     printed = [
         "*NODE PRINT, NSET=TOP, TOTALS=ONLY, FREQUENCY=10000", "RF",
@@ -99,10 +99,10 @@ def to_approach(approach: float, increments: int) -> list[str]:
 
 
 def write(path: Path, per_radius: int, flatter: float | None = None) -> int:
-    """Write a deck with a given number of elements per Hertz radius; return their total number.
+    """Write a deck with `per_radius` elements per Hertz radius; return the number of elements.
 
-    flatter: factor on the radius; the bodies are then elastic, and the approach is the one of an
-    equal Hertz contact.
+    flatter: factor on the ball radius. If it is given, the bodies are elastic, and the approach is
+    chosen such that the Hertz contact radius is unchanged.
     """
     scale = flatter or 1.0
     lower = block(per_radius, False, scale, 1, 1)

@@ -50,14 +50,14 @@ def run(folder: Path) -> float:
 
 
 def von_mises(printed: FloatArray) -> FloatArray:
-    """Return von Mises stresses [Pa] of rows (element, integration point, six components [MPa])."""
+    """Return von Mises stresses [Pa]; row: element, integration point, six components [MPa]."""
     xx, yy, zz, xy, xz, yz = printed[:, 2:].T
     normal = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
     return np.asarray(1e6 * np.sqrt(normal + 3 * (xy**2 + xz**2 + yz**2)))
 
 
 def tables_of(file: Path) -> dict[tuple[str, str], list[FloatArray]]:
-    """Return the output tables, one per step, by the start of their heading and by node set."""
+    """Return the output tables, with one array per step, by quantity and node or element set."""
     found: dict[tuple[str, str], list[list[list[float]]]] = {}
     kinds = ("stresses", "equivalent plastic strain", "total force", "displacements")
     for line in file.read_text().splitlines():

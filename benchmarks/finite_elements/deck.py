@@ -17,7 +17,7 @@ FloatArray = NDArray[np.float64]
 
 
 def steel(elastic_only: bool) -> list[str]:
-    """Return the materials of UPPER and LOWER: AISI 52100 below, elastic above."""
+    """Return the deck lines of both materials: elastic UPPER, and LOWER of AISI 52100."""
     law = sc.Material.swift(210e9, 0.3, B=945e6, C=20, n=0.121)
     strains = np.r_[0.0, np.geomspace(1e-6, 0.2, 150)]
     curve = [f"{law.yield_stress(g) / 1e6:.10g}, {g:.10g}" for g in strains]
@@ -32,17 +32,17 @@ def steel(elastic_only: bool) -> list[str]:
 
 
 def named(kind: str, name: str, numbers: list[int]) -> list[str]:
-    """Return a set of nodes or elements."""
+    """Return the deck lines of a named set of nodes or elements."""
     return [f"*{kind}, {kind}={name}", *(f"{n}," for n in numbers)]
 
 
 def surface(name: str, elements: list[int], side: str) -> list[str]:
-    """Return a surface made of one side of several elements."""
+    """Return the deck lines of a surface that consists of one side of several elements."""
     return [f"*SURFACE, NAME={name}, TYPE=ELEMENT", *(f"{n}, {side}" for n in elements)]
 
 
 def contact(stiffness: float) -> list[str]:
-    """Return the contact of the surfaces BELOW and ABOVE, face to face; stiffness [N/mm^3]."""
+    """Return the deck lines of the contact of BELOW and ABOVE, face to face; stiffness [N/mm^3]."""
     return [
         "*SURFACE INTERACTION, NAME=TOUCH",
         "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR", f"{stiffness:g}, 1e-3",
@@ -51,7 +51,7 @@ def contact(stiffness: float) -> list[str]:
 
 
 def step(drive: list[str], increments: int, printed: list[str]) -> list[str]:
-    """Return a step with its driving condition and its output."""
+    """Return the deck lines of a step, with the lines of its load (`drive`) and output."""
     return [
         "*STEP, INC=10000", "*STATIC, DIRECT", f"{1.0 / increments:.10g}, 1.",
         "*CONTROLS, PARAMETERS=FIELD", f"{RESIDUAL:g}, {100 * RESIDUAL:g}",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Comparison of finite elements and samcontact on two contacts: runs, page and figures."""
+"""Page that compares finite elements and samcontact on two contacts, with runs and figures."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ finest meshes. The time for writing the input deck is not included.
 
 
 def cases(quick: bool) -> list[Record]:
-    """Return all points: contacts, codes and mesh sizes, and additional runs of the balls."""
+    """Return all runs, by contact, code and mesh size, with the additional runs for the balls."""
     sizes = {
         name: {
             "samcontact": problem.CELLS[:2] if quick else problem.CELLS,
@@ -50,7 +50,7 @@ def cases(quick: bool) -> list[Record]:
 
 
 def run(of: str, by: str, size: float) -> Record:
-    """Return the results of a point in SI units."""
+    """Return the results [SI units] and the processor time of one run."""
     problem = PROBLEMS[of]
     if by == "samcontact":
         runs = (problem.solve(int(size)) for _ in range(REPEATS))
@@ -65,7 +65,7 @@ def run(of: str, by: str, size: float) -> Record:
 
 
 def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
-    """Return the records of a contact by code and size."""
+    """Return the records of a contact by code and mesh size."""
     found: dict[str, Runs] = {"CalculiX": {}, "samcontact": {}}
     for record in records:
         if record["of"] == name:
@@ -74,13 +74,13 @@ def runs_of(records: list[Record], name: str) -> dict[str, Runs]:
 
 
 def page(records: list[Record]) -> str:
-    """Return the page."""
+    """Return the text of the page."""
     sections = (problem.section(runs_of(records, name)) for name, problem in PROBLEMS.items())
     return TEXT.format(sections="\n".join(sections))
 
 
 def draw(records: list[Record]) -> dict[str, Any]:
-    """Draw the maximum error of all quantities against time for each contact."""
+    """Return a figure for each contact: maximum error of all quantities versus processor time."""
     from matplotlib.figure import Figure
 
     figures = {}

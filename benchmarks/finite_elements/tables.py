@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Errors of both codes relative to their own limits, and tables of them."""
+"""Errors of each code relative to its limit on fine meshes, and tables of errors and times."""
 
 from __future__ import annotations
 
@@ -12,50 +12,50 @@ from ..study import table
 Runs = dict[str, dict[str, Any]]
 """Results of a code by mesh size."""
 Quantities = dict[str, tuple[str, float]]
-"""Headings and unit factors of the quantities compared."""
+"""Heading and factor from SI to the unit in the table, for each quantity compared."""
 METHODS = {
     "a grid": "samcontact on a given grid",
     "an accuracy": "samcontact with a prescribed accuracy",
 }
-"""Names of the ways to choose the cells of samcontact."""
+"""Names of the two ways to choose the grid of samcontact."""
 Points = list[tuple[float, float]]
-"""Errors and times [s]."""
+"""Pairs of relative error and processor time [s]."""
 
 
 def both(found: dict[str, Runs]) -> dict[str, Runs]:
-    """Return the runs of the two codes, without the additional runs."""
+    """Return the runs of CalculiX and of samcontact, without the additional runs."""
     return {code: found[code] for code in ("CalculiX", "samcontact")}
 
 
 def limit(runs: Runs, quantity: str) -> float:
-    """Return the limit of fine meshes, extrapolated with order two from the two finest ones."""
+    """Return the limit of a quantity, extrapolated with order two from the two finest meshes."""
     (coarse, a), (fine, b) = sorted((int(size), run[quantity]) for size, run in runs.items())[-2:]
     ratio = (fine / coarse) ** 2
     return float((ratio * b - a) / (ratio - 1))
 
 
 def error_of(runs: Runs, size: str, quantities: Quantities) -> float:
-    """Return the maximum relative error on a mesh."""
+    """Return the maximum relative error of the quantities on a mesh of a code."""
     return error_against({q: limit(runs, q) for q in quantities}, runs[size], quantities)
 
 
 def error_against(truth: dict[str, float], run: dict[str, Any], quantities: Quantities) -> float:
-    """Return the maximum relative error of a run with a given limit."""
+    """Return the maximum relative error of the quantities of a run, given their true values."""
     return max(abs(run[q] / truth[q] - 1) for q in quantities)
 
 
 def points(runs: Runs, quantities: Quantities) -> Points:
-    """Return maximum errors and times of all meshes."""
+    """Return maximum error and time for each mesh of a code."""
     return [(error_of(runs, size, quantities), run["seconds"]) for size, run in runs.items()]
 
 
 def points_against(truth: dict[str, float], runs: Runs, quantities: Quantities) -> Points:
-    """Return maximum errors and times of runs with a given limit."""
+    """Return maximum error and time for each run, given the true values of the quantities."""
     return [(error_against(truth, run, quantities), run["seconds"]) for run in runs.values()]
 
 
 def time_at(known: Points, error: float) -> float | None:
-    """Return the time to reach an error, interpolated in logarithms; None outside the data."""
+    """Return the time [s] at an error, interpolated in logarithms; None outside the data."""
     errors, times = np.log(sorted(known)).T
     if not errors[0] <= np.log(error) <= errors[-1]:
         return None
@@ -63,7 +63,7 @@ def time_at(known: Points, error: float) -> float | None:
 
 
 def ratios(theirs: Runs, quantities: Quantities, ours: dict[str, Points]) -> str:
-    """Return sentences on the ratio of computing times at the errors of the FE meshes."""
+    """Return a list of ratios of finite element to samcontact times, at the errors of FE meshes."""
     lines = []
     for error, seconds in points(theirs, quantities):
         for than, known in ours.items():
@@ -77,14 +77,14 @@ def ratios(theirs: Runs, quantities: Quantities, ours: dict[str, Points]) -> str
 
 
 def difference_range(runs: dict[str, Runs], quantities: Quantities) -> str:
-    """Return the range of the relative differences between the limits of two codes."""
+    """Return the range of the relative differences between the limits of both codes, as text."""
     one, other = runs.values()
     found = [100 * abs(limit(one, q) / limit(other, q) - 1) for q in quantities]
     return f"{min(found):.2g} to {max(found):.2g} %"
 
 
 def time_rows(runs: dict[str, Runs], quantities: Quantities) -> list[list[str]]:
-    """Return rows of code, size, mesh, maximum error and time."""
+    """Return table rows with code, mesh size, number of cells or elements, error and time."""
     rows = []
     for code, found in runs.items():
         for size, run in found.items():
@@ -95,17 +95,17 @@ def time_rows(runs: dict[str, Runs], quantities: Quantities) -> list[list[str]]:
 
 
 def time_cells(mesh: str, error: float, run: dict[str, Any]) -> list[str]:
-    """Return mesh, maximum error and time of a run as cells of a table."""
+    """Return the table entries of a run: mesh, maximum error [%] and time [s]."""
     return [mesh, f"{100 * error:.2g}", f"{run['seconds']:.3g}"]
 
 
 def times(sizes: str, rows: list[list[str]]) -> str:
-    """Return the table of errors and times; `sizes` is the heading of the mesh sizes."""
+    """Return the table of errors and times; `sizes` is the heading of the column of mesh sizes."""
     return table(["code", sizes, "mesh", "maximum error [%]", "time [s]"], rows)
 
 
 def numbers(sizes: str, runs: dict[str, Runs], quantities: Quantities) -> str:
-    """Return the table of results and limits."""
+    """Return the table of the quantities on each mesh and their limits, for each code."""
     rows = []
     for code, found in runs.items():
         limits = {q: limit(found, q) for q in quantities}

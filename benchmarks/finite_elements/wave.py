@@ -65,7 +65,7 @@ limits are therefore less certain than the limits of samcontact.
 
 
 def solve(across: int) -> dict[str, float]:
-    """Solve the contact with `across` cells on a period; results and processor time [s]."""
+    """Solve the contact by samcontact; return number of cells, processor time [s] and results."""
     start = time.process_time()
     period, amplitude = 1e-3 * deck.PERIOD, 1e-3 * deck.AMPLITUDE
     cell = period / across
@@ -91,7 +91,7 @@ def solve(across: int) -> dict[str, float]:
 
 
 def finite_elements(folder: Path, across: int) -> dict[str, float]:
-    """Return results of the finite-element model, number of elements and processor time [s].
+    """Solve by finite elements; return number of elements, processor time [s] and results.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def finite_elements(folder: Path, across: int) -> dict[str, float]:
 
 
 def numbers_of(file: Path) -> dict[str, float]:
-    """Return approach, stresses, strain and imprint depth from the outputs of both steps.
+    """Return approach, stresses, strain and imprint depth, read from the output of CalculiX.
 
     Raises
     ------
@@ -128,13 +128,13 @@ def numbers_of(file: Path) -> dict[str, float]:
 
 
 def uniform_compression() -> float:
-    """Return the compression of the mesh under the mean pressure, with sliding sides [mm]."""
+    """Return the compression of the lower mesh under uniform pressure, with sliding sides [mm]."""
     E, nu = 1e-6 * STEEL.E, STEEL.nu
     return deck.PRESSURE * deck.DEPTH * deck.PERIOD * (1 + nu) * (1 - 2 * nu) / (E * (1 - nu))
 
 
 def section(runs: dict[str, Runs]) -> str:
-    """Return the section of the page."""
+    """Return the text of the section on the wavy surface."""
     name = "cells on half a period, on a period"
     return TEXT.format(
         amplitude=1e3 * deck.AMPLITUDE,
@@ -154,5 +154,5 @@ def section(runs: dict[str, Runs]) -> str:
 
 
 def ours(runs: dict[str, Runs]) -> dict[str, Points]:
-    """Draw errors and times of samcontact, by choice of the cells."""
+    """Return errors and times of samcontact, by the way to choose the grid."""
     return {"a grid": points(runs["samcontact"], QUANTITIES)}

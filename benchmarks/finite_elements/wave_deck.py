@@ -36,23 +36,23 @@ At = tuple[int, int, int]
 
 
 class Block(NamedTuple):
-    """Elements of one body: nodes, corners and faces."""
+    """Mesh of one body: node numbers, lines of the deck, and element numbers."""
 
     nodes: dict[At, int]  # node numbers by position in x, y, z; corners have even indices
     lines: list[str]
     elements: dict[At, int]
 
     def plane(self, axis: int, *places: int) -> list[int]:
-        """Return the nodes in planes perpendicular to an axis."""
+        """Return the numbers of the nodes in planes perpendicular to an axis, given by indices."""
         return [number for at, number in self.nodes.items() if at[axis] in places]
 
     def layer(self, k: int) -> list[int]:
-        """Return the elements of one layer."""
+        """Return the numbers of the elements of one layer."""
         return [number for at, number in self.elements.items() if at[2] == k]
 
 
 def depths(across: int) -> FloatArray:
-    """Return the corners of elements from the surface to the bottom [mm]."""
+    """Return the depths of the element corners from the surface to the bottom [mm]."""
     step = 0.5 * PERIOD / across
     fine = round(FINE_DEPTH * PERIOD / step)
     found = [step * n for n in range(fine + 1)]
@@ -78,8 +78,10 @@ def with_middles(corners: FloatArray) -> FloatArray:
 def block(
     name: str, x: FloatArray, z: FloatArray, wavy: bool, first_node: int, first_element: int
 ) -> Block:
-    """Elements with corners at `x` along x and y, and at `z`; a wavy block is lifted by the
-    wave."""
+    """Return the mesh with element corners at `x` along x and y, and at `z` along z [mm].
+
+    If `wavy` is True, the nodes are raised by the height of the wavy surface.
+    """
     across, down = with_middles(x), with_middles(z)
     nodes: dict[At, int] = {}
     lines = [f"*NODE, NSET=OF{name}"]
@@ -103,7 +105,7 @@ def block(
 
 
 def steps(pushed: int) -> list[str]:
-    """Return the steps: loading by a force on a node, unloading by its displacement."""
+    """Return the deck lines of both steps: load by a force on a node, unload by its motion."""
     printed = [
         "*NODE PRINT, NSET=PUSHED, FREQUENCY=10000", "U",
         "*NODE PRINT, NSET=BOTTOM, TOTALS=ONLY, FREQUENCY=10000", "RF",
@@ -122,7 +124,7 @@ def steps(pushed: int) -> list[str]:
 
 
 def write(path: Path, across: int) -> int:
-    """Write a deck with elements per half period; return the element count of the lower body."""
+    """Write a deck with `across` elements per half period; return the number in the lower body."""
     x = np.linspace(0.0, 0.5 * PERIOD, across + 1)
     z = -depths(across)[::-1]
     lower = block("LOWER", x, z, False, 1, 1)

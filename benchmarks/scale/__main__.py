@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.scale: cost of the main jobs versus their size."""
+"""python -m benchmarks.scale: cost of the main contact problems versus size."""
 
 from .page import STUDY
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Data sent by transforms of a surface distributed over processes: counted, not measured.
+"""Numbers of bytes sent by transforms of a surface that is distributed over processes.
 
-Each process holds rows of the surface and transforms them. Every two processes then exchange a
-block (a transpose), and each process transforms whole columns. After the product in wavenumbers
-these steps are reversed, so that a displacement requires two transposes.
+The bytes are counted, not measured. Each process holds rows of the surface and transforms them.
+Every two processes then exchange a block (a transpose), and each process transforms whole columns.
+After the product with the influence coefficients in wavenumber space, these steps are reversed, so
+that a displacement requires two transposes.
 """
 
 from __future__ import annotations
@@ -14,27 +15,28 @@ SIDE = 65_536  # cells
 RANKS = (64, 512, 4096)
 RATE = 10e9  # bytes/s sent and received by a process; a network of 100 Gbit/s provides 12.5e9
 COMPLEX = 16  # bytes
-STRAINS, STRESSES = 5, 6  # number of components of plastic strain and of its stress
+STRAINS, STRESSES = 5, 6  # numbers of components of plastic strain, and of the stress due to it
 PERIODIC = ("rough", "zones")  # jobs
-# Bands of zones that reach over all of the surface: nodes of 2 x 2 cells, and of 8 x 8 on a plane
-# twice as wide of which the empty rows are not sent; in units of a plane of all cells.
+# Size of the coarse fields by which zones act on each other across the whole surface, relative to
+# the number of surface cells: nodes of 2 x 2 cells, and nodes of 8 x 8 cells on a plane twice as
+# wide, of which the empty rows are not sent.
 BANDS = 1 / 2**2 + 2 / 8**2
 
 
 class Count(NamedTuple):
-    """Number of planes transformed forwards and backwards in a solution."""
+    """Number of planes (fields of all surface cells) transformed forwards and back in a solution."""
 
     number: float
     padded: bool
 
 
 def bytes_of_a_transpose(n: int, padded: bool) -> int:
-    """Return the bytes of the half spectra of n rows, which are twice as long if padded."""
+    """Return the size of the half spectra of n rows [bytes]; rows are twice as long if padded."""
     return COMPLEX * n * ((2 * n if padded else n) // 2 + 1)
 
 
 def bytes_of_a_rank(n: int, ranks: int, padded: bool) -> float:
-    """Return the bytes that a process sends for one displacement, without its own block."""
+    """Return the bytes that a process sends to all other processes for one displacement."""
     return 2 * bytes_of_a_transpose(n, padded) / ranks * (1 - 1 / ranks)
 
 
@@ -44,12 +46,12 @@ def message(n: int, ranks: int, padded: bool) -> float:
 
 
 def planes(job: str, largest: dict[str, dict[str, Any]]) -> Count:
-    """Return the planes of a solution, from the counts of the largest measured solution.
+    """Return the number of planes transformed in a solution, from the largest measured solution.
 
-    Larger rough surfaces are periodic; finer cells and partial slip of the ball require a padded
-    plane. An iteration of the zones sends the strain of their layers forwards and the stress
-    backwards, which each cost half a displacement. The contact of an increment is counted as an
-    elastic contact.
+    The jobs with larger rough surfaces are periodic; the other jobs require padded planes. In each
+    iteration for plastic zones, the strain components of all layers are transformed forwards and
+    the stress components backwards; a transform of each component costs half a displacement. The
+    contact solution in each increment is counted as an elastic contact.
     """
     row = largest[job]
     if job != "zones":

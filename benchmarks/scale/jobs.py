@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Main jobs at any size: equal contact problems with increasing numbers of cells.
+"""Main kinds of contact problem ("jobs"), each solved with increasing numbers of cells.
 
-Larger rough surfaces have equal roughness over a larger area, and therefore more contact spots; the
-other jobs have finer cells. For elastic jobs and plastic subdomains, the cells of the surface are
-counted; for the other jobs, the cells of the volume.
+In two jobs, `rough` and `zones`, the number of cells increases with the area of a surface of equal
+roughness, which then has more contact spots. In the other jobs the cells become finer. The size of
+elastic jobs and of `zones` is the number of surface cells; for the other jobs, of volume cells.
 """
 
 from __future__ import annotations
@@ -32,8 +32,11 @@ MAX_EXPONENT = 1.15
 
 
 class Job(NamedTuple):
-    """Kind of contact problem: name of a function below, sizes over three decades of cells, limit
-    of the bytes per cell at the largest size, and limit of the exponent of time over all sizes."""
+    """Kind of contact problem, solved by the named function for each of its sizes.
+
+    The sizes cover three decades of cells. `stated` is the limit of the memory per cell at the
+    largest size [bytes]; `exponent` is the limit of the exponent of time over all sizes.
+    """
 
     name: str
     function: str
@@ -60,7 +63,7 @@ JOBS = (
 
 
 def surface(n: int) -> tuple[sc.Grid, np.ndarray]:
-    """Return a periodic self-affine surface of a rigid flat, with waves of 8 to 32 cells."""
+    """Return grid and gap of a periodic rough flat, self-affine with waves of 8 to 32 cells."""
     grid = sc.Grid(n, n, CELL, CELL, dz=CELL, periodic="xy")
     rough = sc.surfaces.rough_self_affine(
         grid, 1e-6, 0.8, wavelength_min=8 * CELL, roll_off=32 * CELL, seed=7
@@ -70,13 +73,13 @@ def surface(n: int) -> tuple[sc.Grid, np.ndarray]:
 
 
 def finer(meter: Meter, n: int) -> dict[str, Any]:
-    """Solve twelve waves with a crown on increasingly fine cells, to a tolerance of 1e-8."""
+    """Solve elastic contact of a crowned rough surface with n x n cells, to a tolerance of 1e-8."""
     found = elastic_rough.contact(meter, n, "tol 1e-8")
     return {"cells": n * n, "contact": float(np.mean(found.pressure > 0)), "transforms": found.work}
 
 
 def rough(meter: Meter, n: int) -> dict[str, Any]:
-    """Solve elastic contact from zero pressure to the default tolerance."""
+    """Solve elastic contact of a periodic rough surface, to the default tolerance."""
     grid, gap = surface(n)
     load = ELASTIC_PRESSURE * (n * CELL) ** 2
     found = meter(lambda: sc.ContactSolver(grid, ELASTIC, ELASTIC).solve(gap, load=load))
@@ -85,7 +88,7 @@ def rough(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def zones(meter: Meter, n: int) -> dict[str, Any]:
-    """Press a rough surface by a rigid flat in two increments; spots yield in separate zones."""
+    """Press a rigid rough surface onto steel in two increments; spots yield in separate zones."""
     grid, gap = surface(n)
     load = PLASTIC_PRESSURE * (n * CELL) ** 2
 
@@ -126,7 +129,7 @@ def ball(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def rolling(meter: Meter, n: int) -> dict[str, Any]:
-    """Load in four increments, then roll in steps of 1/4 of the Hertz radius of `n` cells."""
+    """Load a ball and roll it in steps of a quarter of the Hertz radius, which is `n` cells."""
     d = CONTACT_RADIUS / n
     grid = sc.Grid(5 * n + 1, 4 * n + 1, d, d, int(2.2 * n), d)
     step = {"load": LOAD, "advance": (-0.25 * CONTACT_RADIUS, -0.25 * CONTACT_RADIUS)}
@@ -164,7 +167,7 @@ def coated(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def measure(meter: Meter, job: str, n: int) -> dict[str, Any]:
-    """Run a job by function name, after a run of its smallest size, which loads all libraries."""
+    """Run the job with this function name, after a run at the smallest size to load libraries."""
     function = globals()[job]
     (smallest,) = (known.sizes[0] for known in JOBS if known.function == job)
     function(Meter(), smallest)

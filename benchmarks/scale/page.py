@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Page on growth of time and memory, with needs of a surface too large for one machine."""
+"""Page on the growth of time and memory with size, with estimates for a very large surface."""
 
 from __future__ import annotations
 
@@ -32,19 +32,19 @@ def run(of: str, n: int) -> dict[str, Any]:
 
 
 def of(rows: Rows, job: Job) -> Rows:
-    """Return the rows of a job, smallest first."""
+    """Return the results of a job at all measured sizes, smallest size first."""
     return sorted((row for row in rows if row["of"] == job.function), key=lambda row: row["n"])
 
 
 def growth(rows: Rows) -> float:
-    """Return the exponent of the processor time over the last decade of cells (or three sizes)."""
+    """Return the exponent of time versus cells, for the last decade of cells or three sizes."""
     last = [row for row in rows if row["cells"] >= rows[-1]["cells"] / (1.1 * DECADE)]
     chosen = last if len(last) > 2 else rows[-3:]
     return exponent([row["cells"] for row in chosen], [row["cpu_s"] for row in chosen])
 
 
 def overall(rows: Rows) -> float:
-    """Return the exponent of the processor time over all sizes."""
+    """Return the exponent of processor time versus number of cells, fitted to all sizes."""
     return exponent([row["cells"] for row in rows], [row["cpu_s"] for row in rows])
 
 
@@ -53,7 +53,7 @@ def bytes_a_cell(row: dict[str, Any]) -> float:
 
 
 def summary(rows: Rows) -> str:
-    """Return the table with a row for each job."""
+    """Return the table of exponents and memory per cell, with a row for each job."""
     lines = []
     for job in JOBS:
         found = of(rows, job)
@@ -68,7 +68,7 @@ def summary(rows: Rows) -> str:
 
 
 def sizes(rows: Rows) -> str:
-    """Return the table with a row for each size of each job."""
+    """Return the table of times and memory, with a row for each size of each job."""
     lines = [
         [job.name, str(row["n"]), str(row["cells"]), f"{row['cpu_s']:.3g}",
          f"{1e6 * row['cpu_s'] / row['cells']:.3g}", f"{row['memory_MB']:.0f}"]
@@ -83,12 +83,12 @@ LARGE_SURFACE_JOBS = [job for job in JOBS if job.unit == "surface" and job.expon
 
 
 def memory(rows: Rows, job: Job) -> float:
-    """Return the memory of the large surface, from the largest solved size [bytes]."""
+    """Return the memory of a job on the large surface [bytes], from its largest solved size."""
     return bytes_a_cell(of(rows, job)[-1]) * cluster.SIDE**2
 
 
 def needs(rows: Rows) -> str:
-    """Return the table of time and memory of the large surface, from the largest solved size."""
+    """Return the table of extrapolated time and memory of each job on the large surface."""
     lines = []
     for job in LARGE_SURFACE_JOBS:
         found = of(rows, job)
@@ -117,7 +117,7 @@ def communication(rows: Rows) -> str:
 
 
 def slowest(rows: Rows, job: Job) -> tuple[float, int, int]:
-    """Return the largest increase of the time per cell of a transform, and the two sizes."""
+    """Return the maximum ratio of transform times per cell at successive sizes, and the sizes."""
     found = of(rows, job)
     each = [row["cpu_s"] / row["cells"] / row["transforms"] for row in found]
     return max(
@@ -127,12 +127,12 @@ def slowest(rows: Rows, job: Job) -> tuple[float, int, int]:
 
 
 def counted(rows: Rows) -> list[Job]:
-    """Return the jobs with counted transforms."""
+    """Return the jobs for which the number of transforms is counted."""
     return [job for job in JOBS if "transforms" in of(rows, job)[-1]]
 
 
 def caches(rows: Rows) -> str:
-    """Return a sentence on the largest increase of the time of a transform in elastic contact."""
+    """Return a sentence on the largest `slowest` ratio of the jobs of elastic contact."""
     elastic = [job for job in counted(rows) if job.name.startswith("elastic")]
     ratio, small, large = max(slowest(rows, job) for job in elastic)
     return (
@@ -142,7 +142,7 @@ def caches(rows: Rows) -> str:
 
 
 def transforms(rows: Rows) -> str:
-    """Return the numbers of transforms for the smallest and largest sizes, a line for each job."""
+    """Return a list of jobs with their numbers of transforms at the smallest and largest size."""
     ends = [(job, of(rows, job)) for job in counted(rows)]
     return "\n".join(
         f"- {job.name}: {found[0]['transforms']:.0f} to {found[-1]['transforms']:.0f}"
@@ -151,7 +151,7 @@ def transforms(rows: Rows) -> str:
 
 
 def above(rows: Rows) -> str:
-    """Return a sentence on jobs with an unusually large exponent."""
+    """Return a sentence on jobs whose exponent of time exceeds `MAX_EXPONENT`."""
     found = [(job, overall(of(rows, job))) for job in JOBS]
     beyond = [f"{job.name} (exponent {value:.2f})" for job, value in found if value > MAX_EXPONENT]
     text = f"above {MAX_EXPONENT:g} over all sizes"
@@ -161,7 +161,7 @@ def above(rows: Rows) -> str:
 
 
 def fits(memories: dict[str, float]) -> str:
-    """Return a sentence on large surfaces that fit into one machine."""
+    """Return a sentence on the jobs that fit into one machine; memories: by job name [bytes]."""
     inside = [name for name, size in memories.items() if size <= MACHINE]
     if not inside:
         return f"None fits into {MACHINE / 1e12:g} TB, the memory of one large machine."
@@ -173,7 +173,7 @@ def fits(memories: dict[str, float]) -> str:
 
 
 def page(rows: Rows) -> str:
-    """Return the page."""
+    """Return the text of the page."""
     return TEXT.read_text(encoding="utf-8").format(
         summary=summary(rows),
         sizes=sizes(rows),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cells from square to 1:16, along the surface and in depth."""
+"""Contacts on cells with aspect ratios from 1:1 to 1:16, along the surface and in depth."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ FLAT = {
     "dx:dz = 4:1": (15, 15, 40), "dx:dz = 16:1": (13, 13, 128),
     "dx:dz = 1:4": (51, 51, 8), "dx:dz = 1:16": (103, 103, 4),
 }  # fmt: skip
-"""Number of cells along x, y and z."""
+"""Numbers of cells along x, y and z, by name of the table row."""
 
 
 def long_cells(row: str) -> dict[str, Any]:
-    """Solve elastic contact on long cells, without friction and at half the friction limit."""
+    """Solve elastic contact on long cells, without friction and with partial slip."""
     x, y = map(int, row.split(":"))
     nx, ny = ACROSS * y, ACROSS * x
     grid = sc.Grid(nx, ny, 2.6 * EXACT.a / nx, 2.6 * EXACT.a / ny)
@@ -50,7 +50,11 @@ def long_cells(row: str) -> dict[str, Any]:
 
 
 def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
-    """Return the loaded state, maximum pressure [Pa], imprint depth [m], plastic volume [m³]."""
+    """Return the loaded state, and an array of three results.
+
+    They are the maximum pressure [Pa], the imprint depth [m] and the volume integral of the
+    equivalent plastic strain [m³].
+    """
     nx, ny, nz = cells
     grid = sc.Grid(nx, ny, 3.2 * EXACT.a / nx, 3.2 * EXACT.a / ny, nz, 2 * EXACT.a / nz)
     simulation = sc.Simulation(grid, STEEL, SOFT, sc.surfaces.paraboloid(grid, RADIUS))
@@ -61,7 +65,7 @@ def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
 
 
 def flat_cells(row: str) -> dict[str, Any]:
-    """Return the differences from fine square cells."""
+    """Compare results on cells of the given shape with results on fine square cells."""
     state, values = dent(FLAT[row])
     pressure, depth, volume = np.abs(values / dent(FLAT["square, fine"])[1] - 1)
     return {

@@ -34,14 +34,14 @@ def solver(body: sc.Material | sc.Layered) -> sc.ContactSolver:
 
 
 def pressed(body: sc.Material | sc.Layered) -> sc.ContactSolution:
-    """Solve for an approach of the gap at 3/4 of the half-width of the grid."""
+    """Press a ball; the approach is the gap at a distance of 3/4 of the half-width of the grid."""
     half, made = 0.75 * CELLS / 2 * SIZE, solver(body)
     gap = sc.surfaces.paraboloid(made.grid, RADIUS)
     return made.solve(gap, approach=half**2 / (2 * RADIUS))
 
 
 def elastic(row: str) -> dict[str, Any]:
-    """Return differences from uncoated bodies and from two layers of half the thickness."""
+    """Compare an elastic coating with uncoated bodies and with two layers of half thickness."""
     stiffness, cells = row.split(SEPARATOR)
     coating, thickness = sc.Material.elastic(ratio(stiffness) * E, 0.3), float(cells) * SIZE
     # Equal materials would be merged into one layer, so these differ slightly.
@@ -66,7 +66,7 @@ def elastic(row: str) -> dict[str, Any]:
 
 
 def yielding(row: str) -> dict[str, Any]:
-    """Solve a coating and a substrate with yield stresses of 1/200 of their moduli."""
+    """Solve an elastic-plastic coating and substrate; each yields at 1/200 of Young's modulus."""
     stiffness, cells = row.split(SEPARATOR)
 
     def law(modulus: float) -> sc.Material:

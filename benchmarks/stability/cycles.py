@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand load cycles, and the drift after the first few cycles."""
+"""Drift of the results over a thousand load cycles, after the first few cycles."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ ROWS = tuple(f"{setup}, {law}" for setup in SETUPS for law in LAWS)
 
 
 def cycled(row: str, cycles: int = CYCLES, settled: int = SETTLED) -> dict[str, Any]:
-    """Load and unload repeatedly; return the changes of the state."""
+    """Load and unload repeatedly; return changes of plastic strain and imprint over the cycles."""
     setup, _, law = row.partition(", ")
     grid, gap, load = SETUPS[setup]()
     zones = "one" if setup == "ball" else "auto"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction from zero to infinite: sliding, partial slip, rolling; equal or dissimilar materials."""
+"""Contacts with coefficients of friction from zero to infinity, for three pairs of materials."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FRICTIONS = ("0", "0.1", "0.3", "1", "2", "5", "10", "∞")
 
 
 def setup(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, float]:
-    """Return bodies, grid, gap and Hertz contact radius."""
+    """Return bodies, grid of `width` Hertz radii, gap and Hertz contact radius [m]."""
     pair = BODIES[bodies]
     radius = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(*pair), load=LOAD).a
     grid = sc.Grid(cells, cells, width * radius / cells, width * radius / cells)
@@ -32,7 +32,7 @@ def setup(bodies: str, width: float, cells: int) -> tuple[Any, sc.Grid, Any, flo
 
 
 def sliding(row: str) -> dict[str, Any]:
-    """Return iterations and residuals of the contact conditions, including the shear."""
+    """Solve contacts in full sliding; return iterations, residuals and errors of the load."""
     found: dict[str, Any] = {}
     for name in BODIES:
         pair, grid, gap, _ = setup(name, 7.2, 45)
@@ -52,9 +52,9 @@ def sliding(row: str) -> dict[str, Any]:
 
 
 def slipping(row: str) -> dict[str, Any]:
-    """Solve contacts under half of the friction limit, in full sliding, and in rolling with spin.
+    """Solve contacts under half the maximum friction force, in full sliding, and in rolling.
 
-    There is no number for a solution that does not converge.
+    Rolling is with creepage and spin. Results of solutions that do not converge are missing.
     """
     name, _, stated = row.rpartition(", ")
     mu = math.inf if stated == "∞" else float(stated)
@@ -91,7 +91,7 @@ def slipping(row: str) -> dict[str, Any]:
 
 
 def backward(state: Any) -> float:
-    """Return the largest negative friction work of a cell, relative to the total friction work."""
+    """Return the size of the largest negative friction work of a cell, relative to the total."""
     work = (state.shear * state.slip).sum(axis=0)
     return max(0.0, -float(work.min())) / (float(np.abs(work).sum()) or 1.0)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Poisson's ratio up to nearly incompressible bodies, and hardening from none to 0.9 E."""
+"""Contacts with Poisson's ratios from 0 to 0.499, and with tangent moduli from 0 to 0.9 E."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def flow(
     part: float = 0.7,
     **settings: Any,
 ) -> tuple[sc.Simulation, sc.State]:
-    """Load an elastic-plastic body by a ball in one increment."""
+    """Load an elastic-plastic body by a ball in one increment; return simulation and state."""
     exact, flat = contact(STEEL, 15, 2.4e9)
     grid = sc.Grid(15, 15, flat.dx, flat.dy, 10, 0.2 * exact.a)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -41,8 +41,11 @@ def flow(
 
 
 def poisson(row: str) -> dict[str, Any]:
-    """Solve contacts with one Poisson's ratio: identical elastic bodies, an elastic-plastic body,
-    and a ball under half of the friction limit on an identical and on a rigid body."""
+    """Solve elastic, elastic-plastic and partial slip contacts with one Poisson's ratio.
+
+    In partial slip, the tangential force is half of its maximum; the ball slips on a body of equal
+    material, and on a rigid body.
+    """
     nu = float(row)
     body = sc.Material.elastic(E, nu)
     exact, grid = contact(body, 33, 2.4e9)
@@ -51,7 +54,7 @@ def poisson(row: str) -> dict[str, Any]:
     _, state = flow(sc.Material.linear_hardening(E, nu, YIELD, 0.05 * E), STEEL)
     pull = {"load": exact.load, "tangential_load": (0.5 * MU * exact.load, 0.0)}
     slipped = sc.ContactSolver(grid, body, body, sc.Coulomb(MU)).solve(gap, **pull)
-    softness = 2 * (2 - nu) * (1 + nu) / E  # of both, (2 - nu)/G each
+    softness = 2 * (2 - nu) * (1 + nu) / E  # sum of (2 - nu)/G of both bodies
     moved = 3 * MU * exact.load * softness * 2 / (16 * exact.a) * (1 - 0.5 ** (2 / 3))
     dissimilar = sc.ContactSolver(grid, sc.Material.rigid(), body, sc.Coulomb(MU)).solve(
         gap, **pull
@@ -71,7 +74,7 @@ def poisson(row: str) -> dict[str, Any]:
 
 
 def slip_error(found: Any, mu: float) -> float:
-    """Excess of the shear over the friction limit, relative to the maximum shear."""
+    """Return the maximum excess of the shear over mu p, relative to the maximum shear."""
     excess = np.hypot(*found.shear) - mu * found.pressure if math.isfinite(mu) else 0.0
     outside_shear = np.hypot(*found.shear)[found.pressure == 0]
     worst = max(float(np.max(excess)), float(outside_shear.max(initial=0.0)), 0.0)
@@ -79,7 +82,7 @@ def slip_error(found: Any, mu: float) -> float:
 
 
 def hardened(row: str) -> dict[str, Any]:
-    """Solve isotropic, kinematic and sliding cases for a ratio of the tangent modulus to E."""
+    """Load bodies with a given tangent modulus: isotropic, kinematic, and isotropic sliding."""
     share = float(row)
     perfect = sc.Material.perfect_plastic(E, 0.3, YIELD)
     isotropic = sc.Material.linear_hardening(E, 0.3, YIELD, share * E) if share else perfect

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cost and accuracy of extreme cases: rows of all tables, and the page."""
+"""Page on cost and accuracy of extreme cases, with its tables."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def run(of: str, row: str) -> Record:
 
 
 def lines_of(known: Table, rows: list[Record]) -> str:
-    """Lines of a table; the last one gives the limits of the columns."""
+    """Return a Markdown table of these rows; the last line contains limits of columns, if any."""
     lines = [
         [row["row"], *(column.text(row.get(column.key)) for column in known.columns)]
         for row in rows
@@ -42,7 +42,7 @@ def lines_of(known: Table, rows: list[Record]) -> str:
 
 
 def page(records: list[Record]) -> str:
-    """Return the whole page."""
+    """Return the text of the page."""
     rows = by_group(records)
     tables = {known.name: lines_of(known, rows[known.name]) for known in TABLES}
     systems = "\n".join(f"{n}. {name}" for n, name in enumerate(units.UNITS, 1))

@@ -4,7 +4,7 @@
 `python -m benchmarks.stability.random_contacts LAW FIRST LAST [check]` solves the contacts number
 FIRST to LAST - 1 with one friction law ("none": no slip, "coulomb", "tresca"), prints a line for
 each and a summary. With `check`, the largest residual of the conditions of contact and friction is
-found with a dense matrix.
+computed with a dense matrix.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class RandomContact:
 
 
 def random_law(law: str, random: np.random.Generator, pressure: float) -> tuple[Any, float]:
-    """Return a friction law, and a ratio of force to load below its limit, at most 1."""
+    """Return a friction law, and a ratio of tangential force to load below the limit, <= 1."""
     if law == "none":
         return sc.Coulomb(math.inf), 1.0
     mu = float(10 ** random.uniform(-1, math.log10(2)))
@@ -75,7 +75,7 @@ def random_law(law: str, random: np.random.Generator, pressure: float) -> tuple[
 
 
 def random_contact(law: str, number: int) -> RandomContact:
-    """Return the contact with a number, on a grid of 9 to 25 cells along each side."""
+    """Return the random contact of this number, on a grid of 9 to 25 cells along each side."""
     random = np.random.default_rng([number, *law.encode()])
     first, second = random.permutation(len(BODIES))[:2]
     names = [list(BODIES)[first], list(BODIES)[second]]
@@ -100,7 +100,7 @@ def random_contact(law: str, number: int) -> RandomContact:
 
 
 def steps_of(drive: str, load: float, a: float, depth: float, ratio: float) -> list[dict[str, Any]]:
-    """Return the increments of a drive; ratio: of force to load [-], depth = a^2/R."""
+    """Return the increments of a drive; ratio: tangential force / load [-]; depth: a^2/R [m]."""
     force = ratio * load
     press = {"load": load}
     pull = {"load": load, "tangential_load": (0.4 * force, 0.1 * force)}
@@ -142,7 +142,7 @@ class Outcome:
 
 
 def solve(contact: RandomContact, **settings: Any) -> Outcome:
-    """Solve all increments, until one fails."""
+    """Solve the increments of a contact until one fails; return the outcome."""
     simulation, states, error = contact.simulation(**settings), [], ""
     try:
         for step in contact.steps:
@@ -184,11 +184,11 @@ def dense_matrix(contact: RandomContact) -> Array:
 def residuals(contact: RandomContact, states: list[sc.State]) -> list[float]:
     """Return the largest residual of contact and friction in each increment.
 
-    It is relative to the maximum pressure, displacement or shear, and found from the tractions and
-    the rigid motion alone. Increments of rolling are omitted, because the surfaces move by
-    fractions of a cell. Slip is checked in undivided increments, and in cells that were in contact
-    before: part of the slip of a new cell occurs before it touches, unless pressure and shear were
-    solved together.
+    The residual is relative to the maximum pressure, displacement or shear, and is computed only
+    from the tractions and the rigid-body motion. Increments of rolling are omitted, because the
+    surfaces move by fractions of a cell. Slip is checked in undivided increments, and in cells that
+    were in contact before: part of the slip of a new cell occurs before it touches, unless pressure
+    and shear were solved together.
     """
     matrix, n = dense_matrix(contact), contact.gap.size
     x, y = (c.ravel() for c in np.meshgrid(contact.grid.x, contact.grid.y, indexing="ij"))
@@ -216,8 +216,8 @@ def residual(
 ) -> float:
     """Return the largest residual of the conditions of contact and friction.
 
-    known: cells of known slip. At zero pressure, a cell carries shear only if it slides in contact,
-    and only without slip or under a Tresca law.
+    known: cells in which the slip is known. In a cell at zero pressure, shear is allowed only if
+    the gap is closed, and only with infinite friction or a Tresca law.
     """
     pressure, shear = tractions[0], tractions[1:]
     size, largest = np.hypot(*shear), max(float(np.hypot(*shear).max()), 1e-300)

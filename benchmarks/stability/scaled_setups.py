@@ -7,7 +7,7 @@ import numpy as np
 
 import samcontact as sc
 
-# Values of one metre, newton, second and kelvin in the other system.
+# Values of one metre, newton, second and kelvin in another system of units.
 UNITS = {
     "millimetre, newton, megapascal": (1e3, 1.0, 1.0, 1.0),
     "micrometre, millinewton, millisecond": (1e6, 1e3, 1e3, 1.0),
@@ -21,7 +21,7 @@ TIGHT_SETTINGS = {"tol": 1e-11, "on_border": "warn"}
 
 
 class Units:
-    """System of units: values of one metre, newton, second and kelvin in it."""
+    """System of units, defined by its values of one metre, newton, second and kelvin."""
 
     def __init__(self, metre=1.0, newton=1.0, second=1.0, kelvin=1.0):
         self.m, self.N, self.s, self.K = metre, newton, second, kelvin
@@ -41,7 +41,7 @@ class Units:
         return sc.Material.linear_hardening(E * self.Pa, 0.3, 1e9 * self.Pa, 20e9 * self.Pa)
 
     def stated(self, state, bodies=(2,)):
-        """Return the dimensionless fields of a state."""
+        """Return fields of a state by name, converted to SI units."""
         found = {"pressure": state.pressure / self.Pa, "shear": state.shear / self.Pa}
         found |= {"gap": state.gap / self.m, "approach": state.approach / self.m}
         for body in bodies:
@@ -51,7 +51,7 @@ class Units:
         return found
 
     def slipped(self, state):
-        """Return the dimensionless fields of partial slip."""
+        """Return the results of partial slip in a state by name, converted to SI units."""
         return {
             "slip": state.slip / self.m,
             "shift": state.shift / self.m,
@@ -62,7 +62,7 @@ class Units:
 
 
 def fretting(unit, body1, body2, *, heat=None, mu=0.3):
-    """Solve normal load, tangential load, rotation and partial unloading."""
+    """Solve a contact under normal load, tangential load, rotation and partial unloading."""
     grid = unit.grid(dz=45e-6 * unit.m)
     gap = unit.ball(grid)
     friction = sc.Coulomb(mu)
@@ -96,7 +96,7 @@ def heat_of_slip(unit):
 
 
 def coated(unit):
-    """Solve partial slip on a stiff coating."""
+    """Solve a contact with partial slip on a stiff coating."""
     body = sc.Layered([(unit.elastic(400e9, 0.25), 90e-6 * unit.m)], unit.elastic())
     return fretting(unit, unit.elastic(300e9, 0.2), body)[0]
 
@@ -111,13 +111,13 @@ def pressed(unit, body, load, **step):
 
 
 def coated_steel(unit):
-    """Solve a coating with growth stress on elastic-plastic steel."""
+    """Solve a contact on a coating with growth stress, on elastic-plastic steel."""
     grown = unit.elastic(400e9, 0.25).with_residual_stress([0.0], [-1e9 * unit.Pa])
     return pressed(unit, sc.Layered([(grown, 90e-6 * unit.m)], unit.soft()), 400)
 
 
 def graded(unit):
-    """Solve a body whose yield stress and initial residual stress vary with depth."""
+    """Solve a contact on a body whose yield stress and residual stress vary with depth."""
     m, Pa = unit.m, unit.Pa
     z = [0.0, 100e-6 * m, 300e-6 * m]
     steel = sc.Material.tabulated(
@@ -129,7 +129,7 @@ def graded(unit):
 
 
 def rolling(unit):
-    """Solve some rolling increments with creepage, and the steady state."""
+    """Solve a few increments of rolling with creepage, and steady rolling."""
     grid, steel = unit.grid(), unit.elastic()
     gap, load, distance = unit.ball(grid), 60 * unit.N, 45e-6 * unit.m
     sim = sc.Simulation(grid, steel, steel, gap, sc.Coulomb(0.3), **TIGHT_SETTINGS)
@@ -147,7 +147,7 @@ def rolling(unit):
 
 
 def periodic(unit):
-    """Solve an elastic-plastic periodic rough surface."""
+    """Solve elastic-plastic contact of a periodic rough surface."""
     grid = unit.grid(dz=45e-6 * unit.m, periodic="xy")
     rough = sc.surfaces.rough_self_affine(grid, 0.5e-6 * unit.m, 0.8, seed=3)
     sim = sc.Simulation(grid, unit.elastic(), unit.soft(), rough, **TIGHT_SETTINGS)
@@ -158,7 +158,7 @@ def periodic(unit):
 
 
 def zones(unit):
-    """Solve small plastic zones of asperities; the boxes of zones must be equal in all units."""
+    """Solve asperities with small plastic zones; their boxes must be equal in all units."""
     size = 1e-6 * unit.m
     grid = sc.Grid(64, 64, size, size, 8, size)
     x, y, away = grid.x[:, None], grid.y, 16 * size
@@ -191,13 +191,13 @@ def periodic_zones(unit):
 
 
 def yielding_layers(unit):
-    """Solve an elastic-plastic coating on an elastic-plastic substrate."""
+    """Solve a contact on an elastic-plastic coating on an elastic-plastic substrate."""
     hard = sc.Material.linear_hardening(400e9 * unit.Pa, 0.25, 1.5e9 * unit.Pa, 20e9 * unit.Pa)
     return pressed(unit, sc.Layered([(hard, 90e-6 * unit.m)], unit.soft()), 400)
 
 
 def to_accuracy(unit):
-    """Run to an accuracy: automatic grids and increments, estimated errors."""
+    """Run a case to a prescribed accuracy, with automatic grids and increments."""
     E, m = 210e9 * unit.Pa, unit.m
     soft = {"law": "linear_hardening", "E": E, "nu": 0.3, "yield_stress": 1e9 * unit.Pa}
     found = sc.to_accuracy(
@@ -210,14 +210,14 @@ def to_accuracy(unit):
         0.2, quantities=["max_pressure", "imprint_depth_body2"], progress=False,
     )  # fmt: skip
     scale = {"max_pressure": unit.Pa, "imprint_depth_body2": m}
-    # An error is a difference of values and has their absolute precision.
+    # An error is a difference of two values and has the absolute precision of these values.
     return {"grid": np.array([n[:3] for n in found.runs])} | {
         name: np.array([found.values[name], found.errors[name]]) / by for name, by in scale.items()
     }
 
 
 def cycles(unit):
-    """Repeat cycles to shakedown and evaluate fatigue in the last one."""
+    """Repeat load cycles to shakedown, and evaluate fatigue criteria in the last cycle."""
     grid = unit.grid(cells=10, dz=45e-6 * unit.m)
     soft = sc.Material.perfect_plastic(210e9 * unit.Pa, 0.3, 1e9 * unit.Pa)
     soft = soft.with_kinematic_hardening(20e9 * unit.Pa)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Table of the page: its rows, the function that solves a row, and the limits of columns."""
+"""Tables of the page on stability: rows, a function that solves a row, and limits of columns."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Column(NamedTuple):
         return f"{value:.0f}" if self.kind == COUNT else f"{value:.1e}"
 
     def agree(self, value: float | None, stored: float | None) -> bool:
-        """Return whether a run, possibly on another machine, reproduces the stored number."""
+        """Return whether a value of a run on any machine agrees with the stored value."""
         if value is None or stored is None:
             return value is stored
         if self.kind == COUNT:
@@ -33,7 +33,7 @@ class Column(NamedTuple):
 
 
 class Table(NamedTuple):
-    """Table of a stability page; `solve` takes a row name; a test solves `retested_row` again."""
+    """Table of the page; `solve` solves the row of a given name; a test repeats `retested_row`."""
 
     name: str
     head: str
@@ -48,11 +48,11 @@ def largest(field: Any) -> float:
 
 
 def relative_difference(found: Any, expected: Any) -> float:
-    """Return the largest difference over the largest value."""
+    """Return the maximum difference of two fields, relative to the maximum expected value."""
     difference = largest(np.asarray(found) - np.asarray(expected))
     return difference / largest(expected) if difference else 0.0
 
 
 def trace(strain: Any) -> float:
-    """Return the largest trace of the plastic strain over its largest component."""
+    """Return the maximum trace of a strain field, relative to the largest strain component."""
     return largest(strain[:3].sum(axis=0)) / largest(strain) if np.any(strain) else 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases solved in other systems of units."""
+"""Differences between cases solved in SI units and in other systems of units."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CASES = SLIDING | scaled_setups.CASES
 
 
 def differences(name: str) -> dict[str, float]:
-    """Return the maximum difference of all fields from the fields in SI units, for each system."""
+    """Return the maximum difference of any field from the SI solution, by system of units."""
     expected = CASES[name](Units())
 
     def worst(system: tuple[float, ...]) -> float:

@@ -115,7 +115,7 @@ def steps_next_to(
     """Return whether the gap has an upward step at each side, and the height of each step [m].
 
     Slopes are differences of the gap between neighbouring cells. The height of a step exceeds the
-    change of slope across the side, and `MIN_STEP_RATIO` times the changes of slope beside it. If
+    change of slope across the side, and `MIN_STEP_RATIO` times the changes of slope next to it. If
     there is no body outside (gap NaN or infinite), the height of the step is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
