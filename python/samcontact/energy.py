@@ -110,8 +110,8 @@ def residual_energy(track: Track) -> float:
     replaced by minus the plastic strain. This energy can be released, but not by contact alone.
     Mura, *Micromechanics of Defects in Solids* (1987), eq. (13.4).
 
-    For a body with initial stress or eigenstrain, the result is the change of its elastic energy
-    due to plastic strain, which may be negative. The work of the initial stress on the plastic
+    For a body with initial stress or eigenstrain, the result is the change of elastic energy due to
+    plastic strain; this change may be negative. The work of the initial stress on the plastic
     strain enters without the factor 1/2.
     """
     require_type("track", track, Track)
@@ -122,9 +122,10 @@ def residual_energy(track: Track) -> float:
 def eigenstrain_energy(track: Track) -> float:
     """Elastic energy of a body under its prescribed eigenstrain alone [J], >= 0.
 
-    It is -1/2 of the integral of the stress due to the eigenstrain times the eigenstrain, as in
-    `residual_energy`. Tractions do not change this energy, because the stress due to tractions does
-    practically no work on the elastic strain due to the eigenstrain.
+    The energy is -1/2 of the integral of sigma : eps, with the eigenstrain eps and the stress sigma
+    due to this eigenstrain, as in `residual_energy`. Tractions do not change this energy, because
+    the stress due to tractions does practically no work on the elastic strain due to the
+    eigenstrain.
     """
     require_type("track", track, Track)
     return -0.5 * _product(track.eigenstress(), track.eigenstrain()) * _cell_volume(track)
@@ -160,7 +161,7 @@ class EnergyBalance(HtmlTable):
 
     @property
     def imbalance(self) -> float:
-        """Net external work minus stored and dissipated energy, divided by the work input [-]."""
+        """(Net external work - stored energy - dissipated energy)/(work input) [-]."""
         found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
         return (self.net_external_work - found) / self.work_input if self.work_input > 0 else 0.0
 
@@ -216,7 +217,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
 
 def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
-    """Return the energies of the last state, by their names in `EnergyBalance`."""
+    """Return the energies of the last state [J], by the names of attributes of `EnergyBalance`."""
     residual = plastic = given = 0.0
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if states[-1].has_eigenstrain(number):
@@ -251,7 +252,7 @@ def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> floa
 
 
 def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
-    """Return the reason why there is no energy balance; empty if there is one."""
+    """Return the reason why no energy balance can be computed; "" if it can be computed."""
     if not states:
         return "states must contain at least one state, got none"
     if not friction_law(simulation.friction).sticks:
@@ -285,7 +286,7 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
 
 
 def _have_equal_eigenstrain(one: State, other: State) -> bool:
-    """Whether each body has equal eigenstrain in two states."""
+    """Whether the eigenstrain of each body is the same in two states."""
     bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
     if not bodies:
         return True

@@ -74,10 +74,10 @@ def kogut_etsion(
     -------
     Flattening
         Hertz theory up to the critical interference of `critical.kogut_etsion`; above it, two power
-        laws, one up to 6 times the critical interference and one beyond. As published, load and
-        area are discontinuous: they jump by 3 % and -7 % at the critical interference, and by 1.7 %
-        and 2.9 % at 6 times this value. Kogut and Etsion, J. Appl. Mech. 69 (2002) 657-662,
-        doi:10.1115/1.1490373.
+        laws, one up to 6 times the critical interference and one beyond. As published, both
+        laws are discontinuous: the load jumps by 3 % at the critical interference and by 1.7 % at 6
+        times this value, the area by -7 % and 2.9 %. Kogut and Etsion, J. Appl. Mech. 69 (2002)
+        657-662, doi:10.1115/1.1490373.
 
     Raises
     ------
@@ -132,7 +132,7 @@ def jackson_green(
     B = 0.14 * math.exp(23.0 * yield_stress / E_star)
     area = plastic * (plastic / 1.9) ** B
     radius = onset.a * np.sqrt(area)
-    hardness = 2.84 * -np.expm1(-0.82 * (radius / R) ** -0.7)  # over yield stress
+    hardness = 2.84 * -np.expm1(-0.82 * (radius / R) ** -0.7)  # divided by yield stress
     load = np.exp(-0.25 * plastic ** (5 / 12)) * plastic**1.5
     load += 4.0 * hardness / onset.C * -np.expm1(-(plastic ** (5 / 9)) / 25.0) * plastic
     elastic = ratio < 1.9

@@ -83,7 +83,8 @@ def yield_from_vickers(HV: ArrayLike) -> FloatArray:
 def flow_stress_from_vickers(HV: ArrayLike) -> FloatArray:
     """Flow stress at about 8 % plastic strain [Pa], a third of the hardness.
 
-    For metals with little further hardening: D. Tabor, *The Hardness of Metals* (1951), chapter 7.
+    The relation holds for metals that harden little further: D. Tabor, *The Hardness of Metals*
+    (1951), chapter 7.
     This stress is a point on the hardening curve, not the yield stress.
 
     Parameters

@@ -33,7 +33,7 @@ def exit_code(stop: BaseException) -> int:
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Context: terminating signals raise `StopRequested`; ignored signals stay ignored (nohup)."""
+    """Context manager: termination signals raise `StopRequested`; ignored ones stay ignored."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

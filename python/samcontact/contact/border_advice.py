@@ -30,7 +30,7 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
-    remedy_prefix: further remedy, with a leading comma, for the end of a new message.
+    remedy_prefix: further remedy, with a leading comma, for a message with a new remedy.
     """
     before, _, remedy = text.partition(_REMEDY)
     if setup.radii is not None or not remedy:

@@ -104,8 +104,8 @@ class ContactFields(Configured):
 
         Notes
         -----
-        Boussinesq's and Cerruti's point forces (Johnson 1985, sections 3.2 and 3.6), integrated
-        over each cell in closed form. The relative tangential displacement is the displacement of
+        Boussinesq's and Cerruti's solutions for point forces (Johnson 1985, sections 3.2 and 3.6)
+        are integrated over each cell. The relative tangential displacement is the displacement of
         body 2 minus the displacement of body 1; the normal displacements of both bodies add up to
         the approach of the surfaces.
         """

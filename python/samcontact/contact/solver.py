@@ -181,7 +181,7 @@ class ContactSolver(ContactFields):
             With `Coulomb` and `previous`: displacements s_1, s_2 of both surfaces through the
             contact, positive along +x [m]. The contact rolls towards +x by -(s_1 + s_2)/2, a whole
             number of cells. s_1 - s_2, at most one cell, is added to the shift along x, unless a
-            force is prescribed there.
+            force along x is prescribed.
         initial_pressure : array_like, shape (nx, ny), optional
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
             for a similar gap or load, saves the coarser grids and most iterations. If the iteration

@@ -111,7 +111,7 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Radii [m], larger first; cosine of the angle from x to the plane of the larger radius."""
+        """Larger and smaller radius [m]; cosine of the angle from x to the larger radius plane."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -229,7 +229,7 @@ class ContactSetup:
 
     @cached_property
     def _reference(self) -> plausibility.ExpectedExtent | None:
-        """Hertz contact about a quarter as wide as the grid, from which other loads are scaled."""
+        """Hertz contact about a quarter as wide as the grid; scaled to obtain other loads."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)

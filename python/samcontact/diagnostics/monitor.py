@@ -109,7 +109,7 @@ def _strain_text(state: State, setup: ContactSetup) -> str:
         accumulated, magnitude = state.max_strains[body - 1]
         if accumulated <= MAX_SMALL_STRAIN and magnitude <= MAX_SMALL_STRAIN:
             continue
-        # Reversed flow accumulates without bound while the strain stays small.
+        # with reversed flow, accumulated strain has no bound while the strain remains small
         is_reversed = magnitude < 0.5 * accumulated
         limit = f"above the small-strain limit of {MAX_SMALL_STRAIN}: results are unreliable"
         if accumulated > MAX_SMALL_STRAIN and not is_reversed:

@@ -30,19 +30,19 @@ MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
 """Limits of the Hertz contact: maximum width relative to a side of the grid, minimum width in
 cells, maximum half-width in layers."""
 MIN_SOLVABLE_CELLS = 1e-3
-"""Minimum width of a Hertz contact in cells: a narrower contact is one cell at any load."""
+"""Minimum width of a Hertz contact in cells; a narrower contact is a single cell at any load."""
 MIN_YIELD_STRAIN = 1e-6
-"""Minimum yield stress over E: pure single crystals have 4e-6."""
+"""Minimum ratio of yield stress to E; pure single crystals have 4e-6."""
 MAX_YIELD_STRAIN = 0.2
-"""Maximum yield stress over E: no atomic bond is stronger."""
+"""Maximum ratio of yield stress to E; no atomic bond is stronger."""
 MAX_YIELD_FACTOR = 20.0
 """Maximum ratio of local to nominal yield stress: case hardening gives 2 to 3."""
 MAX_PROFILE_DEPTH = 0.1
-"""Maximum depth of a case, of residual stress or of a layer [m]: mill rolls are hard to 0.1 m."""
+"""Maximum depth of hardening, residual stress or a layer [m]; mill rolls are hard to 0.1 m."""
 MIN_STRESS_RATIO = 1e-7
-"""Minimum residual stress, or backstress modulus, over E: 0.02 MPa in steel."""
+"""Minimum ratio of residual stress, or of backstress modulus, to E; 0.02 MPa in steel."""
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
-"""Maximum backstress modulus over E: for nearly elastic hardening, E Et/(E - Et) is large."""
+"""Maximum ratio of backstress modulus to E; large if Et is close to E, as in E Et/(E - Et)."""
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300 m/s."""
 MAX_WEAR_COEFFICIENT = 1e-9
@@ -56,7 +56,7 @@ MAX_EXPANSION = 2e-3
 MAX_TEMPERATURE_RISE = 3e5
 """Maximum temperature rise, melting disregarded [K]."""
 _THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
-_MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width of the Hertz contact in cells after a correction
+_MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width in cells after correction of a unit
 _MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
 _CELLS_ACROSS = "width of the Hertz contact in cells"
 _UNIT_ERROR_FACTORS = {"m": (1e-3, 1e-6, 1e-9), "N": (1e-3, 1e-6, 1e-9), "Pa": (1e3, 1e6, 1e9)}
@@ -69,7 +69,7 @@ class PlausibilityCheck(NamedTuple):
     remedy: Callable[[], str]
     """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether a contact is checked; if the check fails, checks after the solution are skipped."""
+    """Whether a Hertz contact is checked; on failure, checks after the solution are skipped."""
 
 
 class ExpectedExtent(NamedTuple):
@@ -242,7 +242,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
 
 
 def _strength_check(number: int, body: Material) -> PlausibilityCheck:
-    """Check of the maximum yield stress of a hardening law over E, without yield profile."""
+    """Check of the ratio of maximum yield stress of a hardening law to E, without yield profile."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
@@ -291,7 +291,7 @@ def _temperature_check(
 def part_of_radius(
     contact: ExpectedExtent, remedy: Callable[[], str] | None = None
 ) -> PlausibilityCheck:
-    """Check of the half-width of a Hertz contact over the radius of curvature.
+    """Check of the ratio of half-width to radius of curvature of a Hertz contact.
 
     remedy: function that returns the beginning of the remedy; default: the Hertz estimate.
     """
@@ -348,7 +348,7 @@ def _flattened(contact: ExpectedExtent, body: Material) -> float:
 def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
     """Describe which quantity, in another unit, would make the contact fit the grid."""
     hertz, by_approach = contact.expected.contact, contact.driver == "approach"
-    # value, unit, and exponents with which contact, radius and cells scale
+    # value, unit, and exponents: a factor on the value scales contact width, radius and cell size
     given = {
         "E* =": (hertz.E_star, "Pa", 0.0 if by_approach else -1 / 3, 0.0, 0.0),
         "radii of": (contact.radii[0], "m", 0.5 if by_approach else 1 / 3, 1.0, 0.0),

@@ -32,13 +32,15 @@ RECOMMENDED_CELLS = 8
 MINIMUM_CELLS = 4
 """Minimum number of cells or layers; below it the check of a report fails."""
 ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
-"""Area uncertainty of a round spot, times its diameter in cells."""
+"""Relative area uncertainty of a round spot, multiplied by the spot diameter in cells."""
 AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
-"""Limits of the area uncertainty of a contact of several spots: warning, and failed check."""
+"""Relative area uncertainty above which a warning is issued, and above which the check of a report
+fails."""
 MAX_ELASTIC_STRAIN = 0.5
-"""Limit of the maximum pressure over E*: a Hertz contact with a/R = 0.8 reaches it."""
+"""Limit of the ratio of maximum pressure to E*; a Hertz contact with a/R = 0.8 has this ratio."""
 _MAX_STRESS_DEPTH = 0.8
-"""Depth of maximum von Mises stress over half-width: 0.48 (point contact) to 0.79 (line)."""
+"""Largest ratio of depth of maximum von Mises stress to half-width: 0.48 in a point contact, 0.79
+in a line contact."""
 
 
 def warn_of_strain(
@@ -251,8 +253,8 @@ def warn_of_zone(
 ) -> bool:
     """Warn if the plastic zone of a body has fewer than `few` layers; return True after a warning.
 
-    The deepest plastic zone of all states is used, because the strain of a moving body leaves the
-    grid.
+    The deepest plastic zone of all states is used, because plastic strain that moves with a body
+    leaves the grid.
     """
     heights = [layers_across_plastic_zone(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)
@@ -272,8 +274,8 @@ def warn_if_yield_unresolved(
 ) -> bool:
     """Warn if layers are too thick to show yield below a contact; return True after a warning.
 
-    This applies if the contact pressure suffices for yield and the half-width has fewer than `few`
-    layers.
+    This applies if the contact pressure suffices for yield and the half-width of the contact is
+    less than `few` times dz.
     """
     grid = peak.grid
     if grid.dz is None or (hardest := peak.outline.largest) < setup.weakest:
@@ -304,7 +306,7 @@ def warn_if_yield_unresolved(
 
 
 def warn_of_step(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
-    """Warn of resolution faults that later increments cannot mend; return True after a warning."""
+    """Warn of poor resolution that more increments cannot improve; return True after a warning."""
     if math.isfinite(state.approach):
         if warn_of_contact(state, setup, MINIMUM_CELLS, stacklevel=stacklevel + 1):
             return True

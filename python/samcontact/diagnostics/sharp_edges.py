@@ -32,12 +32,12 @@ if TYPE_CHECKING:
     from .hertz_estimate import ContactSetup
 
 MIN_STEP_RATIO = 0.25
-"""Minimum height of a step relative to p d/E*: the elastic deflection between two cells of size d
-is smaller."""
+"""Minimum height of a step divided by p d/E*, with pressure p and cell size d. Without a step, the
+elastic deflection of neighbouring cells differs by less."""
 MIN_EDGE_CELLS = 3
-"""Minimum number of cells of an edge: single cells of a rough surface are no edge."""
+"""Minimum number of cells of an edge; single cells of a rough surface are not an edge."""
 MIN_CELLS_OF_ROUNDING = 4
-"""Minimum number of cells in the radius of a rounded edge for a resolved pressure."""
+"""Minimum radius of a rounded edge, in cells, for which the pressure is resolved."""
 SINGULAR_QUANTITIES = (
     "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
 )  # fmt: skip

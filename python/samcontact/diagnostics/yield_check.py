@@ -86,7 +86,7 @@ def _over_yield(
     """
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
-    assert spot is not None  # there is a pressure above the yield stress
+    assert spot is not None  # the caller found pressure, so there is a spot
     sides = [
         math.inf if axis in grid.periodic and s.stop - s.start == n else (s.stop - s.start) * d
         for axis, s, n, d in zip(
@@ -115,9 +115,9 @@ def _over_yield(
 
 @lru_cache(maxsize=64)
 def _sliding(nu: float, friction: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / maximum pressure in sliding, and a depth.
+    """Return (maximum von Mises stress)/(maximum pressure) in sliding, and depth/half-width.
 
-    The second value is the depth of this stress divided by the half-width.
+    The depth is the depth of the maximum von Mises stress.
     """
     ratio, _, depth = sliding_max_von_mises(nu, friction)
     return ratio, depth
@@ -125,7 +125,7 @@ def _sliding(nu: float, friction: float) -> tuple[float, float]:
 
 @lru_cache(maxsize=64)
 def _below(nu: float, *, is_line: bool) -> FloatArray:
-    """Von Mises stress over maximum pressure [-] on the axis of a Hertz contact, at `_DEPTHS`."""
+    """Von Mises stress / maximum pressure [-] on the axis of a Hertz contact, at `_DEPTHS`."""
     if not is_line:
         radial, axial = point_axis(_DEPTHS, nu)
         return np.asarray(np.abs(radial - axial))

@@ -212,9 +212,9 @@ def fatemi_socie(
     The value is the maximum of gamma_a (1 + k sigma_n,max/yield stress) over all planes, where
     sigma_n,max is the maximum normal stress on the plane. gamma_a, called gamma_max/2 in the
     source, is the radius of the smallest circle that contains the path of the engineering shear
-    strain in the plane. The strain is elastic plus plastic; in a cycle without plastic flow, only
-    the elastic strain matters. A negative normal stress reduces the value, but not below 0. Planes
-    are searched as in `findley`. A. Fatemi, D. F. Socie (1988),
+    strain in the plane. This strain is the sum of elastic and plastic strain; plastic strain that
+    is constant in the cycle has no effect. A negative normal stress reduces the value, but not
+    below 0. Planes are searched as in `findley`. A. Fatemi, D. F. Socie (1988),
     doi:10.1111/j.1460-2695.1988.tb01169.x.
     """
     number = _slope("k", k)
@@ -281,7 +281,7 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Evaluate a criterion in blocks of points, with `fields` tensor fields in memory at once."""
+    """Evaluate a criterion in blocks of points; `fields` tensor fields per block fit in memory."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):
@@ -305,7 +305,7 @@ def _over_blocks(
 
 
 def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
-    """Return the shear modulus [Pa] along the last axis of the points, or one for all points."""
+    """Return the shear modulus [Pa] at each depth (last axis of points), or one for all points."""
     if material is not None:
         require_type("material", material, Material)
         if material.is_rigid:

@@ -23,9 +23,9 @@ from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 __all__ = ["Cycle", "cycle", "steady_cycle"]
 
 _MAX_MEMORY_FRACTION = 0.4
-"""Fraction of the available memory for the stress of a block of layers at all instants."""
+"""Maximum fraction of the available memory used for a block of points at all instants."""
 _COPIES_OF_BLOCK = 2.5
-"""Memory of a block relative to the memory of its stress; it includes copies of the stress."""
+"""Memory needed for a block, including copies of fields, divided by the memory of the fields."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -80,9 +80,9 @@ def has_plastic_strain(of: Cycle) -> bool:
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Iterate over slices of the last axis of the points.
+    """Iterate over blocks of points: slices of the last axis of the points, normally the depth.
 
-    For each slice, `fields` tensor fields fit into the available memory.
+    `fields` tensor fields of a block, at all instants, fit into the available memory.
     """
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
@@ -102,7 +102,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
 def stress_in(of: Cycle, block: slice) -> FloatArray:
     """Return the stress in a block [Pa], shape (instants, 6, points).
 
-    Along the axis of points, the coordinate of the block varies slowest.
+    In the order of the points, the index along the block (normally the depth) varies slowest.
     """
     known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
     if "stress" in known:

@@ -67,7 +67,7 @@ class StatePaths:
 
     states: Sequence[State]
     body: int
-    first: int  # first of these cells
+    first: int  # index along x of the first of these cells
     shape: tuple[int, int, int]
 
     @classmethod
@@ -103,7 +103,7 @@ class StatePaths:
         out = np.empty((self.moments, 6, block.stop - block.start, rows, ny))
         for n, state in enumerate(self.states):
             ahead = self.first - state._core.first_cell[self.body - 1]
-            # all layers for every block, because the last digits depend on their number
+            # with all layers, because the last digits of a field depend on the number of layers
             values = field(state.at_layers(layers))[:, ahead : ahead + rows, :, block]
             out[n] = values.transpose(0, 3, 1, 2)
         return out
@@ -116,7 +116,7 @@ class SteadyPaths:
     state: State
     body: int
     axis: int
-    at_rest: bool  # whether the stress far from the contact is part of the path
+    at_rest: bool  # whether the initial stress, far from the contact, is one more instant
     shape: tuple[int, int]
 
     @classmethod

@@ -65,7 +65,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
         os.replace(temporary, target)
     except BaseException as error:
         temporary.unlink(missing_ok=True)
-        # the error names no file, or the temporary file
+        # in errors that name no file, or the temporary file, give the name of the target
         if isinstance(error, OSError) and error.errno and error.filename in (None, str(temporary)):
             raise _about(target, error) from error
         raise
@@ -82,7 +82,7 @@ def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
 
 
 def _checked(path: Path) -> Path:
-    """Resolve a symbolic link; raise OSError if the folder is missing or the target is no file."""
+    """Resolve a symbolic link; raise OSError without a folder, or if the target is not a file."""
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not target.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "the folder does not exist", str(path))
@@ -97,9 +97,9 @@ def _part(target: Path, ending: str) -> tuple[int, Path]:
     prefix = f".{target.name}.samcontact-"
     while True:
         handle, name = tempfile.mkstemp(f".part{ending}", prefix, target.parent)
-        with suppress(OSError):  # a file system without locks
+        with suppress(OSError):  # some file systems have no locks
             fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        if os.path.exists(name):  # not removed as a leftover before it was locked
+        if os.path.exists(name):  # False if removed as a leftover before it was locked
             return handle, Path(name)
         os.close(handle)
 
@@ -158,12 +158,12 @@ class _ErrorHoldingFile:
             return size or 0
 
     def flush(self) -> None:
-        """Do nothing: there is no buffer."""
+        """Do nothing, because the file is not buffered."""
 
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Delay Ctrl-C and other termination signals within the context, to lose no results."""
+    """Context manager that delays Ctrl-C and other termination signals, to lose no results."""
     if threading.current_thread() is not threading.main_thread():
         yield  # signals are handled by the main thread
         return

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """SHA-256 digest at the end of an HDF5 file, by which any later change of the file is detected.
 
-The header of an HDF5 file contains the file length, and HDF5 ignores all bytes beyond it. The
+The header of an HDF5 file contains the file length, and HDF5 ignores all bytes after it. The
 digest is checked before the file is opened, because the HDF5 library may crash on damaged metadata.
 """
 
@@ -14,12 +14,12 @@ from typing import BinaryIO
 _MARK = b"\nsamcontact sha256 "
 _DIGEST_CHARACTERS = 64
 SEAL_BYTES = len(_MARK) + _DIGEST_CHARACTERS + 1
-"""Length of the digest with its mark [bytes]."""
+"""Length of the mark and the digest at the end of a file [bytes]."""
 _BLOCK = 1 << 20
 
 
 def seal(path: str | os.PathLike[str]) -> None:
-    """Append the digest to a complete file. Changes of the file with HDF5 remove it."""
+    """Append the digest to a complete file; later changes of the file by HDF5 remove the digest."""
     with open(path, "r+b") as file:
         digest = _digest(file, os.fstat(file.fileno()).st_size)
         file.write(_MARK + digest + b"\n")

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Identification of files written by this package, so that no other files are replaced.
 
-HDF5 files contain a mark. Other files whose names are chosen by this package are listed, with their
-digests, in a record in the same folder. Other files named by the user are replaced without a check.
+HDF5 files contain a mark. All other files whose names are chosen by this package are listed, with
+digests, in a record in the same folder. If the user chose the name, a file without a mark is
+replaced without a check.
 """
 
 from __future__ import annotations
@@ -26,9 +27,9 @@ RECORD_FILE = ".samcontact-files"
 _HEAD = "files that samcontact has written here, with their SHA-256\n"
 _MARK = b"samcontact"
 SEALED_SUFFIXES = (".h5", ".nc", ".before")
-"""Suffixes of files with the mark."""
+"""Suffixes of HDF5 files, which contain the mark of this package."""
 PARTIAL_FILE_NAME = re.compile(r"\.(.+)\.samcontact-\w{8}\.part(\.\w+)?")
-"""Names of files in the course of being written, or left by a killed process."""
+"""Pattern for the names of temporary files, in use or left by a killed process."""
 
 _recording: ContextVar[OwnershipRecord | None] = ContextVar("recording", default=None)
 
@@ -42,7 +43,7 @@ def is_regular(file: Path) -> bool:
 
 
 def is_marked(file: Path) -> bool:
-    """Whether an HDF5 file, intact or damaged, was written by this package; True if empty."""
+    """Whether an HDF5 file (intact or damaged) was written by this package, or is empty."""
     if not is_regular(file):
         return False
     with file.open("rb") as opened:
@@ -87,12 +88,12 @@ class OwnershipRecord:
         regular = is_regular(self.file)
         text = self.file.read_text(encoding="utf-8", errors="replace") if regular else ""
         self._begun = text.startswith(_HEAD)
-        if not regular or not (self._begun or _HEAD.startswith(text)):  # truncated by a full disk
+        if not regular or not (self._begun or _HEAD.startswith(text)):  # head cut by a full disk
             raise ValueError(
                 f"{self.file} {_kind(self.file)}: move this file, or use another folder"
             )
         for line in text.splitlines()[1:]:
-            with contextlib.suppress(ValueError, TypeError):  # truncated by a full disk
+            with contextlib.suppress(ValueError, TypeError):  # entry cut by a full disk
                 digest, name = json.loads(line)
                 self._known.add((str(digest), str(name)))
 
@@ -123,9 +124,9 @@ class OwnershipRecord:
         self._known.add(entry)
 
     def clear(self, *but: Path, marked: re.Pattern[str]) -> None:
-        """Remove unchanged files of this package, except `but`.
+        """Remove recorded files and files whose names match `marked`, except `but`.
 
-        These are recorded files, and files whose names match `marked`.
+        Files that have changed, and files that this package did not write, are kept.
         """
         names = {name for _, name in self._known}
         for file in list(self.folder.iterdir()):
@@ -147,7 +148,7 @@ def _digest(file: Path) -> str:
 
 @contextmanager
 def recording(folder: Path) -> Iterator[OwnershipRecord]:
-    """Record the files written to a folder in the context, and refuse to replace foreign files."""
+    """Context manager that records files written to a folder, and refuses to replace others."""
     if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return
