@@ -70,12 +70,12 @@ html_copy_source = False
 
 
 def _link_to_pages(app, relative_path, parent_docname, content):
-    """Translate links in included files of the root to links between pages."""
+    """Change the links in files included from the root folder to links between pages."""
     content[0] = content[0].replace("](CHANGELOG.md)", "](changes.md)").replace("](docs/", "](")
 
 
 def _link_to_notebooks(app, docname, content):
-    """Translate links to notebooks, which lie outside docs, to links to their pages."""
+    """Change links to notebook files outside docs to links to pages of the site."""
     link = r"\[([^]]+)\]\((?:\.\./)+notebooks/(\w+)\.ipynb\)"
     content[0] = re.sub(link, r"{doc}`\1 </notebooks/\2>`", content[0])
 
@@ -98,7 +98,7 @@ def _is_public(base):
 
 
 def _whole_formulas(app, doctree):
-    """Keep formulas of several rows out of `split`, in which they cannot be numbered."""
+    """Write formulas of several rows without `split`, in which rows cannot be numbered."""
     for node in doctree.findall(nodes.math_block):
         if r"\\" in node.astext() and not node.get("nowrap"):
             node["nowrap"] = True
@@ -123,7 +123,7 @@ def _wide_pictures(app, doctree, docname):
 
 
 def _words_are_no_links(app, doctree):
-    """Remove links from the words of a type such as "array_like, shape (n,)"."""
+    """Remove the links of plain words in types like "array_like, shape (n,)"."""
     for node in list(doctree.findall(pending_xref)):
         last = node.get("reftarget", "").rpartition(".")[2]
         is_type = node.get("refdomain") == "py" and node.get("reftype") in ("class", "obj")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of linked pictures, which the style sheet shows as cards.
+"""Directives for tables of linked pictures, which the style sheet shows as cards.
 
-``notebook-cards`` has all notebooks. ``page-cards`` has the pages of its lines "picture | page |
-title | text"; the picture is a file of the repository or, as "notebook 12", the most colourful
-picture of a notebook.
+``notebook-cards`` shows all notebooks. ``page-cards`` shows one page for each line of its content.
+A line has the form "picture | page | title | text". The picture is a file of the repository, or
+"notebook 12", which stands for the most colourful picture of notebook 12.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 SIZE = 480, 320
-"""Maximum size of a picture in pixels: twice that of a card, for fine screens."""
+"""Maximum size of a picture in pixels: twice the size of a card, for high-resolution screens."""
 
 
 def pictures(notebook: Any) -> Iterator[Image.Image]:
-    """All pictures that the cells of an executed notebook draw."""
+    """Yield all pictures in the outputs of an executed notebook."""
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):
             if encoded := output.get("data", {}).get("image/png"):
@@ -36,13 +36,13 @@ def pictures(notebook: Any) -> Iterator[Image.Image]:
 
 
 def colour(picture: Image.Image) -> float:
-    """Fraction of a picture that is neither grey nor white."""
+    """Fraction of the pixels of a picture that are neither grey nor white."""
     small = np.asarray(picture.resize((90, 60), Image.Resampling.BOX), dtype=int)
     return float(np.mean(np.ptp(small, axis=2) > 40))
 
 
 def encoded(picture: Image.Image) -> str:
-    """Picture of the size of a card, as the address of an image."""
+    """Return a picture, reduced to `SIZE`, as a data URL with a PNG image."""
     picture.thumbnail(SIZE, Image.Resampling.LANCZOS)
     buffer = io.BytesIO()
     picture.quantize(128).save(buffer, "PNG", optimize=True)
@@ -55,14 +55,14 @@ def notebook_picture(file: Path) -> Image.Image:
 
 
 def card(page: str, title: str, picture: Image.Image, text: str = "") -> str:
-    """Row of the table: picture and title, both links, and a line of text."""
+    """Table row with the picture and the title, which link to the page, and a line of text."""
     # HTML and a role, because Sphinx follows the link of the folder of notebooks in file paths.
     shown = f'<a href="{page}.html"><img alt="{title}" src="{encoded(picture)}"></a>'
     return f"| {shown} | {{doc}}`{title} </{page}>` | {text} |"
 
 
 class _Cards(SphinxDirective):
-    """Table of cards."""
+    """Base class of the directives that show a table of cards."""
 
     def show(self, cards: list[str]) -> list[nodes.Node]:
         return self.parse_text_to_nodes("\n".join(["| | | |", "|---|---|---|", *cards]))
@@ -72,7 +72,7 @@ class _Cards(SphinxDirective):
 
 
 class NotebookCards(_Cards):
-    """All notebooks, each with its most colourful picture."""
+    """Directive that shows all notebooks, each with its most colourful picture."""
 
     def run(self) -> list[nodes.Node]:
         cards = []
@@ -84,7 +84,7 @@ class NotebookCards(_Cards):
 
 
 class PageCards(_Cards):
-    """Pages, each with a picture and a line of text."""
+    """Directive that shows given pages, each with a picture and a line of text."""
 
     has_content = True
 

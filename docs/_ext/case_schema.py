@@ -37,7 +37,7 @@ TYPE_NAMES = {float: "number", int: "integer", bool: "true or false", str: "text
 
 
 def kind(annotation: Any) -> str:
-    """Type in words."""
+    """Return the type of a field in words, e.g. "list of numbers"."""
     origin, parts = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
         return kind(parts[0]) + limits(parts[1:])
@@ -56,7 +56,7 @@ def kind(annotation: Any) -> str:
 
 
 def several(what: str) -> str:
-    """Plural of a type in words; listed values stay as they are."""
+    """Return the plural of a type in words; a list of allowed values is not changed."""
     return re.sub(r"^(number|integer|section|list)\b", r"\1s", what)
 
 
@@ -83,7 +83,7 @@ def default(field: Any) -> str:
 
 
 def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
-    """Sections below a file of this kind, outermost first, with their headings in the file."""
+    """Return the sections of a kind of file, outermost first, each with all its headings."""
     found: dict[type[BaseModel], list[str]] = {}
     waiting = [(root, "")]
     while waiting:
@@ -101,7 +101,7 @@ def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
 
 
 def word(model: type[BaseModel]) -> str:
-    """Field that distinguishes sections of one name, e.g. ``law = "swift"``; "" without one."""
+    """Return the field that distinguishes sections of equal name, e.g. ``law = "swift"``, or ""."""
     for name, field in model.model_fields.items():
         if field.is_required() and get_origin(field.annotation) is Literal:
             return f'{name} = "{get_args(field.annotation)[0]}"'
@@ -109,7 +109,7 @@ def word(model: type[BaseModel]) -> str:
 
 
 def titled() -> dict[type[BaseModel], str]:
-    """All sections with their titles, as in case files."""
+    """Return the title of each section, made of its headings in a case file."""
     titles: dict[type[BaseModel], str] = dict(ROOTS)
     for root in ROOTS:
         for model, headings in places(root).items():
@@ -130,7 +130,7 @@ def place_of(model: type[BaseModel]) -> str:
 
 
 def meanings() -> dict[type[BaseModel], dict[str, str]]:
-    """One line on each field of each section; raises KeyError where one is missing."""
+    """Return the description of each field, by section; a missing description is a KeyError."""
     tables = tomllib.loads(MEANINGS.read_text(encoding="utf-8"))
     found: dict[type[BaseModel], dict[str, str]] = {}
     for model in titled():
@@ -142,7 +142,7 @@ def meanings() -> dict[type[BaseModel], dict[str, str]]:
 
 
 def table(model: type[BaseModel], title: str, meaning: dict[str, str]) -> list[str]:
-    """Markdown of one section."""
+    """Return the table of the fields of a section, as lines of Markdown."""
     first = "" if model in ROOTS else (model.__doc__ or "").strip().splitlines()[0]
     first = re.sub(r"^\[+\w+\]+: (.)", lambda found: found[1].upper(), first)
     lines = [f"## {title}", "", first, "", "| field | meaning | unit | values | default |"]
@@ -155,7 +155,7 @@ def table(model: type[BaseModel], title: str, meaning: dict[str, str]) -> list[s
 
 
 class CaseSchema(SphinxDirective):
-    """Tables of all sections of a case file."""
+    """Directive that shows one table for each section of a case file."""
 
     def run(self) -> list[nodes.Node]:
         self.env.note_dependency(str(MEANINGS))

@@ -13,7 +13,7 @@ NAME = re.compile(r"(?:sc|samcontact)\.([A-Za-z_][\w.]*\w)(?:\(.*\))?")
 
 
 def target(app: Sphinx, code: str) -> tuple[str, str] | None:
-    """Page and anchor of the public object with this name in the reference; None without one."""
+    """Page and anchor of a public object in the API reference; None if there is none."""
     found = NAME.fullmatch(code)
     if not found:
         return None
@@ -23,7 +23,7 @@ def target(app: Sphinx, code: str) -> tuple[str, str] | None:
 
 
 def link(app: Sphinx, doctree: nodes.document, docname: str) -> None:
-    """Make each literal that names a public object a link to it, but for those within links."""
+    """Turn each code literal that names a public object into a link, except inside links."""
     for node in list(doctree.findall(nodes.literal)):
         place = None if isinstance(node.parent, nodes.reference) else target(app, node.astext())
         if place and place[0] != docname:

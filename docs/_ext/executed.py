@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Notebooks and pages with the outputs of their code in a run of this package.
 
-A run is kept in build/executed under a hash of everything that it depends on, and serves the site
-and the tests. No time limit applies: whoever waits for a hanging run ends it.
+The outputs of a run are stored in build/executed, under a hash of everything that they depend on.
+The site and the tests use the same outputs. A run has no time limit.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ warnings.simplefilter("ignore", ImportWarning)
 
 @cache
 def fingerprint() -> str:
-    """Hash of this package with its core, and of all installed packages."""
+    """Hash of this package with the compiled core, and of the versions of installed packages."""
     found = hashlib.sha256(Path(__file__).read_bytes())
     package = Path(samcontact.__file__).parent
     for file in sorted(package.rglob("*")):
@@ -52,7 +52,10 @@ def fingerprint() -> str:
 
 
 def executed(notebook: Any) -> Any:
-    """Notebook with its outputs; raises `nbclient.exceptions.CellExecutionError`."""
+    """Return a notebook with outputs, from the store or from a new run.
+
+    An error in a cell raises `nbclient.exceptions.CellExecutionError`.
+    """
     key = hashlib.sha256((fingerprint() + nbformat.writes(notebook)).encode()).hexdigest()
     STORE.mkdir(parents=True, exist_ok=True)
     kept = STORE / f"{key}.ipynb"
@@ -115,7 +118,7 @@ def _cell(block: re.Match[str]) -> Any:
 
 
 def _shown(cell: Any) -> Iterator[str]:
-    """Markdown of the printed output and of the saved figures of a cell."""
+    """Yield the printed output and the saved figures of a cell as Markdown."""
     printed = "".join(o.text for o in cell.outputs if o.output_type == "stream").rstrip()
     if printed:
         yield f"\n`````{{code-block}} text\n:class: output\n{printed}\n`````\n"
@@ -126,9 +129,9 @@ def _shown(cell: Any) -> Iterator[str]:
 
 
 def with_outputs(page: str) -> str:
-    """Page of Markdown with the outputs below each block.
+    """Return a page of Markdown with the outputs of each code block below the block.
 
-    If the page has a place for a figure, the last picture is moved there.
+    If the page contains the comment `FIGURE`, the last picture replaces this comment.
     """
     blocks = list(BLOCK.finditer(page))
     notebook = executed(nbformat.v4.new_notebook(cells=[_cell(block) for block in blocks]))
@@ -147,7 +150,7 @@ LINK = re.compile(r"\[([^]]+)\]\((\w+)\.ipynb\)")
 
 
 def _page_of(notebook: Any) -> Any:
-    """Notebook with links to other notebooks that work although their folder is a link."""
+    """Return a notebook in which links to other notebooks are links to pages of the site."""
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             cell.source = LINK.sub(r"{doc}`\1 <\2>`", cell.source)
@@ -155,7 +158,7 @@ def _page_of(notebook: Any) -> Any:
 
 
 def show(app: Any, docname: str, content: list[str]) -> None:
-    """Replace the source of a notebook, or of a page of `executed_pages`, by its run."""
+    """Add outputs to the source of a notebook, or of a page listed in `executed_pages`."""
     if app.env.doc2path(docname).suffix == ".ipynb":
         run = executed(nbformat.reads(content[0], as_version=4))
         content[0] = nbformat.writes(_page_of(run))

@@ -21,7 +21,7 @@ NAMES = ("experiments", "finite_elements", "peers", "static_capacity")
 
 
 def key(name: str) -> str:
-    """Digest of the inputs of the figures of a benchmark folder."""
+    """Return the hash of everything that the figures of a benchmark depend on."""
     found = hashlib.sha256(fingerprint().encode())
     for file in sorted([*BENCHMARKS.glob("*.py"), *(BENCHMARKS / name).glob("*.*")]):
         found.update(file.name.encode() + file.read_bytes())
@@ -29,7 +29,7 @@ def key(name: str) -> str:
 
 
 def figures(name: str) -> dict[str, Any]:
-    """Figures by the name of their file."""
+    """Draw the figures of a benchmark from its stored records; the keys are file names."""
     if name == "peers":
         peers = importlib.import_module("benchmarks.peers.figures")
         stored = BENCHMARKS / name / "results.json"
@@ -39,7 +39,7 @@ def figures(name: str) -> dict[str, Any]:
 
 
 def draw(app: Sphinx) -> None:
-    """Draw what is not there, or not of these records."""
+    """Draw the figures that do not exist yet, or whose inputs have changed."""
     for name in NAMES:
         drawn_from = ROOT / "build" / "figures" / f"{name}.key"
         if not drawn_from.exists() or drawn_from.read_text() != key(name):

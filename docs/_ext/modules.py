@@ -37,7 +37,7 @@ def says(file: Path) -> str:
 
 
 def folders(language: str) -> dict[str, dict[str, str]]:
-    """First lines of all files by folder and name; "" is the top folder."""
+    """Return the first sentence of each file, by folder and file name; "" is the top folder."""
     top, pattern = (INCLUDE, "*.hpp") if language == "cpp" else (PACKAGE, "*.py")
     found: dict[str, dict[str, str]] = defaultdict(dict)
     for file in sorted(top.rglob(pattern)):
@@ -47,13 +47,13 @@ def folders(language: str) -> dict[str, dict[str, str]]:
 
 
 def table(heading: str, rows: dict[str, str]) -> list[str]:
-    """Lines of a table of names."""
+    """Return a table of names with their descriptions, as lines of Markdown."""
     lines = ["", f"| {heading} | |", "|---|---|"]
     return [*lines, *(f"| `{name}` | {text} |" for name, text in rows.items()), ""]
 
 
 class _OfSources(SphinxDirective):
-    """Tables made from the sources; a changed source rebuilds its pages."""
+    """Base class of tables made from source files; a changed file rebuilds their pages."""
 
     def depend_on(self, folder: Path) -> None:
         for file in folder.rglob("*.?p*"):
@@ -61,7 +61,7 @@ class _OfSources(SphinxDirective):
 
 
 class PythonRooms(_OfSources):
-    """Table of the folders and public modules of the package."""
+    """Directive that shows a table of the folders and public modules of the package."""
 
     def run(self) -> list[nodes.Node]:
         self.depend_on(PACKAGE)
@@ -71,7 +71,7 @@ class PythonRooms(_OfSources):
 
 
 class ModuleTable(_OfSources):
-    """Tables of all headers or modules, each below the name of its folder."""
+    """Directive that shows one table of headers or modules for each folder."""
 
     required_arguments = 1
 
