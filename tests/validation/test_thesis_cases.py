@@ -167,15 +167,23 @@ def many():
     return states[99], states[-1]
 
 
+@pytest.fixture(scope="module")
+def tight():
+    """Return the same two states of two increments that are divided to the tolerance."""
+    return divided(increment_tol=TestIncrementTolerance.TOL)
+
+
+def divided(**options):
+    load = TestIncrementTolerance.LOAD
+    simulation = two_balls(8, load=load, size=(1.8, 2.4), body1=STEEL_52100, **options)
+    return [simulation.step(load=load), simulation.step(load=0.0)]
+
+
 class TestIncrementTolerance:
     """Two elastic-plastic balls loaded to a Hertz pressure of 8 GPa and unloaded."""
 
     LOAD = 11179.0
     TOL = 2e-3
-
-    def divided(self, **options):
-        simulation = two_balls(8, load=self.LOAD, size=(1.8, 2.4), body1=STEEL_52100, **options)
-        return [simulation.step(load=self.LOAD), simulation.step(load=0.0)]
 
     def errors(self, found, expected):
         loaded = found[0].pressure.max() / expected[0].pressure.max() - 1
@@ -183,19 +191,18 @@ class TestIncrementTolerance:
                    for f, e in zip(found, expected, strict=True)]  # fmt: skip
         return np.abs([loaded, *strains])
 
-    def test_the_increment_tolerance_is_met_in_few_sub_increments(self, many):
-        states = self.divided(increment_tol=self.TOL)
-        assert (self.errors(states, many) < self.TOL).all()
-        assert sum(state.substeps for state in states) <= 14
-        for state in states:
+    def test_the_increment_tolerance_is_met_in_few_sub_increments(self, tight, many):
+        assert (self.errors(tight, many) < self.TOL).all()
+        assert sum(state.substeps for state in tight) <= 14
+        for state in tight:
             assert state.yield_violation <= 1e-6
 
     def test_one_increment_without_tolerance_is_inaccurate(self, many):
-        assert (self.errors(self.divided(), many)[:1] > 0.02).all()
+        assert (self.errors(divided(), many)[:1] > 0.02).all()
 
-    def test_a_looser_tolerance_needs_fewer_sub_increments(self):
-        parts = [sum(s.substeps for s in self.divided(increment_tol=tol)) for tol in (0.05, 2e-3)]
-        assert parts[0] < parts[1]
+    def test_a_looser_tolerance_needs_fewer_sub_increments(self, tight):
+        loose = divided(increment_tol=0.05)
+        assert sum(s.substeps for s in loose) < sum(s.substeps for s in tight)
 
 
 class TestNanoIndentation:

@@ -26,7 +26,7 @@ def run(tmp_path):
     return run
 
 
-def test_the_path_is_repeated(run, monkeypatch):
+def test_the_path_is_repeated(run, undrawn, monkeypatch):
     monkeypatch.setattr("samcontact.report.contact.contact_figures", lambda *_: [])
     outcome, folder = run(f"estimate_error = false\n{MINIMAL}\n{SHAKEDOWN}")
     assert outcome.exit_code == 0, outcome.output

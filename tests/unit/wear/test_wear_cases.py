@@ -19,7 +19,7 @@ def case_file(tmp_path):
     return path
 
 
-def test_the_command_is_the_call_that_the_case_describes(case_file, tmp_path):
+def test_the_command_is_the_call_that_the_case_describes(case_file, tmp_path, undrawn):
     case_file.write_text(WEAR.replace("figures = false", "figures = true"))
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--resume")
     assert outcome.exit_code == 0, outcome.output
@@ -49,7 +49,7 @@ def test_a_run_whose_wear_ceases_reports_no_further_wear(case_file, tmp_path):
     assert "not ceased" not in outcome.stdout
 
 
-def test_the_command_computes_a_scar(case_file, tmp_path):
+def test_the_command_computes_a_scar(case_file, tmp_path, undrawn):
     case_file.write_text(SCAR)
     outcome = invoke("run", case_file, "--output", tmp_path / "out")
     assert outcome.exit_code == 0, outcome.output
