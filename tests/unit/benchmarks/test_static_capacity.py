@@ -26,8 +26,9 @@ def test_the_case_has_the_geometry_of_the_bearing():
 
 
 def test_the_found_load_agrees_with_the_pressure_on_the_page():
+    # of the load 2 %, which is 0.6 % of the pressure
     found = sc.find_load(
-        load_case(CASE), "permanent_deformation", 1e-4 * setups.BALL, tolerance=0.01, progress=False
+        load_case(CASE), "permanent_deformation", 1e-4 * setups.BALL, tolerance=0.03, progress=False
     )
     race = setups.CONTACTS[GROOVE].race
     pressure = sc.hertz.elliptic(race.Rx, race.Ry, setups.E_STAR, load=found.load).p0

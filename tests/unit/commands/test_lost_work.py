@@ -115,6 +115,7 @@ def stop_at(number, error):
     return counted
 
 
+# The second is handled like the first.
 ERRORS = [
     sc.ConvergenceError("residual 0.1 after 200 iterations"),
     sc.GridTooSmallError("the contact reaches the border"),
@@ -123,7 +124,11 @@ ERRORS = [
 ]
 
 
-@pytest.mark.parametrize("error", ERRORS, ids=lambda error: type(error).__name__)
+@pytest.mark.parametrize(
+    "error",
+    [ERRORS[0], pytest.param(ERRORS[1], marks=pytest.mark.slow), *ERRORS[2:]],
+    ids=lambda error: type(error).__name__,
+)
 def test_an_error_keeps_the_computed_results(
     case_file, expected, tmp_path, monkeypatch, error, undrawn
 ):

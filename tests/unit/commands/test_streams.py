@@ -81,7 +81,13 @@ def test_output_to_a_full_disk(case):
     assert message == "error: cannot write to the standard output: No space left on device"
 
 
-@pytest.mark.parametrize("words", ["doctor", "run --help", "--help", "--version"])
+@pytest.mark.parametrize(
+    "words",
+    [
+        *("doctor", "run --help"),
+        *(pytest.param(words, marks=pytest.mark.slow) for words in ("--help", "--version")),
+    ],
+)
 def test_unprintable_output_is_a_failure(words):
     with open("/dev/full", "w") as full:
         command = [*COMMAND, *words.split()]

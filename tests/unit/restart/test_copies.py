@@ -3,6 +3,7 @@
 
 import copy
 import pickle
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -34,12 +35,21 @@ def moving():
 STEP = {"load": 0.5 * LOAD, "advance": (0.0, GRID.dx), "duration": 1e-3}
 
 
+@pytest.fixture(scope="module")
+def stepped():
+    """Return a simulation with all features, its two states, and the next, of a deep copy."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sc.GridTooSmallWarning)
+        sim = moving()
+        first = sim.step(**STEP)
+        second = sim.step(**STEP | {"heat_factor": 0.0})
+        return sim, first, second, copy.deepcopy(sim).step(**STEP)
+
+
 @pytest.mark.parametrize("copied", COPIES.values(), ids=COPIES)
 @pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-def test_copies_of_a_simulation_with_all_features(copied):
-    sim = moving()
-    first = sim.step(**STEP)
-    second = sim.step(**STEP | {"heat_factor": 0.0})
+def test_copies_of_a_simulation_with_all_features(copied, stepped):
+    sim, first, second, third = stepped
     assert second.plastic_cells() > 0
     other = copied(sim)
     assert repr(other) == repr(sim)
@@ -49,8 +59,7 @@ def test_copies_of_a_simulation_with_all_features(copied):
         assert_same(again, state)
         assert again.heat_factor == state.heat_factor
         np.testing.assert_array_equal(again.temperature(2), state.temperature(2))
-    one, alone = other.step(**STEP), copy.deepcopy(sim).step(**STEP)
-    assert_same(one, alone)
+    assert_same(other.step(**STEP), third)
     assert_same(sim.state, second)  # no copy moves what it was made of
 
 
