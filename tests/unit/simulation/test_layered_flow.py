@@ -235,7 +235,7 @@ def test_contacts_move_over_layers_as_over_the_homogeneous_body():
         sc.Material.swift(E, 0.3, 945e6, 20.0, 0.121).with_kinematic_hardening(20e9, 100.0)
         for E in (210e9, 210e9 * (1 + 1e-12))
     )
-    grid = sc.Grid(26, 26, 4e-6, 4e-6, nz=16, dz=3e-6)
+    grid = sc.Grid(20, 20, 4e-6, 4e-6, nz=14, dz=3e-6)
     gap = sc.surfaces.paraboloid(grid, 1e-3)
     found = []
     for body in (usual, sc.Layered([(other, 6e-6), (usual, 6e-6)], usual)):

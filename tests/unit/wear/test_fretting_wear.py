@@ -140,7 +140,7 @@ def test_a_gap_may_be_a_function_of_the_grid(worn):
     np.testing.assert_array_equal(made.profile(), worn.profile())
 
 
-def test_dataset_and_report(worn, tmp_path):
+def test_dataset_and_report(worn, tmp_path, undrawn):
     data = worn.to_dataset()
     assert {v.attrs["units"] for v in data.data_vars.values()} == {"m3", "m", "m2", "J", "Pa", "1"}
     results.save(data, tmp_path / "wear.nc")
