@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.accuracy: page on errors that samcontact states, and true errors.
+"""python -m benchmarks.accuracy: page on the errors stated by samcontact and the true errors.
 
 The true error follows from a closed form, or from a much finer run.
 """
@@ -98,7 +98,7 @@ class Judged(NamedTuple):
 
 
 def judged(name: str, truth: dict[str, float], accuracy: float) -> Record:
-    """Relative errors of the non-zero quantities of a case: as stated by samcontact, and true.
+    """Return the relative errors of the non-zero quantities of a case: stated by samcontact, true.
 
     The time is processor time.
     """
@@ -140,7 +140,7 @@ def run(of: str, accuracy: float) -> Record:
 
 
 def quantities(records: list[Record]) -> list[Judged]:
-    """Return a `Judged` for each quantity of each record."""
+    """Return the stated and true errors of all quantities in all records."""
     return [
         Judged(record["of"], record["accuracy"], quantity, record["stated"][quantity], true,
                record["seconds"], record["cells"], record["reached"])
@@ -200,7 +200,7 @@ def elements() -> str:
 
 
 def elements_of() -> dict[str, dict[str, float]]:
-    """Finite element values in SI units; stress and strain have their maxima on the axis."""
+    """Return the finite element values [SI units]; stress and strain are largest on the axis."""
     found: dict[str, dict[str, float]] = {}
     for key, name in (("2b1500", "T1, 1500 N"), ("2a", "2a, rigid on M50")):
         summary = fem.load(key).summary

@@ -26,7 +26,7 @@ CASES = ("three balls on a flat", "two find_load")
 
 
 def balls() -> None:
-    """Run four increments on 41 x 41 x 24 cells, three times."""
+    """Load two balls in four increments on 41 x 41 x 24 cells, three times."""
     for _ in range(3):
         grid = sc.Grid(41, 41, 25e-6, 25e-6, 24, 20e-6)
         steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
@@ -47,7 +47,7 @@ def pressed(load: float) -> tuple[sc.Simulation, list[dict[str, float]]]:
 
 
 def searches() -> None:
-    """Find the loads for two values of the maximum plastic strain."""
+    """Search for the loads that cause two given values of the maximum plastic strain."""
     for strain in (0.001, 0.002):
         sc.find_load(
             pressed, "max_equivalent_plastic_strain_body2", strain, largest_load=5e3, progress=False

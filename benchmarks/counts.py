@@ -76,7 +76,10 @@ def load_up(meter: Meter, across: int, path: str, method: str) -> dict[str, Any]
 def there_and_back(
     meter: Meter, across: int, method: str
 ) -> tuple[dict[str, np.ndarray], dict[str, Any]]:
-    """Return fields to compare, and columns; method: number of increments, or a tolerance."""
+    """Load and unload two balls; return the fields to compare, and the columns of the table.
+
+    method: number of increments, or a tolerance.
+    """
     automatic = method.startswith("increment_tol")
     half = 1 if automatic else int(method.split()[0]) // 2
     tol = float(method.split()[1]) if automatic else None
@@ -110,7 +113,7 @@ def make_reference(meter: Meter, across: int, method: str, file: str) -> dict[st
 
 
 def cycle(meter: Meter, across: int, method: str, file: str) -> dict[str, Any]:
-    """Return the maximum relative differences from the run with the smallest increments."""
+    """Load and unload; compare all fields with the run with the smallest increments."""
     fields, work = there_and_back(meter, across, method)
     with np.load(file) as fine:
         errors = {name: largest_error(field, fine[name]) for name, field in fields.items()}

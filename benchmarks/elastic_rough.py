@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic contact of a crowned self-affine surface and a flat: error against the finest grid."""
+"""Elastic contact of a crowned self-affine surface: error relative to the finest grid."""
 
 from __future__ import annotations
 

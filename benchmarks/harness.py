@@ -40,19 +40,19 @@ class Task:
     function: str
     """Name of a function in the part's module."""
     arguments: dict[str, Any] = field(default_factory=dict)
-    """Keyword arguments, JSON; they also distinguish tasks of equal case and method."""
+    """Keyword arguments that can be written as JSON; tasks may differ only in these arguments."""
     reference: str = ""
-    """Reference method: times of the same case with equal arguments are relative to its time."""
+    """Reference method: its time divides the times of tasks with this case and equal arguments."""
     threads: int = 0
-    """Number of threads of this task; 0: the common number."""
+    """Number of threads of this task; 0 for the common number of all tasks."""
     rounds: int = 1
-    """Number of new processes that measure the task; the minimum time counts."""
+    """Number of repetitions, each in a new process; the minimum time counts."""
     hidden: bool = False
     """Whether the task only prepares data for other tasks and has no row in the tables."""
 
 
 def peak_memory() -> int:
-    """Return the largest memory of this process so far [bytes].
+    """Return the peak memory of this process so far [bytes].
 
     It is read from /proc if available, because ru_maxrss is inherited from the parent process.
     """
@@ -132,7 +132,7 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def options_text(task: Task) -> str:
-    """Return the arguments as a column, without file paths."""
+    """Return the arguments of a task as text for a table, without file paths."""
     shown = {k: v for k, v in task.arguments.items() if not str(v).endswith(".npz")}
     return ", ".join(f"{k}={v}" for k, v in shown.items())
 

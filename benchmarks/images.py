@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cost and error of the fast residual stress due to its periodicity, by image tolerance.
 
-The plastic strain is smooth, (1 - r^2)^4. Only the images cause a difference from a box eight times
-as wide.
+The plastic strain is smooth, (1 - r^2)^4. The stress differs from the
+stress in a box eight times as wide only because of periodic images.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def make_reference(meter: Meter, box: str, file: str) -> dict[str, Any]:
 
 
 def apply(meter: Meter, box: str, file: str, method: str) -> dict[str, Any]:
-    """Measure set-up and one application."""
+    """Measure the set-up of the operator and one application."""
     grid, strain = blob(box)
     field = meter(lambda: stress(grid, strain, "fast", float(method.split()[1])))
     cells = grid.nx * grid.ny * grid.nz
@@ -76,7 +76,7 @@ def apply(meter: Meter, box: str, file: str, method: str) -> dict[str, Any]:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence with the largest error for each bound."""
+    """Return a sentence with the maximum error for each image tolerance."""
     worst: dict[float, float] = {}
     for row in rows:
         bound = float(row["method"].removeprefix("image_tol "))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Bodies with properties that vary with depth: one coating, five layers, a yield profile.
 
-Layers differ so little from the substrate that all bodies deform equally. The bodies are solved
-alternately. Times are processor times without the first increment, which computes tables.
+Layers differ so little from the substrate that all bodies deform equally. The bodies are solved in
+turn. Times are processor times; the first increment, which computes tables, is timed separately.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def body_of(name: str, cell: float) -> sc.Material | sc.Layered:
-    """Return a layered body whose layers are as thick as the cells."""
+    """Return the body with this name; layers are as thick as a cell, whose size is `cell` [m]."""
     if name == "yield-stress profile":
         return STEEL.with_yield_profile([0.0, 2 * cell, 20 * cell], [1.02, 1.01, 1.0])
     if name == "homogeneous":
@@ -44,7 +44,7 @@ def body_of(name: str, cell: float) -> sc.Material | sc.Layered:
 
 
 def measured_increments(body: sc.Material | sc.Layered, grid: sc.Grid) -> dict[str, float]:
-    """Processor time of the first increment and per iteration of later ones [s]; memory [bytes]."""
+    """Return processor times of the first increment and of a later iteration, and the memory."""
     gap = sc.surfaces.paraboloid(grid, RADIUS)
     began = time.process_time()
     simulation = sc.Simulation(grid, sc.Material.rigid(), body, gap, tol=1e-6)
@@ -64,7 +64,7 @@ def measured_increments(body: sc.Material | sc.Layered, grid: sc.Grid) -> dict[s
 
 
 def press(meter: Meter, n: int) -> dict[str, Any]:
-    """Load bodies with `n` cells across the radius of the elastic contact at the last load."""
+    """Load all bodies on a grid with `n` cells per Hertz radius at the last load."""
     a = sc.hertz.point(RADIUS, sc.hertz.effective_modulus(sc.Material.rigid(), STEEL),
                        load=LOADS[-1]).a  # fmt: skip
     cell = a / n
@@ -97,7 +97,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return sentences that summarise the rows."""
+    """Return lines with the maximum ratios of times and memory to the homogeneous body."""
     lines = []
     for name in BODIES[1:]:
         stated = [

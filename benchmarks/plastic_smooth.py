@@ -35,7 +35,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, across: int, increments: int, method: str) -> dict[str, Any]:
-    """Load in equal increments and unload in one, with `across` cells per Hertz radius."""
+    """Load two balls in equal increments, unload in one; `across`: cells per Hertz radius."""
 
     def run() -> tuple[sc.Simulation, sc.State, sc.State]:
         simulation = balls(across, residual_stress=method)

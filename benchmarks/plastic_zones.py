@@ -56,7 +56,7 @@ def gap(grid: sc.Grid) -> np.ndarray:
 def run(
     meter: Meter, n: int, percent: float, zones: str, parts: Sequence[float] = LOADING
 ) -> tuple[sc.Simulation, list[sc.State]]:
-    """Return states under fractions of the load that gives a contact area of about `percent`."""
+    """Solve contacts under fractions `parts` of the load for a contact area of about `percent`."""
     grid = sc.Grid(n, n, CELL, CELL, dz=CELL)
     surface, area = gap(grid), (n * CELL) ** 2
 
@@ -112,7 +112,7 @@ def solve(
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence per size that compares subdomains with one box: time, memory, fields."""
+    """Return sentences that compare time, memory and fields of subdomains and of one box."""
     lines = []
     for across in sorted({row["across"] for row in rows}):
         at = [row for row in rows if row["across"] == across]

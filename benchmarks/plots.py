@@ -33,13 +33,13 @@ APPLICATIONS = ("volume_applications", "surface_applications", "contact_iteratio
 
 
 def label(column: str) -> str:
-    """Return name and unit of a column; errors are relative."""
+    """Return the axis label of a column, with name and unit; errors are relative."""
     name = column.removeprefix("error: ")
     return LABELS.get(column, f"error of {name} [-]" if name != column else column)
 
 
 def axes_of(rows: pd.DataFrame, part: ModuleType) -> tuple[list[str], list[str]]:
-    """Return the columns along x and y as the part sets them, by default work and errors."""
+    """Return the columns for the x and y axes, as set by the part; default: work and errors."""
     if hasattr(part, "AXES"):
         across, up = part.AXES
         return list(across), list(up)

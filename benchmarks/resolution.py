@@ -111,7 +111,7 @@ more accurate than the area.
 
 
 def surface(n: int) -> tuple[np.ndarray, float]:
-    """Return the heights of the waves and their rms [m]."""
+    """Return the heights of the rough surface in n x n cells, and their rms [m]."""
     waves = wave_amplitudes(WAVES, HURST, seed=SEED, lowest=MIN_WAVES)
     kx, ky = np.arange(-WAVES, WAVES + 1)[:, None], np.arange(WAVES + 1)
     slopes = [surface_rms(2j * np.pi / SIDE * k * waves) for k in (kx, ky)]
@@ -127,7 +127,7 @@ def gap(grid: sc.Grid) -> np.ndarray:
 
 
 def run(of: str, fine: int, parts: int) -> list[Record]:
-    """Return a row for each load, on a grid with `fine` cells per shortest wavelength.
+    """Solve all loads with `fine` cells per shortest wavelength; return a row for each load.
 
     Each load is reached from the previous load in `parts` increments. The memory is the maximum
     over all loads.
@@ -179,7 +179,7 @@ def residual_stress(state: sc.State) -> tuple[float, float]:
 
 
 def references(rows: list[Record]) -> dict[str, float]:
-    """Return the reference values of the rows of one load, coarsest first."""
+    """Return the reference values for one load; rows: results on all grids, coarsest first."""
     coarse, fine = rows[-2:]
     area = 2 * fine["area"] - coarse["area"]
     force = fine["pressure"] * fine["area"]
@@ -189,13 +189,13 @@ def references(rows: list[Record]) -> dict[str, float]:
 
 
 def errors(rows: list[Record]) -> list[Record]:
-    """Return the signed relative errors of the rows of one load."""
+    """Return the signed relative errors for one load on all grids, coarsest first."""
     exact = references(rows)
     return [{name: row[name] / exact[name] - 1 for name in SERIES} for row in rows]
 
 
 def order(values: list[float]) -> float:
-    """Return the observed order of convergence on the three finest grids."""
+    """Return the observed order of convergence of a quantity on the three finest grids."""
     coarse, middle, fine = values[-3:]
     return float(np.log2((middle - coarse) / (fine - middle)))
 

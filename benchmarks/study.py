@@ -37,24 +37,24 @@ class Study:
 
     name: str
     about: str
-    """First line of the help text of the command."""
+    """First line of the help text of the command of the study."""
     points: Callable[[bool], Sequence[Record]]
-    """Function returning all points; with argument True, few small ones that are not stored."""
+    """Function that returns all points or, with the argument True, a few small points."""
     run: Callable[..., Record | list[Record]]
-    """Run of one point, given as keyword arguments; returns a record, or one for each row."""
+    """Function that runs a point, given as keyword arguments; returns one record or several."""
     page: Callable[[list[Record]], str] = lambda records: ""
     draw: Callable[[list[Record]], dict[str, Any]] = lambda records: {}
-    """Functions of the figures by file name."""
+    """Function that draws the figures from the records, and returns them by file name."""
     document: str = ""
     """Name of the page, if it differs from the name of the study."""
     fresh: bool = False
     """Whether each point runs in a separate process whose memory is measured."""
     lasting: bool = False
-    """Whether measurements are so long that each is stored, and --docs measures nothing."""
+    """Whether measurements take so long that each is stored, and --docs uses only stored ones."""
     keeps_quick: bool = False
     """Whether small points are stored with the others."""
     figures: str = DRAWN
-    """Folder of the figures: docs/figures if no records are stored to draw them from."""
+    """Folder of the figures; docs/figures if they cannot be drawn from stored records."""
 
     @property
     def file(self) -> Path:
@@ -72,7 +72,7 @@ class Study:
         return found
 
     def keep(self, new: Sequence[Record]) -> None:
-        """Replace the stored records of these points, in the order of the points; one per line."""
+        """Store new records, in place of old records of the same points; keep the order of points."""
         every = [*self.points(False), *(self.points(True) if self.keeps_quick else ())]
         names = sorted({name for point in every for name in point})
 
@@ -93,7 +93,7 @@ class Study:
         save(self.draw(records), self.figures)
 
     def solve(self, points: Sequence[Record], processes: int = 1) -> Iterator[list[Record]]:
-        """Return the records of points, each computed in a single-threaded process."""
+        """Compute the records of points in single-threaded processes, and iterate over them."""
         os.environ["OMP_NUM_THREADS"] = "1"
         for batch in [[point] for point in points] if self.fresh else [points]:
             with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
@@ -122,7 +122,7 @@ def save(figures: dict[str, Any], folder: str = DRAWN) -> None:
 
 
 def measured_on() -> str:
-    """Return version and processor; studies use one thread."""
+    """Return version of samcontact and name of the processor; studies use one thread."""
     return f"samcontact {sc.__version__}, {platform.machine()}"
 
 
@@ -172,7 +172,7 @@ def command(study: Study) -> click.Command:
 def chosen(
     points: Sequence[Record], names: Sequence[str], rows: str = "", largest: int | None = None
 ) -> list[Record]:
-    """Return points by group, contained text, and number from the end of each group."""
+    """Return points of the named groups that contain a text; `largest`: last points per group."""
     found: dict[str, list[Record]] = {}
     for point in points:
         shown = " ".join(str(value) for key, value in point.items() if key != "of")

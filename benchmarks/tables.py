@@ -31,7 +31,7 @@ TIMES = ("time_s", "us_per_cell_and_application", "ms_per_iteration")
 
 
 def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
-    """Return all rows, with columns in a fixed order."""
+    """Return a table of all rows, with columns in a fixed order."""
     table = pd.DataFrame(rows)
     errors = [c for c in table if c.startswith("error: ")]
     others = [c for c in table if c not in (*FIRST_COLUMNS, *errors, *WORK)]
@@ -40,7 +40,7 @@ def frame(rows: list[dict[str, Any]]) -> pd.DataFrame:
 
 
 def cell(value: Any) -> str:
-    """Return a number with three digits, a count in full, and "" for a missing value."""
+    """Return a value as text: numbers with three digits, counts in full, "" for a missing value."""
     if isinstance(value, str):
         return value
     if pd.isna(value):
@@ -74,7 +74,7 @@ def report(table: pd.DataFrame, parts: list[ModuleType], *, times: bool = True) 
 
 
 def rows_of(section: str) -> list[dict[str, Any]]:
-    """Return the rows of the table in a section: numbers as written, empty cells omitted."""
+    """Return the rows of the table in a section, with numbers as printed, without empty cells."""
     lines = [line for line in section.splitlines() if line.startswith("|")]
     head, _, *rest = [[cell.strip() for cell in line.strip("|").split("|")] for line in lines]
     return [
@@ -96,7 +96,7 @@ def section_of(page: str, part: ModuleType) -> str:
 
 
 def noted(page: str, parts: list[ModuleType]) -> str:
-    """Return the page with sentences rewritten from its tables, except sentences on times."""
+    """Return the page with sentences rewritten from the tables, except sentences on times."""
     for part in parts:
         section = section_of(page, part)
         if section and hasattr(part, "notes") and not getattr(part, "NOTES_NEED_TIMES", False):

@@ -26,7 +26,7 @@ HIDDEN_COLUMNS = (
     "shear_iterations", "shear_applications", "shear_work", "sticking_cells", "contact_fraction",
     "plastic_cells",
 )  # fmt: skip
-"""Counts that do not depend on the number of threads; other parts have them."""
+"""Counts that do not depend on the number of threads; they are in the tables of other parts."""
 SIZES = {
     "contact": (64, 256, 1024),
     "partial slip": (64, 256, 1024),
@@ -42,7 +42,7 @@ LARGE_SIZES = {
     "plastic subdomains": 1e5,
     "sweep": 64,
 }
-"""Minimum cells (of a sweep: cases) of a large case; starting a process takes a second."""
+"""Minimum number of cells (for a sweep: of cases) from which a case counts as large."""
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
@@ -85,7 +85,7 @@ def press(meter: Meter, n: int) -> dict[str, Any]:
 
 
 def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
-    """Solve `cases` loads of a case in single-threaded processes, including their start."""
+    """Solve a case for `cases` loads; measure processes of one thread, including their start."""
     loads = [800.0 + 1600.0 * k / cases for k in range(cases)]
 
     def run() -> Any:
@@ -100,12 +100,12 @@ def sweep(meter: Meter, cases: int, processes: int) -> dict[str, Any]:
 
 
 def efficiency(row: dict[str, Any]) -> float:
-    """Return the efficiency of the second thread: 1 if it halves the time."""
+    """Return the efficiency of two threads; it is 1 if they halve the time."""
     return float(1 / (2 * row["time_ratio"]))
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Minimum efficiency of the large cases, and maximum time ratio of the small ones."""
+    """Return the minimum efficiency in large cases and the maximum time ratio in small cases."""
     lines = []
     for case in SIZES:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]

@@ -21,11 +21,11 @@ E_STAR = E / (1.0 - NU**2)
 YIELD_STRAIN = 1e-5
 INCREMENTS = 20
 REPRESENTATIVE = 0.2
-"""Tabor's representative strain over a/R."""
+"""Ratio of Tabor's representative strain to a/R (contact radius over ball radius)."""
 
 
 class Indentation(NamedTuple):
-    """Imprint under load; lengths relative to the ball radius, stresses relative to E*."""
+    """Imprint under load, with lengths divided by the ball radius and stresses divided by E*."""
 
     cells: int
     radius: float
@@ -36,17 +36,17 @@ class Indentation(NamedTuple):
 
     @property
     def stiffness(self) -> float:
-        """Ratio E* a/(Y R), with Y at the representative strain."""
+        """Ratio E* a/(Y R), where Y is the yield stress at the representative strain."""
         return self.radius / self.yield_stress
 
     @property
     def constraint(self) -> float:
-        """Mean pressure over Y."""
+        """Constraint factor: mean pressure divided by Y."""
         return self.mean_pressure / self.yield_stress
 
 
 def press(material: sc.Material, radius: float, mean_pressure: float, cells: int) -> Indentation:
-    """Load until the contact radius [m] and the mean pressure [Pa] are about the given ones.
+    """Load to about the given contact radius [m] and mean pressure [Pa].
 
     The contact area is the area of the cells under pressure.
     """
@@ -95,18 +95,18 @@ def hardening(exponent: float, to_radius: float, cells: int) -> Indentation:
 
 
 def hertz(stiffness: float) -> float:
-    """Return the mean pressure over Y of an elastic body."""
+    """Return the mean pressure divided by Y of an elastic contact."""
     return 4.0 * stiffness / (3.0 * math.pi)
 
 
 def first_yield() -> float:
-    """Return the mean pressure over Y at first yield."""
+    """Return the mean pressure divided by Y at first yield."""
     Y = YIELD_STRAIN * E
     return 2.0 / 3.0 * sc.critical.onset(RADIUS, E_STAR, NU, Y).p0 / Y
 
 
 def cavity(stiffness: float | np.ndarray) -> np.ndarray:
-    """Return the mean pressure over Y by the expanding cavity model.
+    """Return the mean pressure divided by Y by the expanding cavity model.
 
     A core under uniform pressure below the ball grows by the volume that the ball displaces, with
     tan(beta) = a/R, inside a sphere that yields to the radius c. By Hill, the core bears 2/3 Y (1 +

@@ -46,7 +46,7 @@ TEXT = Path(__file__).with_name("template.md")
 
 
 Prints = list[tuple[float, Indentation]]
-"""Return the imprints, each with its nominal stiffness or its hardening exponent."""
+"""Imprints, each with a nominal stiffness E* a/(Y R) or a hardening exponent."""
 
 
 def points(quick: bool) -> list[Record]:
@@ -66,7 +66,7 @@ def run(of: str, **point: Any) -> Record:
 
 
 def prints(records: list[Record]) -> dict[str, Prints]:
-    """Return the imprints of each group."""
+    """Return the imprints of the groups "perfect" and "hardening"."""
     return {
         name: [(record[first], Indentation(*(record[field] for field in Indentation._fields)))
                for record in records if record["of"] == name]
@@ -75,7 +75,7 @@ def prints(records: list[Record]) -> dict[str, Prints]:
 
 
 def finest(rows: Prints) -> list[Indentation]:
-    """Return the finest grid of each load."""
+    """Return the imprint on the finest grid for each load."""
     return list(dict(rows).values())
 
 
@@ -156,7 +156,7 @@ def hardening_table(rows: Prints) -> list[dict[str, Any]]:
 
 
 def meyer(rows: Prints) -> dict[float, float]:
-    """Return Meyer's exponent (load as a power of the imprint radius), by hardening exponent."""
+    """Return Meyer's exponent, of load versus imprint radius, for each hardening exponent."""
     found = {}
     for n in EXPONENTS:
         first, last = (one for exponent, one in rows if exponent == n)

@@ -3,9 +3,10 @@
 
     python benchmarks/instructions/guard.py [--base REVISION]
 
-Builds driver.cpp for the working tree and for the base (HEAD~1), each with its own sources, and
-counts the instructions of each kernel under valgrind, on one thread. Unlike times, the counts are
-the same on a busy machine. An intended change is announced in the commit message, one line each:
+The script builds driver.cpp for the working tree and for the base (HEAD~1), each with the sources
+of that version, and counts the instructions of each kernel under valgrind, on one thread. Unlike
+times, the counts are the same on a busy machine. An intended change is announced in the commit
+message, one line each:
 
     Instructions: layer_sweep +12 % because ...
 """
@@ -46,7 +47,7 @@ def allowances(messages: str) -> dict[str, float]:
 def compare(
     before: dict[str, int], after: dict[str, int], allowed: dict[str, float]
 ) -> tuple[list[tuple[str, str, str, str, str]], list[str]]:
-    """Return rows (kernel, before, after, change, result) and the kernels that grew too much."""
+    """Return rows (kernel, before, after, change, result) and the kernels above their allowance."""
     rows, failed = [], []
     for kernel in sorted(before.keys() | after.keys()):
         old, new = before.get(kernel), after.get(kernel)

@@ -38,8 +38,9 @@ class Contact:
 
 
 class Slip:
-    """Partial slip of two identical bodies, each twice as stiff as the elastic body of the problem:
-    pressure and shear are uncoupled, as in ASPHER."""
+    """Partial slip of two identical bodies, each twice as stiff as the elastic body of the problem.
+
+    Pressure and shear are then uncoupled, as in ASPHER."""
 
     tolerances = (1e-1, 1e-2, 1e-4, 1e-6, 1e-8)
 

@@ -51,7 +51,7 @@ Ladder = dict[float, list[dict[str, Any]]]
 
 
 def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
-    """Return the measurements by problem, case and size, then by code."""
+    """Return the measurements by place (problem, case, size), and for each place by code."""
     places: dict[Place, dict[str, Ladder]] = {}
     for key, rounds in data["rows"].items():
         problem, case, n, code, tol = key.split("|")
@@ -64,12 +64,12 @@ def by_place(data: dict[str, Any]) -> dict[Place, dict[str, Ladder]]:
 
 
 def row_counts(problem: str, tol: float) -> bool:
-    """Whether a row is a measurement, not a reference (whose error is zero)."""
+    """Whether a row is a measurement; references, whose error is zero, are not measurements."""
     return tol not in tight(problem).values()
 
 
 def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]:
-    """Return errors and minimum times of the rounds, from the loosest tolerance to the tightest."""
+    """Return error and minimum time of the rounds for each tolerance, loosest tolerance first."""
     return [
         (rounds[0]["errors"][measure], min(row[time] for row in rounds))
         for _, rounds in sorted(ladder.items(), reverse=True)
@@ -78,9 +78,10 @@ def points(ladder: Ladder, measure: str, time: str) -> list[tuple[float, float]]
 
 
 def time_at(curve: list[tuple[float, float]], error: float) -> float | None:
-    """Return the time to reach an error, interpolated in logarithms between the two nearest
-    tolerances. It is the time of the loosest tolerance if this is sufficient, and None if the error
-    is never reached."""
+    """Return the time to reach an error, interpolated in logarithms between two tolerances.
+
+    If the loosest tolerance reaches the error, its time is returned; None if no tolerance does.
+    """
     reached = [i for i, (found, _) in enumerate(curve) if found <= error]
     if not reached:
         return None
@@ -101,7 +102,7 @@ def ratio_at(
 
 
 def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
-    """Return the loosest run with at most this error."""
+    """Return the run of the loosest tolerance with at most this error; None if there is none."""
     for tol in sorted(ladder, reverse=True):
         if ladder[tol][0]["errors"].get(measure, np.inf) <= error:
             return ladder[tol][0]
@@ -109,13 +110,13 @@ def row_at(ladder: Ladder, measure: str, error: float) -> dict[str, Any] | None:
 
 
 def table(lines: list[dict[str, Any]]) -> str:
-    """Return the Markdown table of dictionaries with equal keys, one per row."""
+    """Return the Markdown table of rows, given as dictionaries with equal keys."""
     return table_of([{name: "" if value is None else cell(value) for name, value in line.items()}
                      for line in lines])  # fmt: skip
 
 
 def where(place: Place, codes: dict[str, Ladder]) -> str:
-    """Return the name of a problem in a table, with the contact fraction if there are several."""
+    """Return the name of a case in a table, with its contact fraction; "one" for a single case."""
     _, case, _ = place
     row = next(iter(codes[OURS].values()))[0]
     return f"{case}, {100 * row['contact_fraction']:.2g} %" if case else "one"
@@ -151,14 +152,14 @@ def solver_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]
 
 
 def times_of(problem: str) -> dict[str, str]:
-    """Return the kinds of time; plastic bodies have one time, because they are not solved twice."""
+    """Return the kinds of time measured; with plastic flow, only the time with set-up."""
     return {"with_setup_s": "with set-up"} if problem in PLASTIC else TIMES
 
 
 def converged(
     target_problem: str, data: dict[str, Any], case: str = ""
 ) -> Iterator[tuple[int, str, dict[str, Any]]]:
-    """Return cells across, code and row for each tightly converged contact of a problem."""
+    """Iterate over the reference solutions of a problem: cells across, code and row of each."""
     for key, rounds in data["rows"].items():
         problem, of, n, code, tol = key.split("|")
         worked = rounds and "failed" not in rounds[0]
@@ -171,7 +172,7 @@ def converged(
 
 
 def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
-    """Return rows of grid errors of both codes, relative to samcontact on the finest grid."""
+    """Return table rows with grid errors of all codes, relative to samcontact's finest grid."""
     found = sorted(converged(problem, data), key=lambda one: one[:2])
     ours = [(n, row) for n, code, row in found if code == OURS]
     if not ours:
@@ -193,11 +194,11 @@ def grid_lines(problem: str, data: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 Grids = dict[str, dict[int, tuple[float, float | None]]]
-"""Discretisation error, and minimum time to a tenth of this error, by code and cells across."""
+"""By code and cells across: discretisation error, and minimum time to solve to a tenth of it."""
 
 
 def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
-    """Return the discretisation error of each grid, and the time to a tenth of this error."""
+    """Return, for each grid, the discretisation error and the time to solve to a tenth of it."""
     places, found = by_place(data), Grids()
     for n, code, row in sorted(converged(problem, data, case), key=lambda one: one[:2]):
         error = row["errors"].get(FINE_PRESSURE)
@@ -209,7 +210,7 @@ def grids_of(problem: str, case: str, data: dict[str, Any]) -> Grids:
 
 
 def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Return rows that compare both codes with the finest grid, at equal cells and equal error."""
+    """Iterate over table rows: errors on each grid, and times at equal cells and equal error."""
     for case in dict.fromkeys(place[1] for place in by_place(data) if place[0] == problem):
         grids = grids_of(problem, case, data)
         ours = [(error, time) for error, time in grids.get(OURS, {}).values() if time]
@@ -229,7 +230,7 @@ def accuracy_lines(problem: str, data: dict[str, Any]) -> Iterator[dict[str, Any
 
 
 def stress_lines(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Return rows for the stress: one application of an operator, without a tolerance."""
+    """Iterate over table rows for the stress, one application of an operator without tolerance."""
     for (problem, _, n), codes in by_place(data).items():
         if problem != "stress" or OURS not in codes:
             continue
@@ -276,7 +277,7 @@ def smallest_ratios(data: dict[str, Any]) -> str:
 
 
 def wins_of_peers(data: dict[str, Any]) -> list[str]:
-    """Return the cases in which another code is faster at equal error, with the minimum ratio."""
+    """Return texts of the cases in which another code is faster at equal error, with the ratio."""
     found: dict[str, list[str]] = {}
     for problem, measure in MEASURE.items():
         for place, codes in by_place(data).items():
@@ -312,7 +313,7 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
 
 
 def failures(data: dict[str, Any]) -> list[str]:
-    """Return measurements missing in the tables, with the reason."""
+    """Return texts of the measurements that are missing in the tables, with the reason."""
     found: dict[str, list[str]] = {}
     for key, rounds in data["rows"].items():
         problem, case, n, code, tol = key.split("|")
@@ -326,7 +327,7 @@ def failures(data: dict[str, Any]) -> list[str]:
 
 
 def about_grids(problem: str, data: dict[str, Any]) -> list[str]:
-    """Return discretisation errors of codes with different discretisations."""
+    """Return a text on the discretisation errors of codes with different discretisations."""
     sections = []
     if problem in PLASTIC and (grid := grid_lines(problem, data)):
         sections += [
@@ -372,6 +373,6 @@ def tables_of(data: dict[str, Any]) -> str:
 
 
 def write(data: dict[str, Any]) -> None:
-    """Write the tables into the page."""
+    """Write all tables between the markers of the page."""
     page = PAGE.read_text(encoding="utf-8")
     PAGE.write_text(between_markers(page, tables_of(data)), encoding="utf-8")

@@ -58,7 +58,7 @@ class Elastic:
 
 @dataclass(frozen=True)
 class Slipping(Elastic):
-    """Contact pressed, then loaded along x; pressure causes no tangential displacement."""
+    """Contact pressed, then loaded along x; pressure and shear are uncoupled."""
 
     force: float | None = None
     shift: float | None = None
@@ -93,14 +93,14 @@ def hertz_theory() -> sc.hertz.PointContact:
 
 
 def hertz(n: int) -> Elastic:
-    """Return the contact of a ball that covers four fifths of the width."""
+    """Return the contact of a ball on n x n cells; the contact covers four fifths of the width."""
     side = 2 * hertz_theory().a / 0.8
     grid = sc.Grid(n, n, side / n, side / n)
     return Elastic(sc.surfaces.paraboloid(grid, RADIUS), side, HERTZ_LOAD)
 
 
 def slipping(n: int, case: str) -> Slipping:
-    """Hertz contact under half of the friction limit, or under the corresponding displacement."""
+    """Return the ball contact under half the friction limit, or the corresponding displacement."""
     given, theory = hertz(n), hertz_theory()
     limit = FRICTION * HERTZ_LOAD
     if case == "force given":
@@ -111,9 +111,9 @@ def slipping(n: int, case: str) -> Slipping:
 
 
 def rough(n: int, case: str) -> Elastic:
-    """Self-affine surface with Hurst exponent 0.8 and a shortest wavelength of eight cells.
+    """Return the contact of a self-affine surface with a shortest wavelength of eight cells.
 
-    Every grid has its own surface, with the finest roughness that the grid resolves.
+    The Hurst exponent is 0.8. Each grid has another surface, with shorter waves on finer grids.
     """
     crown, load = ROUGH_CASES[case]
     grid = sc.Grid(n, n, ROUGH_SIDE / n, ROUGH_SIDE / n)
@@ -123,8 +123,11 @@ def rough(n: int, case: str) -> Elastic:
 
 
 def periodic(n: int, case: str) -> Elastic:
-    """Self-affine surface with Hurst exponent 0.8, equal on all grids. Heights are evaluated at i/n
-    of the side, so that a grid with a multiple of n cells contains all points of this grid."""
+    """Return the contact of a periodic self-affine surface that is equal on all grids.
+
+    Heights are evaluated at i/n of the side, so that a grid with a multiple of n cells contains all
+    points of this grid.
+    """
     amplitudes = wave_amplitudes(WAVES, 0.8, seed=1)
     k = np.arange(-WAVES, WAVES + 1)[:, None] + np.arange(WAVES + 1)[None, :]
     gap = -heights(n, amplitudes * np.exp(-1j * np.pi / n * k), ROUGH_RMS)
@@ -140,8 +143,11 @@ def elastic(problem: str, case: str, n: int) -> Elastic:
 
 
 def plastic(n: int, side: float = PLASTIC_SIDE, periodic: str = "") -> Plastic:
-    """Contact on cubic cells. Without yielding, the Hertz pressure would be four times the yield
-    stress, and the contact radius 1 mm; the side is given in such radii."""
+    """Return a contact of a paraboloid and an elastic-plastic half-space on cubic cells.
+
+    In an elastic contact, the maximum pressure would be four times the yield stress, and the
+    contact radius 1 mm. `side` is the width of the grid divided by this radius.
+    """
     a, p0 = 1e-3, 4 * YIELD_STRESS
     layers = round(n * DEPTH / side)
     radius = 2 * E_STAR * a / (np.pi * p0)

@@ -81,9 +81,9 @@ class Task:
     code: str
     tol: float
     folder: str = ""
-    """Folder of the references; like the clock, it does not distinguish tasks."""
+    """Folder of the references; tasks that differ only in folder or clock are equal."""
     clock: str = "perf_counter"
-    """Name in `time`."""
+    """Name of the clock, a function of the module `time`."""
 
     @property
     def key(self) -> str:
@@ -91,7 +91,7 @@ class Task:
 
 
 def code_class(code: str, problem: str) -> Any:
-    """Return the class of a code for a problem; raise ImportError if the code is missing."""
+    """Return the class that solves a problem with a code; ImportError if the code is missing."""
     module, contact = CODES[code]
     kinds = dict.fromkeys(problems.PLASTIC, "Plasticity") | {"stress": "Stress", "slip": "Slip"}
     return getattr(
@@ -100,7 +100,7 @@ def code_class(code: str, problem: str) -> Any:
 
 
 def tight(problem: str) -> dict[str, float]:
-    """Return the tolerance of the reference, by code."""
+    """Return the tolerance of the reference solutions of a problem, by code."""
     if problem in problems.PLASTIC:
         return REFERENCE_TOL_PLASTIC
     if problem == "slip":
@@ -114,7 +114,7 @@ def reference_file(task: Task, code: str = "samcontact") -> Path:
 
 
 def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
-    """Return errors relative to the finest grid at the common points."""
+    """Return errors relative to the solution on the finest grid, at the common points."""
     file = reference_file(replace(task, n=MAX_CELLS.get(task.problem, 0)))
     if "periodic" not in task.problem or not file.exists():
         return {}
@@ -133,7 +133,7 @@ def fine_errors(task: Task, found: Outcome) -> dict[str, float]:
 
 
 def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dict[str, float]:
-    """Return errors relative to the tightly converged solution and to the exact one, if known."""
+    """Return errors relative to the reference solution, and to the exact solution if known."""
     code = task.code if task.code in tight(task.problem) else "samcontact"
     file = reference_file(task, code)
     errors = fine_errors(task, found)
@@ -153,7 +153,7 @@ def elastic_errors(task: Task, problem: problems.Elastic, found: Outcome) -> dic
 
 
 def prepare(task: Task) -> tuple[Any, tuple[Any, ...]]:
-    """Return the problem and the arguments of the class of the code."""
+    """Return the problem of a task, and the arguments of the class that solves the problem."""
     if task.problem in problems.PLASTIC:
         periodic = "xy" if task.problem == "periodic_plastic" else ""
         plastic = problems.plastic(task.n, periodic=periodic)
@@ -177,7 +177,7 @@ def sphere_of(problem: problems.Plastic) -> Any:
 
 
 def stress_errors(problem: problems.Plastic, found: Outcome) -> dict[str, float]:
-    """Error of the stress below the surface within 1.5 contact radii, where it is smooth."""
+    """Return the error of the stress within 1.5 contact radii below the surface."""
     assert found.stress is not None
     grid, z = problem.grid, depths(problem)[1:]
     half = round(1.5 * problem.n / problems.STRESS_SIDE)
@@ -248,7 +248,7 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def typical(times: list[float], clock: str) -> float:
-    """Return the minimum wall time or the mean processor time, whose clock may be coarse."""
+    """Return the minimum wall time, or the mean processor time because its clock may be coarse."""
     if not times:
         return 0.0
     return min(times) if clock == "perf_counter" else sum(times) / len(times)
@@ -278,7 +278,7 @@ class Server:
         )
 
     def run(self, task: Task, limit: float) -> dict[str, Any]:
-        """Run the measurement; a failure or a timeout becomes a message."""
+        """Run a measurement; return its row, or a message if it fails or exceeds the time limit."""
         assert self.process.stdin
         assert self.process.stdout
         self.process.stdin.write(json.dumps([task.__dict__, limit]) + "\n")
@@ -316,7 +316,7 @@ def own_memory() -> None:
 
 
 def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
-    """Fork a process, measure in it, and wait for the row."""
+    """Fork a process, solve the task in it, and return the row of results."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -345,7 +345,7 @@ def measured_in_a_fork(task: Task, limit: float) -> dict[str, Any]:
 
 
 def serve(code: str) -> None:
-    """Measure tasks read as lines from standard input until its end."""
+    """Read tasks from standard input, one per line, and measure each until the input ends."""
     importlib.import_module(f"benchmarks.peers.{CODES[code][0]}")
     for line in sys.stdin:
         task, limit = json.loads(line)

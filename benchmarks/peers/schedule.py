@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Order of the measurements (A B A B, resumable) and the file that stores them."""
+"""Order of the measurements, in which the codes alternate, and the file that stores them."""
 
 from __future__ import annotations
 
@@ -134,7 +134,7 @@ def rounded_json(data: Any) -> str:
 
 
 def too_long(task: Task, results: Results, limit: float) -> bool:
-    """Return whether the time on the previous size makes a timeout certain."""
+    """Return whether a timeout is certain, judged from the time at the preceding size."""
     every = sizes(task.problem, task.case) + sizes(task.problem, task.case, quick=True)
     last = max((n for n in every if n < task.n), default=None)
     if last is None:

@@ -24,7 +24,7 @@ BANDS = 1 / 2**2 + 2 / 8**2
 
 
 class Count(NamedTuple):
-    """Number of planes (fields of all surface cells) transformed forwards and back in a solution."""
+    """Number of planes (fields of all surface cells) transformed in a solution, there and back."""
 
     number: float
     padded: bool
