@@ -42,11 +42,11 @@ def _vickers(HV: ArrayLike) -> FloatArray:
 
 
 def yield_from_vickers(HV: ArrayLike) -> FloatArray:
-    """Yield stress of steel [Pa], -90.7 MPa + 2.876 MPa HV.
+    """Yield stress of steel [Pa] by the regression -90.7 MPa + 2.876 MPa * HV.
 
-    Regression over 165 non-austenitic, hypoeutectoid steels of HV 129 to 632, with a standard
-    error of 102 MPa: E. J. Pavlina, C. J. Van Tyne, J. Mater. Eng. Perform. 17 (2008) 888-893,
-    table 1, doi:10.1007/s11665-008-9225-5.
+    The data are from 165 non-austenitic, hypoeutectoid steels of HV 129 to 632; the standard error
+    is 102 MPa. E. J. Pavlina, C. J. Van Tyne, J. Mater. Eng. Perform. 17 (2008) 888-893, table 1,
+    doi:10.1007/s11665-008-9225-5.
 
     Parameters
     ----------

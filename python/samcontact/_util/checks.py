@@ -231,7 +231,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it to SI units with samcontact.units.si")
     lost = _masked_values(value)
-    if lost:  # NumPy would use the values under the mask
+    if lost:  # NumPy would use the masked values
         raise ValueError(
             f"{name} must be defined everywhere, got {lost} masked values: fill them first "
             "(heights: samcontact.measured.MeasuredSurface(...).filled())"

@@ -12,7 +12,7 @@ Value = TypeVar("Value")
 
 
 def read_only(array: FloatArray) -> FloatArray:
-    """Make an array read-only and return it; no other object may use the array."""
+    """Make an array read-only, without a copy, and return it; for arrays not used elsewhere."""
     array.flags.writeable = False
     return array
 
@@ -49,7 +49,7 @@ class FrozenDict(Mapping[str, Value]):
 
 
 class FixedAttributes:
-    """Base class with read-only public attributes, once `__init__` has set the last attribute."""
+    """Base class whose public attributes are read-only after `__init__` has set the last one."""
 
     _last: ClassVar[str] = "_core"
 

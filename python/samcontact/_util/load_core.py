@@ -70,7 +70,7 @@ def _default_stack() -> str | None:
 
 
 def _settings() -> Iterator[tuple[str, str | None]]:
-    """Iterate over environment variables (name, value) for loading the core; None removes one."""
+    """Iterate over environment variables (name, value) for loading the core; None: not set."""
     usable: dict[str, Callable[[str], str | None]] = {
         "OMP_NUM_THREADS": _number_of_threads,
         "OMP_THREAD_LIMIT": _limit,

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _ESTIMATE_MARGIN = 3.0
-"""Safety factor on estimated bounds: on those from Hertz theory, because a gap may deviate by 3 %
-from a paraboloid, and on those from the yield stress of elastic-plastic bodies."""
+"""Safety factor on bounds estimated from Hertz theory, because a gap may deviate by 3 % from a
+paraboloid, or from the yield stress of elastic-plastic bodies."""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
@@ -118,7 +118,7 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return the grid width as bound of a depth, or the area of a fixed grid as bound of areas."""
+    """Return an upper bound: grid width for a depth, grid area for an area on a fixed grid."""
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)

@@ -264,7 +264,7 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 def _differences(
     fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Return the differences between two grids by name, at least the bound for chance agreement.
+    """Return differences between two grids by name, at least a bound against chance agreement.
 
     The difference is infinite for quantities that are singular at a sharp edge.
     """

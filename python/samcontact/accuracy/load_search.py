@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Upper limit of the load / maximum load of the case; lower limit of the load / initial load."""
+"""(Upper limit of the load)/(maximum load of the case); (lower limit)/(initial load)."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]; `load_error` is `error` divided by the slope d(value)/d(load).
+        Load and its error [N]: (|value - target| + `error`) divided by the slope d(value)/d(load).
     value, error : float
         Value of the quantity at this load and its estimated grid error, in SI units.
     states : list of State
@@ -258,7 +258,7 @@ def find_load(
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress
     )
-    if checkpoint is not None and callable(case):  # a function does not state how the load enters
+    if checkpoint is not None and callable(case):  # the identity describes the largest load only
         search.solves.run_identity |= identity(function=case)
     with search.solves.kept_in(checkpoint):
         return search.find()

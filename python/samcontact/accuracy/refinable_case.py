@@ -168,7 +168,7 @@ class RefinableCase:
 
     @property
     def parts(self) -> list[int]:
-        """For each quantity: number of values, e.g. one per material, whose maximum it is."""
+        """For each quantity, the number of values whose maximum is taken, e.g. one per material."""
         return [error_controlled_quantities.has_parts(name, self.bodies) for name in self.names]
 
     @cached_property
@@ -345,7 +345,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Return the indices of the last increment of segments and last loaded increment of passes."""
+    """Return indices: the last increment of each segment, and the last loaded one of passes."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):

@@ -37,7 +37,7 @@ the change of the pressure."""
 INCREMENT_TIME_SHARE = 0.3
 """Fraction of the allowed time for choosing the increments."""
 MAX_IRREGULAR_SHARE = 0.25
-"""Limit of the irregular part (not of first order) of the correction / prescribed accuracy."""
+"""Limit of the ratio of the irregular part of the correction to the prescribed accuracy."""
 MAX_CORRECTION_CHANGE = 0.5
 """Possible error of the correction when applied to the finest grid, divided by the prescribed
 accuracy. Above this limit the correction is determined on a finer grid."""
@@ -169,7 +169,7 @@ class AccuracySearch:
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        """Solve again on grid `TRIAL_LEVEL` with twice the increments; return False if too many."""
+        """Solve grid `TRIAL_LEVEL` with twice the increments; return False at a limit."""
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Storage for a task with several solutions: results of all, increments of the latest."""
+"""Storage for a task that needs several solutions: all results, and the latest increments."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class _Solve(NamedTuple):
 
 
 class Solves:
-    """Solutions of one task by name: the results of all, and the increments of some.
+    """Solutions of one task by name: results of all, and increments that may still be needed.
 
     Parameters
     ----------

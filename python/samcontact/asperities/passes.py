@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
 
 _ROUNDING_ERROR = 1e-9
-"""Relative excess of a distance, or approach/interference, below which it is rounding error."""
+"""Limit of approach/interference, or of the relative excess of a distance over whole steps, below
+which the value is attributed to rounding."""
 
 
 def whole_steps(distance: float) -> int:

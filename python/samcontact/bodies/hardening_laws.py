@@ -22,7 +22,7 @@ from .._util.short_text import in_short
 
 @dataclass(frozen=True)
 class Constant:
-    """Parameter of a law: its unit, its limits, and whether it is a list of numbers."""
+    """Parameter of a law: unit, limits, and whether the value is a list of numbers."""
 
     unit: str = ""
     gt: float | None = None

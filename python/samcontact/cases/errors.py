@@ -172,7 +172,7 @@ class _FieldLocation(NamedTuple):
 
 
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
-    """Find the field of a pydantic error; the location `loc` may also contain tags of unions.
+    """Return the field at the location `loc` of a pydantic error; `loc` may contain union tags.
 
     If a field allows several types, pydantic reports an error for each type and appends the type to
     `loc`. The location returned ends at the field.

@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Table {law = coefficient (inf: no slip)} or {law = {constants}} for partial slip."""
+    """Friction law with partial slip, by name: a coefficient (inf: no slip) or a table."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Command ``samcontact``: solve case files and parameter studies, write reports and exports.
 
-Exit codes: 0 success, 1 the computation or writing its results failed, 2 bad input,
+Exit codes: 0 success, 1 failure of the computation or of writing results, 2 bad input,
 130 interrupted (Ctrl-C), 143 terminated, 129 terminal closed.
 """
 

@@ -157,7 +157,7 @@ def _passes_sheet(series: xr.Dataset) -> Sheet:
 
 
 def _draw_asperities(_: CollisionResult, series: xr.Dataset) -> dict[str, Figure]:
-    """Draw the forces in the first pass and the load ratio force_x/force_z."""
+    """Draw the forces and the load ratio force_x/force_z in the first pass."""
     return {
         "force_x": _figure(asperities.force([series], component="x")),
         "force_z": _figure(asperities.force([series], component="z")),

@@ -133,7 +133,10 @@ CONTACT_COLUMNS = (
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the quantities `names` by variable in `dataset`: of `body` if stored per body."""
+    """Return the quantities listed in `names` by the name of their variable in `dataset`.
+
+    For a quantity that is stored for each body, this is the variable of `body`.
+    """
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)
     return {variable: CONTACT[name] for variable, name in variables if variable in dataset}

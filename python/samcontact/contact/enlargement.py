@@ -51,7 +51,7 @@ def counts_for(
 
 @contextmanager
 def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator[None]:
-    """Context manager that raises `error` with the reason if enlarging the grid fails in it."""
+    """Context manager for enlarging a grid; on failure, raise `error` with the reason added."""
     try:
         yield
     except (ValueError, MemoryError) as reason:

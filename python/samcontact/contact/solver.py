@@ -207,7 +207,7 @@ class ContactSolver(ContactFields):
             uncertain by more than 10 %.
         ElasticStrainWarning
             The maximum pressure exceeds half the contact modulus, or a body treated as elastic
-            would yield under it.
+            would yield under this pressure.
         SingularPressureWarning
             The pressure rises to a sharp edge, where the pressure between elastic bodies is
             unbounded.

@@ -221,9 +221,9 @@ def onset_sliding(
     -------
     CriticalSlidingSphere
         Critical values from the maximum von Mises stress in the half-space, including the surface,
-        under a Hertz pressure p and a shear mu p (`hertz.PointContact.stress`). With nu = 0.3 the
-        body yields below the surface, ahead of the centre, up to mu = 0.304, and at the trailing
-        edge for higher friction.
+        under a Hertz pressure p and a shear mu p (`hertz.PointContact.stress`). With nu = 0.3, the
+        body first yields below the surface and ahead of the centre if mu <= 0.304, and at the
+        trailing edge of the contact for higher friction.
 
     Raises
     ------
@@ -356,7 +356,7 @@ def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> C
 
 
 def onset_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalCylinder:
-    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments as `green`."""
+    """Critical values of a cylinder with exact C (Johnson 1985, (4.46)); arguments: see `green`."""
     return _cylinder(R, E_star, 1.0 / line_max_von_mises(nu)[0], yield_stress)
 
 

@@ -111,7 +111,11 @@ class ContactSetup:
 
     @cached_property
     def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Larger and smaller radius [m]; cosine of the angle from x to the larger radius plane."""
+        """Radii of the gap; None if the gap is not a convex paraboloid.
+
+        The values are the larger radius [m], the smaller radius [m], and the cosine of the angle
+        between x and the plane of the larger radius.
+        """
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -138,7 +142,7 @@ class ContactSetup:
         if not flattest > 1e-9 * sharpest:  # cylinder, saddle or hollow
             return None
         scale = highest - lowest
-        sine = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # of the plane of maximum curvature
+        sine = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # plane of maximum curvature
         return 1.0 / (scale * flattest), 1.0 / (scale * sharpest), sine
 
     @cached_property

@@ -42,11 +42,11 @@ MAX_PROFILE_DEPTH = 0.1
 MIN_STRESS_RATIO = 1e-7
 """Minimum ratio of residual stress, or of backstress modulus, to E; 0.02 MPa in steel."""
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
-"""Maximum ratio of backstress modulus to E; large if Et is close to E, as in E Et/(E - Et)."""
+"""Maximum ratio of backstress modulus to E; the modulus E Et/(E - Et) is large for Et near E."""
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300 m/s."""
 MAX_WEAR_COEFFICIENT = 1e-9
-"""Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
+"""Maximum wear volume per work, or per load and distance [1/Pa]; e.g. rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7

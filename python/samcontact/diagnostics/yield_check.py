@@ -86,7 +86,7 @@ def _over_yield(
     """
     grid, largest = solution.grid, float(solution.pressure.max())
     spot = main_spot(solution.repulsion, grid.periodic)
-    assert spot is not None  # the caller found pressure, so there is a spot
+    assert spot is not None  # pressure > 0, so there is a spot
     sides = [
         math.inf if axis in grid.periodic and s.stop - s.start == n else (s.stop - s.start) * d
         for axis, s, n, d in zip(

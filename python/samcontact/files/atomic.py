@@ -82,7 +82,7 @@ def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
 
 
 def _checked(path: Path) -> Path:
-    """Resolve a symbolic link; raise OSError without a folder, or if the target is not a file."""
+    """Resolve a symbolic link; raise OSError if the folder is missing or no file can be written."""
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not target.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "the folder does not exist", str(path))
