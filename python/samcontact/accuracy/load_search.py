@@ -66,7 +66,7 @@ class FoundLoad(HtmlTable):
     load, load_error : float
         Load and its error [N]: (|value - target| + `error`) divided by the slope d(value)/d(load).
     value, error : float
-        Value of the quantity at this load and its estimated grid error, in SI units.
+        Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State
         States of the run with this load; for "yield", states of an elastic run.
     """

@@ -45,7 +45,7 @@ class AccuracyResult(HtmlTable):
     """States of the finest grid."""
     simulation: Simulation
     case: Case
-    """Case with the finest grid and its increments."""
+    """Case with the finest grid and the increments used on this grid."""
     runs: tuple[tuple[int, int, int, float], ...]
     """Cells along x and y, increments per segment and time [s] of each run."""
     needs: str = ""

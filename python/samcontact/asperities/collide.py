@@ -34,7 +34,7 @@ class CollisionResult(ShortRepr):
 
     collision: Collision
     simulation: Simulation
-    """Simulation in its state after the last pass, unloaded."""
+    """Simulation after the last pass, with unloaded bodies."""
     series: xr.Dataset
     """Results of each pass and increment; see `collide`."""
     unloaded: list[State]

@@ -100,8 +100,8 @@ def ball_on_race(
     -----
     The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this package)
     also requires a contact that is small compared with these radii. In the transverse direction the
-    contact ellipse of a loaded ball is often a tenth to a third of the ball diameter, and its ends
-    are less accurate than its centre.
+    contact ellipse of a loaded ball is often a tenth to a third of the ball diameter; results
+    near the ends of the ellipse are less accurate than at the centre.
     """
     D, pitch = positive("ball_diameter", ball_diameter), positive("pitch_diameter", pitch_diameter)
     if (groove_radius is None) == (conformity is None):

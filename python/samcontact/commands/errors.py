@@ -123,7 +123,7 @@ def _system_message(error: OSError) -> str:
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Whether an error is due to a lack of memory; its type need not be MemoryError."""
+    """Whether an error, not only a MemoryError, is due to a lack of memory."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")

@@ -37,8 +37,8 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Plausible bound of each option given without a unit: whether it is a lower bound, the value and
-unit of the bound, and an example of a number with a unit."""
+"""Plausible bound for a number without a unit, by option: whether the bound is a lower bound, value
+and unit of the bound, and an example of a number with a unit."""
 
 
 @click.command()

@@ -2,7 +2,7 @@
 """Detection of interpenetration in contacts with friction coupling.
 
 The coupling iteration stops when the set of contact cells no longer changes. With very strong
-friction this set may shrink to a single cell, and the bodies then overlap around it.
+friction this set may shrink to a single cell, and the bodies then overlap around this cell.
 """
 
 from __future__ import annotations
