@@ -49,7 +49,7 @@ PAGE = ROOT / "docs" / "benchmarks.md"
 def main(
     parts: tuple[str, ...], quick: bool, threads: int, output: Path, docs: bool, notes: bool
 ) -> None:
-    """Measure the given parts (default: all but the large ones); exit code 1 if one fails."""
+    """Measure the given parts (default: all but the large parts); exit code 1 if a part fails."""
     if notes:
         write_notes()
     else:

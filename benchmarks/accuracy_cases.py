@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts with known values, or with reference values from a much finer grid."""
+"""Cases with values known in closed form, or with reference values from a much finer grid."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ def pressed(body1: Case, body2: Case, load: float, surface: Case = BALL, **more:
 
 
 def rolled(body1: Case, load: float, distance: float, surface: Case, passes: int = 1) -> Case:
-    """Case of rolling over a body of Swift hardening, unloaded after each pass."""
+    """Return a case of rolling over a body with Swift hardening, unloaded after each pass."""
     roll = {"distance": distance, "step": 25e-6, "passes": passes}
     return pressed(body1, SWIFT, load, surface) | {"path": [{"load": load, "roll": roll}]}
 
 
 def elliptic(ratio: float) -> Case:
-    """Return a surface with this ratio of the principal radii."""
+    """Return a paraboloid with this ratio of the principal radii, as the section `surface`."""
     return BALL | {"Ry": ratio * R}
 
 
@@ -107,8 +107,7 @@ CASES = ELASTIC | YIELDING | ROLLING
 
 
 def closed_form(case: Case) -> dict[str, float]:
-    """Hertz values of elastic paraboloids at the largest load or approach; empty for other
-    cases."""
+    """Return the Hertz values of elastic paraboloids at the last load; for other cases, none."""
     if not {case["body1"]["law"], case["body2"]["law"]} <= {"elastic", "rigid"}:
         return {}
     if case["surface"]["shape"] != "paraboloid":

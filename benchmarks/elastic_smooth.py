@@ -33,7 +33,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
-    """Solve on n cells across; the contact covers four fifths of the width."""
+    """Solve a Hertz contact on n x n cells; it covers four fifths of the width of the grid."""
     exact = hertz()
     d = 2 * exact.a / (0.8 * n)
     grid = sc.Grid(n, n, d, d)

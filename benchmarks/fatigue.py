@@ -35,7 +35,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def judge(meter: Meter, cells: int, method: str) -> dict[str, Any]:
-    """Measure criteria on `cells` x `cells` x `cells`/2 cells that are common to all states."""
+    """Measure a criterion on `cells` x `cells` x `cells`/2 cells that are common to all states."""
     d = 4 * HALF_LENGTH / cells
     grid = sc.Grid(cells + STATES, cells, d, d, nz=cells // 2, dz=d)
     elastic = sc.Material.elastic(STEEL.E, STEEL.nu)

@@ -45,7 +45,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
-    """Solve on n cells across; the operators are built before the measurement."""
+    """Solve a contact on n x n cells; the operators are built before the measurement."""
     d = 2.6 * hertz().a / n
     grid = sc.Grid(n, n, d, d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -57,7 +57,7 @@ def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
 
 
 def press(meter: Meter, cells: int, method: str) -> dict[str, Any]:
-    """Load to 1500 N in 12 increments, with `cells` per contact radius; includes the operators."""
+    """Load to 1500 N in 12 increments, with `cells` per Hertz radius; the time includes set-up."""
     d = hertz().a / cells
     n = 2 * int(1.5 * cells) + 1
     grid = sc.Grid(n, n, d, d, int(1.7 * cells), d)

@@ -37,7 +37,7 @@ def ball(
     cells: int = 12,
     **options: Any,
 ) -> sc.Simulation:
-    """Return a ball on a flat body, with `cells` cells across the elastic contact."""
+    """Return a simulation of a ball on a flat, with `cells` cells across the elastic contact."""
     moduli = [(1 - body.nu**2) / body.E for body in (body1, body2) if body is not RIGID]
     half_width = (0.75 * load * R * sum(moduli)) ** (1 / 3)
     size, n = 2 * half_width / cells, int(1.5 * cells) | 1
@@ -74,9 +74,9 @@ class Setup(NamedTuple):
     cells: int
     """Number of cells across the elastic contact."""
     make: Callable[[int], sc.Simulation]
-    """Simulation for a number of cells."""
+    """Function that returns the simulation for a number of cells."""
     path: Callable[[sc.Simulation, int], Path]
-    """Load path for a number of increments in each segment."""
+    """Function that returns the load path, for a number of increments in each segment."""
     fields: tuple[str, ...]
     """Names of the fields with increment errors."""
     counts: tuple[int, ...] = (1, 4, 16)
@@ -138,7 +138,7 @@ def true_error(name: str, states: Sequence[sc.State], finer: Sequence[sc.State])
 
 
 def _difference(one: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Return the maximum difference of two fields in their common layers."""
+    """Return the difference of two fields in their common layers."""
     layers = slice(min(one.shape[-1], other.shape[-1]))
     return np.asarray(one[..., layers] - other[..., layers])
 

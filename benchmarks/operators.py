@@ -67,7 +67,7 @@ def make_profile(meter: Meter, material: str, across: int, file: str) -> dict[st
 
 
 def plastic_box(profile: dict[str, np.ndarray], cells: int) -> sc.Grid:
-    """Return a box that exceeds the plastic zone by a cell; `cells`: cubes per zone radius."""
+    """Return a grid that exceeds the plastic zone by a cell; `cells`: cells per zone radius."""
     i, k = np.nonzero(profile["equivalent"] > 1e-7)
     d = profile["r"][i.max()] / cells
     n = 2 * (cells + 1) + 1
@@ -75,7 +75,7 @@ def plastic_box(profile: dict[str, np.ndarray], cells: int) -> sc.Grid:
 
 
 def sample(profile: dict[str, np.ndarray], grid: sc.Grid) -> np.ndarray:
-    """Return the axisymmetric strain at the cell centres."""
+    """Return the tensor of an axisymmetric strain at the cell centres of a grid."""
     r_known, z_known = profile["r"], profile["z"]
     # Cylindrical components, mirrored for r < 0: rz is odd.
     columns = {"rr": (0, 1), "tt": (1, 1), "zz": (2, 1), "rz": (4, -1)}
@@ -130,7 +130,7 @@ def make_reference(meter: Meter, cells: int, profile: str, file: str) -> dict[st
 
 
 def apply(meter: Meter, cells: int, profile: str, file: str, method: str) -> dict[str, Any]:
-    """Measure set-up and one application."""
+    """Measure the set-up of the operator and one application."""
     known = load_arrays(profile)
     grid = plastic_box(known, cells)
     strain = sample(known, grid)
@@ -150,7 +150,7 @@ def apply(meter: Meter, cells: int, profile: str, file: str, method: str) -> dic
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence on time and error of the fast stress, as a range."""
+    """Return a sentence on the ranges of time and error of the fast method."""
     exact, fast = ([row for row in rows if row["method"] == name] for name in ("exact", "fast"))
     if not fast:
         return []

@@ -32,7 +32,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def roll(meter: Meter, cells: int, method: str) -> dict[str, Any]:
-    """Measure rolling by one cell per increment, with `cells` cells per contact radius."""
+    """Measure increments of rolling by one cell each, with `cells` cells per contact radius."""
     distance = DISTANCES[method]
     d = CONTACT_RADIUS / cells
     grid = sc.Grid(5 * cells + 1, 4 * cells + 1, d, d, int(2.2 * cells), d)

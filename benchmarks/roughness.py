@@ -11,9 +11,12 @@ import numpy as np
 
 
 def wave_amplitudes(highest: int, hurst: float, seed: int, lowest: int = 1) -> np.ndarray:
-    """Complex amplitudes [kx, ky] of waves with kx = -highest .. highest and ky = 0 .. highest
-    periods over the side. They are isotropic; the power decreases as k^(-2 (1 + hurst)) for lowest
-    <= k <= highest and is zero elsewhere."""
+    """Return the complex amplitudes of waves with kx and ky periods over the side.
+
+    The indices of the array are [kx, ky], with kx = -highest .. highest and ky = 0 .. highest. The
+    waves are isotropic: the power decreases as k^(-2 (1 + hurst)) for lowest <= k <= highest, where
+    k is the magnitude of (kx, ky), and is zero elsewhere.
+    """
     rng = np.random.default_rng(seed)
     kx, ky = np.arange(-highest, highest + 1)[:, None], np.arange(highest + 1)[None, :]
     k = np.hypot(kx, ky)
@@ -23,7 +26,7 @@ def wave_amplitudes(highest: int, hurst: float, seed: int, lowest: int = 1) -> n
 
 
 def heights(n: int, amplitudes: np.ndarray, rms: float) -> np.ndarray:
-    """Heights at the centres of n x n cells, zero mean, with the given rms over the surface.
+    """Return heights of zero mean and given rms at the centres of n x n cells.
 
     n must be more than twice the highest number of periods.
     """

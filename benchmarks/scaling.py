@@ -44,7 +44,7 @@ def shape(across: int) -> tuple[int, int, int]:
 
 
 def solve(meter: Meter, across: int, method: str) -> dict[str, Any]:
-    """Measure one increment from an elastic half-space, including set-up."""
+    """Measure one plastic increment from the initial state, including set-up."""
     nx, ny, nz = shape(across)
     d = 1e-3 / across
     grid = sc.Grid(nx, ny, d, d, nz, d)
@@ -71,12 +71,12 @@ def solve(meter: Meter, across: int, method: str) -> dict[str, Any]:
 
 
 def exponent(cells: Sequence[float], values: Sequence[float]) -> float:
-    """Return the slope of a straight line through logarithms."""
+    """Return the exponent n of values ~ cells^n, by a straight line through the logarithms."""
     return float(np.polyfit(np.log(cells), np.log(values), 1)[0])
 
 
 def exponents(rows: list[dict[str, Any]]) -> dict[str, float]:
-    """Return the exponents of time per application and memory of the fast method within FITTED."""
+    """Return exponents of time per application and of memory of the fast method, within FITTED."""
     fitted = [
         row
         for row in rows

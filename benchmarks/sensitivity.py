@@ -73,7 +73,7 @@ def resized(
 
 @contextmanager
 def changed(what: str | None) -> Iterator[None]:
-    """Make grids and steps of the gallery finer or larger in one respect."""
+    """Context manager in which gallery grids and steps are finer or larger in one respect."""
 
     def grid(*sizes: Any) -> Any:
         return real_grid(*resized(what, *sizes))
@@ -115,7 +115,7 @@ def changed(what: str | None) -> Iterator[None]:
 
 @cache
 def stated(name: str, what: str | None, coarse: bool) -> dict[str, list[float]]:
-    """Return all numbers of each stated value; none if the computation fails."""
+    """Return the numbers in each result stated by a gallery part, by name of the result."""
     part = importlib.import_module(f"gallery.{name}")
     with changed(what):
         try:
@@ -131,7 +131,7 @@ def stated(name: str, what: str | None, coarse: bool) -> dict[str, list[float]]:
 
 
 def moved(before: list[float], after: list[float] | None) -> float | None:
-    """Return the largest change [%] relative to the largest number; None if counts differ."""
+    """Return the largest change [%], relative to the largest number; None if the counts differ."""
     if not before or after is None or len(after) != len(before):
         return None
     if max(map(abs, [*before, *after])) < ROUNDING:
@@ -147,7 +147,7 @@ def points(quick: bool) -> list[Record]:
 
 
 def run(of: str, mesh: str, change: str) -> Record:
-    """Return the numbers of a part, or their changes with a change of its mesh."""
+    """Return the numbers of a gallery part, or the changes of the numbers with a change of mesh."""
     coarse = mesh == "coarse"
     if change == "none":
         return {"values": stated(of, None, coarse)}

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partial slip: work of shear and pressure solutions, compared with Cattaneo and Mindlin.
+"""Partial slip: work of pressure and shear solutions, and errors relative to closed forms.
 
-Rolling with creepage, steady and incremental, is included.
+The closed forms are by Cattaneo and Mindlin. Rolling with creepage, steady and incremental, is
+included.
 """
 
 from __future__ import annotations
@@ -79,7 +80,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
-    """Press a ball and load it tangentially; the time includes both, from zero tractions."""
+    """Press a ball and load it tangentially; the time includes the solutions of both loads."""
     grid, body, gap, load = ball(n, n, RADIUS)
     tol = METHODS[method]
     if tol is None:
@@ -101,7 +102,7 @@ def solve(meter: Meter, n: int, share: float, method: str) -> dict[str, Any]:
 
 
 def press_dissimilar(meter: Meter, n: int, last: int) -> dict[str, Any]:
-    """Press a rigid ball on a body (nu = 0, mu = 0.3) to contact radii in equal steps."""
+    """Press a rigid ball on a body (nu = 0) with friction, to contact radii in equal steps."""
     grid = sc.Grid(n, n, 1 / n, 1 / n)
     solver = sc.ContactSolver(
         grid, sc.Material.rigid(), sc.Material.elastic(1.0, 0.0), sc.Coulomb(MU)
@@ -116,7 +117,7 @@ def press_dissimilar(meter: Meter, n: int, last: int) -> dict[str, Any]:
 
 
 def ball(nx: int, ny: int, radius: float) -> tuple[sc.Grid, sc.Material, Any, float]:
-    """Return grid (1 m x 1 m), body, gap and load for E* = 1 and a given contact radius."""
+    """Return grid (1 m x 1 m), body, gap and load of a ball; E* = 1 Pa, contact radius given."""
     grid = sc.Grid(nx, ny, 1 / nx, 1 / ny)
     body = sc.Material.elastic(2 * (1 - NU * NU), NU)
     return grid, body, sc.surfaces.paraboloid(grid, 1.0), 4 / 3 * radius**3
@@ -143,7 +144,7 @@ def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
-    """Solve a contact that is loaded and displaced until rather more than half of it slips."""
+    """Solve a contact under load and tangential displacement; more than half of it slips."""
     grid, body, gap, load = ball(*n, WIDE_RADIUS)
     most = 3 * MU * load * softness() / (16 * WIDE_RADIUS)
     found = meter(
@@ -189,17 +190,17 @@ def roll_on(meter: Meter, steps: int) -> dict[str, Any]:
 
 
 def shown(found: sc.PartialSlipSolution | sc.RollingSolution) -> dict[str, Any]:
-    """Return the columns of a solution with shear."""
+    """Return the table columns of a solution with shear."""
     return {"errors": {}, **work(found), **shear_work(found)}
 
 
 def softness() -> float:
-    """Return the sum of (2 - nu)/G of two bodies with E* = 1."""
+    """Return the sum of (2 - nu)/G of two bodies with E* = 1 Pa [1/Pa]."""
     return 2 * (2 - NU) / (1 - NU)
 
 
 def notes(rows: list[dict[str, Any]]) -> list[str]:
-    """Return sentences that summarise the rows."""
+    """Return sentences that summarise the rows of the table."""
     lines = []
     for n in sorted({row["across"] for row in rows if row["case"].startswith("Q = ")}):
         at = [row for row in rows if row["across"] == n and row["case"].startswith("Q = ")]

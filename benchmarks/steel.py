@@ -26,9 +26,9 @@ def balls(
     lower: sc.Material = STEEL,
     **settings: object,
 ) -> sc.Simulation:
-    """Return a simulation with `across` cells per Hertz radius, the unit of `width` and `depth`.
+    """Return a simulation with `across` cells per Hertz radius at the given load.
 
-    width: half of the width of the grid.
+    width, depth: half of the grid width, and the depth of the grid, in Hertz radii.
     """
     d = hertz(load).a / across
     n = 2 * int(width * across) + 1

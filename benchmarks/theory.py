@@ -29,7 +29,7 @@ ROUGH = ((256, 0.8), (256, 0.3), (1024, 0.8), (1024, 0.3))  # cells across, Hurs
 
 
 def press(gap: np.ndarray, grid: sc.Grid, load: float) -> list[sc.ContactSolution]:
-    """Solve under load control, and under approach control with the resulting approach."""
+    """Solve under load control, then under approach control at the approach found; return both."""
     solver = sc.ContactSolver(grid, RIGID, STEEL, on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.GridTooSmallWarning)
@@ -39,7 +39,7 @@ def press(gap: np.ndarray, grid: sc.Grid, load: float) -> list[sc.ContactSolutio
 
 
 def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
-    """Return steps, exact displacements and work of elastic contacts, by load and by approach."""
+    """Return the table of iterations and work of elastic contacts, by load and approach control."""
     grid = sc.Grid(256, 256, 1e-6, 1e-6)
     modulus = sc.hertz.effective_modulus(RIGID, STEEL)
     hertz = sc.hertz.point(10e-3, modulus, approach=(64e-6) ** 2 / 10e-3)
@@ -67,7 +67,7 @@ def contact_counts(rough: Sequence[tuple[int, float]] = ROUGH) -> str:
 
 
 def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
-    """Return shakedown limits p₀/k of contacts rolling with friction."""
+    """Return the table of shakedown limits p₀/k in rolling with friction; k: shear yield stress."""
     limits: dict[str, Callable[[float], shakedown.ShakedownLimit]] = {
         "line, Tresca": lambda mu: shakedown.line(mu, criterion="tresca"),
         "line, von Mises": lambda mu: shakedown.line(mu, criterion="von_mises"),
@@ -82,7 +82,7 @@ def shakedown_limits(frictions: Sequence[float] = FRICTIONS) -> str:
 
 
 def rolling_reach(steps: int = 100) -> str:
-    """Return the relative pressure error if the track beyond `reach` is neglected."""
+    """Return the table of relative pressure errors if the track beyond `reach` is neglected."""
     body = sc.Material.elastic(310e9, 0.29)
     steel = sc.Material.swift(210e9, 0.3, 945e6, 20.0, 0.121)
     d, radius, load = 80e-6, 4.7625e-3, 1150.0
@@ -107,7 +107,7 @@ def rolling_reach(steps: int = 100) -> str:
 
 
 def rollers(ratio: float, friction: float, hardening: float) -> tuple[sc.Simulation, list]:
-    """Return a simulation of rollers 6 half-widths b apart on cells of b/10, and one pass."""
+    """Return a simulation of rollers at distances of 6 half-widths, and the steps of one pass."""
     shear_limit, width = 50e6, 1e-4
     body = sc.Material.perfect_plastic(210e9, 0.3, math.sqrt(3) * shear_limit)
     if hardening:
@@ -125,7 +125,7 @@ CYCLES = ((3.9, 0.0, 0.0), (4.1, 0.0, 0.0), (3.4, 0.2, 0.0), (4.1, 0.0, 0.05), (
 
 
 def shakedown_cycles(cases: Sequence[tuple[float, float, float]] = CYCLES) -> str:
-    """Return the table of shakedown results with jumps over cycles and without jumps."""
+    """Return the table of shakedown results, with and without jumps over cycles."""
     rows = []
     for ratio, friction, hardening in cases:
         name = f"{ratio:g}, " + (f"μ = {friction:g}" if friction else "no friction")
@@ -160,7 +160,7 @@ FINER = 3
 
 def pressed(lower: sc.Material, cell: float, reach: tuple[float, float], Ry: float, load: float,
             parts: Sequence[float]) -> sc.GridErrors:  # fmt: skip
-    """Press a ball by fractions of a load; the half-width of the grid is `reach`."""
+    """Press a ball by fractions of a load; return the estimated errors. reach: grid half-widths."""
     nx, ny = (2 * math.ceil(half / cell) + 1 for half in reach)
     grid = sc.Grid(nx, ny, cell, cell, dz=cell, nz=math.ceil(1.2 * min(reach) / cell))
     path = [{"load": part * load} for part in parts]
@@ -172,7 +172,7 @@ def pressed(lower: sc.Material, cell: float, reach: tuple[float, float], Ry: flo
 
 
 def compared(found: sc.GridErrors, truth: dict[str, float]) -> dict[str, float]:
-    """Return the ratio of stated to true error of each quantity at its maximum."""
+    """Return the ratio of estimated to true error at the maximum of each quantity."""
     ratios = {}
     for name, true in truth.items():
         at = int(np.nanargmax(np.abs(found.values[name])))
@@ -181,7 +181,7 @@ def compared(found: sc.GridErrors, truth: dict[str, float]) -> dict[str, float]:
 
 
 def hertz_ratios(cells: int, ratio: float) -> dict[str, float]:
-    """Return ratios for closed forms; for circular contacts, the stress is included."""
+    """Return ratios of estimated to true errors (`compared`) for an elastic Hertz contact."""
     modulus = sc.hertz.effective_modulus(STEEL, STEEL)
     exact = sc.hertz.elliptic(7.5e-3, ratio * 7.5e-3, modulus, load=1500.0)
     truth = {"approach": exact.approach, "max_pressure": exact.p0,
@@ -197,7 +197,7 @@ def hertz_ratios(cells: int, ratio: float) -> dict[str, float]:
 def grid_errors(
     circles: Sequence[int] = CIRCLES, ellipses: Sequence[float] = ELLIPSES, t1: Sequence[int] = T1
 ) -> str:
-    """Return the ratios of stated errors of `sc.estimate_errors` to true errors."""
+    """Return the table of ratios of errors estimated by `sc.estimate_errors` to true errors."""
     found = [hertz_ratios(n, 1.0) for n in circles]
     found += [hertz_ratios(n, ratio) for ratio in ellipses for n in circles[:7:2]]
     a = sc.hertz.point(7.5e-3, sc.hertz.effective_modulus(STEEL, STEEL), load=1500.0).a
@@ -224,7 +224,7 @@ def grid_errors(
 
 
 def increments(few: Sequence[int] = (1, 4, 16), many: int = 64, across: int = 16) -> str:
-    """Return errors of two balls (1500 N, unloaded in one increment) by number of increments."""
+    """Return the table of errors of two balls, loaded in different numbers of increments."""
 
     def values(count: int) -> np.ndarray:
         simulation = balls(across)
@@ -257,7 +257,7 @@ TABLES: dict[str, Callable[[], str]] = {
 
 
 def page(text: str, made: dict[str, str]) -> str:
-    """Return the page with these tables."""
+    """Return the text of a page with new tables between the markers."""
 
     def replaced(match: re.Match[str]) -> str:
         head, name, tail = match.groups()

@@ -35,9 +35,10 @@ def finest(
     grid: int = INCREMENTS_ON,
     increments: tuple[int, ...] = INCREMENTS,
 ) -> dict[str, float]:
-    """Return values extrapolated from runs within a time limit, or closed forms where known.
+    """Return reference values of a case: closed forms if known, otherwise extrapolated.
 
-    All grids use the fewest increments; a run with more increments on one grid gives a correction.
+    Values are extrapolated from increasingly fine grids, within a time limit and with the fewest
+    increments. Runs with more increments on one grid give a correction.
     """
     refinable = RefinableCase(
         SectionsOfCase.model_validate({"title": "truth", "accuracy": 0.1, **case})
@@ -58,7 +59,7 @@ def finest(
 def extrapolated(
     names: list[str], parts: list[int], grids: list[Values], coarse: list[Values]
 ) -> dict[str, float]:
-    """Extrapolate with order 2 in cell size, and orders 1 and 2 in the increments."""
+    """Extrapolate values with order 2 in cell size, and with orders 1 and 2 in increment size."""
     change = (grids[-1] - grids[-3]) / 3
     # a maximum in a thin surface layer that no grid resolves is disregarded
     values = grids[-1] + np.where(np.abs(change) < 0.05 * np.abs(grids[-1]), change, 0.0)

@@ -65,7 +65,7 @@ FILTERS: dict[str, dict[str, Any]] = {
     "gaussian": {"smoothing_length": SMOOTHING},
     "lens": {"smoothing_length": 300e-6 / 12**0.5},
 }
-"""Smoothing of the border of the worn region, by group of points."""
+"""Arguments for smoothing the edge of the wear, by group of points."""
 
 
 def solve(
@@ -93,12 +93,12 @@ def solve(
 
 
 def run(**point: Any) -> Record:
-    """Return the row of a mesh."""
+    """Simulate the wear on a mesh; return a row of the table."""
     return {"line": lens(point) if point["of"] == "lens" else running_in(point)}
 
 
 def mesh(point: Record) -> dict[str, str]:
-    """Return the first columns of a row."""
+    """Return the columns of a row that describe the mesh."""
     return {
         "dx [µm]": f"{1e6 * point['dx']:.3g}",
         "dz [µm]": f"{1e6 * point['dz']:.3g}",
@@ -163,7 +163,7 @@ def spread(rows: list[dict[str, str]], finest: float, names: tuple[str, ...]) ->
 
 
 def page(records: list[Record]) -> str:
-    """Return the page."""
+    """Return the text of the page."""
     parts = [HEAD]
     for name, text in TEXTS.items():
         rows = [mesh(record) | record["line"] for record in by_group(records)[name]]

@@ -55,7 +55,7 @@ def run(of: str, name: str, pressure: float) -> Record:
 
 
 def pressed(records: list[Record]) -> tuple[Rows, Rows, Rows]:
-    """Return results for contacts, for steels and on finer grids, by name."""
+    """Return three dictionaries of results by name: for contacts, for steels, on finer grids."""
     found: dict[str, Rows] = {"contacts": {}, "steels": {}, "fine": {}}
     for record in records:
         rows = found[record["of"]].setdefault(record["name"], [])
@@ -73,7 +73,7 @@ def by_model(rows: list[Pressed]) -> float:
 
 
 def power(rows: list[Pressed], low: float, high: float) -> float:
-    """Return the exponent of a power law for the deformation as a function of the pressure."""
+    """Return the exponent n of deformation ~ pressure^n, from results at two pressures [Pa]."""
     first, last = at(rows, low), at(rows, high)
     return math.log(last.deformation / first.deformation) / math.log(high / low)
 
@@ -122,7 +122,7 @@ def page(records: list[Record]) -> str:
 
 
 def race_ellipse() -> hertz.EllipticContact:
-    """Return the contact ellipse in the groove at 4.2 GPa."""
+    """Return the Hertz contact of ball and groove at a pressure of 4.2 GPa."""
     race = CONTACTS[GROOVE].race
     return hertz.elliptic(race.Rx, race.Ry, E_STAR, p0=4.2e9)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rolling-bearing contacts, loaded once and unloaded: sum of the imprint depths in both bodies."""
+"""Contacts of rolling bearings, loaded once and unloaded: imprint depths of both bodies, summed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import samcontact as sc
 from samcontact import bearings, hertz
 
 ALLOWED = 1e-4
-"""Permissible permanent deformation over the ball diameter."""
+"""Permissible permanent deformation, divided by the ball diameter."""
 FLAT = "ball on a flat"
 INCREMENTS = 12
 PRESSURES = (3.0e9, 3.4e9, 3.8e9, 4.2e9, 4.6e9, 5.0e9, 5.5e9, 6.0e9)
@@ -76,14 +76,14 @@ E_STAR = hertz.effective_modulus(STEELS[STEEL], STEELS[STEEL])
 
 
 class Pressed(NamedTuple):
-    """Results at a Hertz pressure [Pa]: load [N], deformation over diameter, maximum strain."""
+    """Results at a Hertz pressure [Pa]: load [N], deformation / diameter, and maximum strain."""
 
     pressure: float
     load: float
     deformation: float
     strain: float
     palmgren: float
-    """Return Palmgren's permanent deformation over the diameter [-]; NaN for line contacts."""
+    """Palmgren's permanent deformation divided by the diameter [-]; NaN for line contacts."""
 
 
 def press(contact: Contact, steel: sc.Material, pressure: float, cells: int = 12) -> Pressed:
