@@ -81,7 +81,7 @@ def test_elastic_spheres_dissipate_nothing():
 @pytest.fixture(scope="module")
 def plastic():
     """Solve a coarse and a fine collision at nine times the critical interference."""
-    return [quick(collision(9), STEEL, STEEL, n) for n in (16, 24)]
+    return [quick(collision(9), STEEL, STEEL, n) for n in (16, 22)]
 
 
 def test_energy_is_dissipated_or_stored(plastic):
