@@ -116,7 +116,7 @@ def test_an_empty_output_is_refused(case_file):
 
 
 def test_the_command_ignores_the_backend_of_the_environment(case_file, tmp_path):
-    case_file.write_text(SURFACES)
+    case_file.write_text(f"estimate_error = false\n{SURFACES}")
     environment = os.environ | {"MPLBACKEND": "none such"}
     command = [sys.executable, "-m", "samcontact", "run", case_file, "--output", tmp_path / "out"]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
