@@ -23,9 +23,9 @@ FINER_INCREMENTS = {
     "given approach": (3, (16, 32, 64)),
     "V1, rigid tip": (6, (4, 8, 16)),
 }
-"""Cases whose change with more than four increments is large or depends on the grid: number of the
-grid, increments. For the rigid tip this is the residual stress at the rim: it falls by 5 % on
-grid 3, by 1 % on grid 6."""
+"""Number of the grid and numbers of increments, for cases in which more than four increments change
+the results much, or by an amount that depends on the grid. With the rigid tip, the residual stress
+at the rim falls by 5 % on grid 3 and by 1 % on grid 6."""
 Values = NDArray[np.float64]
 
 

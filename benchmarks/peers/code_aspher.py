@@ -62,8 +62,10 @@ class Hierarchical(Contact):
 
 
 class Slip:
-    """`FrictionSolver` with the default preconditioner. The tolerance applies to the residuals of
-    the friction conditions; a run reported as not converged has no result."""
+    """`FrictionSolver` with the default preconditioner.
+
+    The tolerance applies to the residuals of the friction conditions. A run that is reported as not
+    converged has no result."""
 
     tolerances = (1e-1, 1e-2, 1e-3, 1e-4)
 

@@ -21,8 +21,10 @@ def version() -> str:
 
 
 class Contact:
-    """Elastic contact. The tolerance applies to three quantities: penetration relative to the
-    indentation, the offset, and tensile forces relative to the mean force on a cell."""
+    """Elastic contact.
+
+    The tolerance applies to three quantities: penetration relative to the indentation, the offset,
+    and tensile forces relative to the mean force on a cell."""
 
     tolerances = (1e-4, 1e-6, 1e-8, 1e-10)
 

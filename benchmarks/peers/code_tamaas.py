@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tamaas: Polonsky and Keer's solver with its free and its periodic operator; volume model and EPIC
-scheme of tamaas in a periodic domain."""
+"""tamaas: Polonsky and Keer's solver, with free and periodic operators, and plastic contact.
+
+Plastic contact is solved by the volume model and the EPIC scheme of tamaas, in a periodic
+domain."""
 
 from __future__ import annotations
 

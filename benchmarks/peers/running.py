@@ -266,8 +266,7 @@ def solve_again(code: Any, first: float, clock: Callable[[], float]) -> list[flo
 
 
 class Server:
-    """Process that imports one code and forks for each measurement, which avoids the
-    seconds of the imports."""
+    """Process that imports one code and forks for each measurement, to import only once."""
 
     def __init__(self, code: str) -> None:
         command = [sys.executable, "-m", "benchmarks.peers.running", code]

@@ -87,7 +87,7 @@ def _von_mises(stress: FloatArray) -> FloatArray:
 
 
 def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, float]:
-    """Return the maximum von Mises stress / p0 of a sliding contact, and its x/a and z/a (y = 0).
+    """Return the maximum von Mises stress / p0 in sliding, and its position x/a, z/a (y = 0).
 
     The stress has two competing maxima: one below the surface, and one on the diameter of the
     contact at the surface. The stress is a smooth function of the angle t, with x/a = -cos t. At

@@ -64,7 +64,7 @@ class ContactResults:
         return int(self.dataset["increment"].values[position])
 
     def surface(self, name: str, position: int) -> FloatArray:
-        """Return a surface field at an increment index (from 0); names without the body number."""
+        """Return a surface field at an increment index (from 0); `name` is without body number."""
         if name == "repulsion":
             known: FloatArray = repulsion_of(self.dataset).values[position]
             return known

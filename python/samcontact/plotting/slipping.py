@@ -251,7 +251,7 @@ def creep_curve(
     largest: float | None = None,
     label: str | None = None,
 ) -> Axes:
-    """Draw the tangential force of a rolling contact versus its creepage.
+    """Draw the tangential force of a rolling contact versus the creepage.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ def view(
     body: int | None = None,
     quantity: str = "von_mises",
 ) -> pyvista.Plotter:
-    """Show a volume field of a body in three dimensions, with a quarter cut out at its maximum.
+    """Show a volume field of a body in three dimensions, with a quarter cut out at the maximum.
 
     Body 2 is at z < 0, body 1 at z > 0. Lines mark the contact edge and the interfaces of layers.
     In a notebook, ``view(...).show()`` displays the view.

@@ -22,7 +22,7 @@ LOCK_FILES = (LOCK_FILE, ".cycle.h5.lock")
 def locked(
     directory: Path, remedy: str = "use another folder", name: str = LOCK_FILE
 ) -> Iterator[None]:
-    """Create a folder and lock it against other runs within the context.
+    """Context manager that creates a folder and locks it against other runs.
 
     The lock ends with the process, also if the process is killed.
 

@@ -66,7 +66,7 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
 
 
 def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
-    """Return a field stored for cells with plastic strain (or a part of it) on the grid x, y, z.
+    """Return a field, or part of a field, stored for cells with plastic strain on the full grid.
 
     Parameters
     ----------

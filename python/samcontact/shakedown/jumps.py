@@ -42,7 +42,7 @@ def norm(fields: Sequence[FloatArray]) -> float:
 
 @dataclass(frozen=True)
 class Trend:
-    """Trend of a field: its changes in each of the last three cycles, for every body."""
+    """Trend of a field: the changes in each of the last three cycles, for every body."""
 
     oldest: list[FloatArray]
     older: list[FloatArray]

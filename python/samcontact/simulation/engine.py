@@ -88,7 +88,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; on common cells, its surfaces must equal `current`."""
+        """Return the domain of a grid; in common cells, surfaces must equal those in `current`."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
@@ -115,7 +115,7 @@ class Engine:
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
-        """Solve an increment; return its step, and the core states before and after it.
+        """Solve an increment; return the step, and the core states before and after the increment.
 
         The core state before the increment is None unless the bodies might overlap.
         """
@@ -282,7 +282,7 @@ class Engine:
 
 
 def _state_of(kept: Snapshot) -> State:
-    """Return the state of a snapshot, with an engine of its own."""
+    """Return the state of a snapshot, with a new engine."""
     engine = Engine(*kept.setup())
     engine.restore(kept)
     return engine.state

@@ -42,7 +42,7 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Return the names of all quantities, for each elastic-plastic body or, if none, for `body`."""
+    """Return the names of all quantities, for elastic-plastic bodies or, if none, `body`."""
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     found = list(CONTACT_QUANTITIES)
     if not volume:
@@ -93,8 +93,8 @@ def _bodies(state: State) -> tuple[Body, Body]:
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
     """Return a field over the box of plastic strain of a body, from the operators of the solver.
 
-    `name` is "stress" or "residual_stress" (deviators) or "residual_displacement". None without
-    plastic strain, with several plastic subdomains, or after the body has moved.
+    `name` is "stress" or "residual_stress" (deviators) or "residual_displacement". The result is
+    None without plastic strain, with several plastic subdomains, or after the body has moved.
     """
     index, core = body - 1, state._core
     box = core.own_box(index)

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def describe(engine: Engine, **what: Any) -> Identity:
-    """Return the identity of a run about to begin: its setup and further data, e.g. its path.
+    """Return the identity of a run about to begin, from the setup and other data, e.g. the path.
 
     Softening laws are separate parts, so that messages can name them.
     """
@@ -59,7 +59,7 @@ def journal_of(
 
 
 class Journal:
-    """Checkpoints of the increments of one run, in a folder of its own.
+    """Checkpoints of the increments of one run, in a folder used only for this run.
 
     A resumed run gives bit-identical results to an uninterrupted one.
 

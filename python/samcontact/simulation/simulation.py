@@ -61,8 +61,8 @@ class Simulation(Configured, HtmlTable):
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
         plastic strain relative to their maxima. Each sub-increment is solved in one step and in two
-        halves, then extrapolated to second order. A ValueError with a sufficient tolerance is
-        raised if more than 64 are needed. Default: no subdivision, first order.
+        halves, then extrapolated to second order. If more than 64 are needed, a
+        ValueError states a sufficient tolerance. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the grid edge; with "warn" the grid is never enlarged.
     on_stall : {"error", "warn"}, optional
@@ -71,8 +71,8 @@ class Simulation(Configured, HtmlTable):
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
-        "fast": sweeps over the layers; time and memory are proportional to the number of cells.
-        "exact": influence coefficients of cuboids at their centres, as a reference; time grows with
+        "fast": recurrence over layers; time and memory are proportional to the number of cells.
+        "exact": influence coefficients of cuboids at cell centres, as a reference; time grows with
         the square of the number of layers, memory is 1 kB per cell. With little hardening and cubic
         cells, plastic strain may alternate between layers (`ResolutionWarning`) or not converge.
     image_tol : float, optional
@@ -281,7 +281,7 @@ class Simulation(Configured, HtmlTable):
         -------
         list of State
             One per increment. An error or interrupt (Ctrl-C) holds the completed states in its
-            attribute `states`; the simulation then remains at the last of them. The logger
+            attribute `states`; the simulation remains at the last of these. The logger
             "samcontact" records each increment (INFO) and its iterations (DEBUG).
 
         Raises
@@ -293,8 +293,8 @@ class Simulation(Configured, HtmlTable):
         Warns
         -----
         UnitWarning, ResolutionWarning, IncrementWarning
-            Issued before the first increment, or at the end for the whole run. Conditions are those
-            of `step`, but resolution limits are stricter (docs/conventions.md).
+            Issued before the first increment, or at the end for the whole run. The conditions of
+            `step` apply, but with stricter limits of resolution (docs/conventions.md).
         """
         boolean("progress", progress)
         states: list[State] = []
@@ -392,8 +392,8 @@ class Simulation(Configured, HtmlTable):
     ) -> Simulation:
         """Load a checkpoint. On the same machine, further results are bit-identical.
 
-        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: the function of
-        a grid used before; without it the grid is not enlarged. Raises CheckpointError (a
-        ValueError) for a damaged file, another kind of file, or a different surface.
+        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: the same
+        function of a grid as before; if missing, the grid is not enlarged. Raises CheckpointError
+        (a ValueError) for a damaged file, another kind of file, or a different surface.
         """
         return loaded(cls, path, softening, gap)

@@ -103,8 +103,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
 
     @property
     def heat_factor(self) -> tuple[float, float]:
-        """Heat flux per unit pressure of bodies 1 and 2 in this increment [m/s]; with
-        heat.partition, the fractions of the heat [-]."""
+        """Heat flux per unit pressure of both bodies [m/s]; with heat.partition, heat fractions."""
         return self._core.heat_factor1, self._core.heat_factor2
 
     @property

@@ -96,7 +96,7 @@ def require_own(path: str | os.PathLike[str] | None) -> None:
 
 
 def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProgress) -> None:
-    """Copy the existing checkpoint file to `_before`, and replace it; on failure it is kept."""
+    """Write a checkpoint file; the old file becomes `_before`, or is kept if writing fails."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)

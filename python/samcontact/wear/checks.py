@@ -132,7 +132,7 @@ def make_setup(
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Return the filter that smooths the edge of the wear, from its length or its window."""
+    """Return the filter that smooths the edge of the wear, given by a length or a window."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
