@@ -98,7 +98,7 @@ class Judged(NamedTuple):
 
 
 def judged(name: str, truth: dict[str, float], accuracy: float) -> Record:
-    """Return the relative errors of the non-zero quantities of a case: stated by samcontact, true.
+    """Return the stated and the true relative errors of the non-zero quantities of a case.
 
     The time is processor time.
     """

@@ -33,7 +33,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def solve(meter: Meter, n: int, method: str) -> dict[str, Any]:
-    """Solve a Hertz contact on n x n cells; it covers four fifths of the width of the grid."""
+    """Solve a Hertz contact on n x n cells; the contact covers four fifths of the grid width."""
     exact = hertz()
     d = 2 * exact.a / (0.8 * n)
     grid = sc.Grid(n, n, d, d)

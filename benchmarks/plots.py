@@ -50,7 +50,7 @@ def axes_of(rows: pd.DataFrame, part: ModuleType) -> tuple[list[str], list[str]]
 
 
 def series(rows: pd.DataFrame, part: ModuleType) -> Iterator[tuple[str, pd.DataFrame]]:
-    """Return the lines of a diagram and their names."""
+    """Iterate over the lines of a diagram, as pairs of name and rows."""
     by = list(getattr(part, "SERIES", ("case", "method")))
     varying = [column for column in by if rows[column].nunique() > 1] or by[:1]
     for key, group in rows.groupby(varying, sort=False):

@@ -144,7 +144,7 @@ def roll_wide(meter: Meter, n: list[int]) -> dict[str, Any]:
 
 
 def shift(meter: Meter, n: list[int]) -> dict[str, Any]:
-    """Solve a contact under load and tangential displacement; more than half of it slips."""
+    """Solve a contact under load and tangential displacement; more than half of the area slips."""
     grid, body, gap, load = ball(*n, WIDE_RADIUS)
     most = 3 * MU * load * softness() / (16 * WIDE_RADIUS)
     found = meter(

@@ -72,7 +72,7 @@ class Study:
         return found
 
     def keep(self, new: Sequence[Record]) -> None:
-        """Store new records, in place of old records of the same points; sort by point."""
+        """Store new records in place of old ones, in the order of the points, one per line."""
         every = [*self.points(False), *(self.points(True) if self.keeps_quick else ())]
         names = sorted({name for point in every for name in point})
 

@@ -68,7 +68,7 @@ class Contact:
 
 
 class Plasticity:
-    """Anderson mixing of contact and plastic flow; plastic flow is solved by DF-SANE in C++."""
+    """Plastic contact: Anderson mixing of contact and plastic flow, which DF-SANE solves in C++."""
 
     tolerances = (1e-2, 1e-3, 1e-4, 1e-6)
 

@@ -209,7 +209,7 @@ def errors_of(task: Task, problem: Any, found: Outcome) -> dict[str, float]:
 
 
 def run_here(task: Task) -> dict[str, Any]:
-    """Set up and solve once; if the solution is short, repeat it without set-up."""
+    """Set up and solve a task; repeat the solution without set-up if it takes little time."""
     warnings.simplefilter("ignore")
     kind = code_class(task.code, task.problem)
     problem, arguments = prepare(task)

@@ -37,7 +37,7 @@ def of(rows: Rows, job: Job) -> Rows:
 
 
 def growth(rows: Rows) -> float:
-    """Return the exponent of time versus cells, for the last decade of cells or three sizes."""
+    """Return the exponent of time versus cells over the last decade of cells, or three sizes."""
     last = [row for row in rows if row["cells"] >= rows[-1]["cells"] / (1.1 * DECADE)]
     chosen = last if len(last) > 2 else rows[-3:]
     return exponent([row["cells"] for row in chosen], [row["cpu_s"] for row in chosen])
@@ -132,7 +132,7 @@ def counted(rows: Rows) -> list[Job]:
 
 
 def caches(rows: Rows) -> str:
-    """Return a sentence on the largest `slowest` ratio of the jobs of elastic contact."""
+    """Return a sentence on the largest increase of transform time per cell in elastic contact."""
     elastic = [job for job in counted(rows) if job.name.startswith("elastic")]
     ratio, small, large = max(slowest(rows, job) for job in elastic)
     return (

@@ -117,7 +117,7 @@ class Heat:
 
     @property
     def shares(self) -> Pair:
-        """Heat factors of both bodies [m/s], or with `partition` fractions of the heat [-]."""
+        """Heat factors of both bodies [m/s]; with `partition`, fractions of the heat [-]."""
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     def __repr__(self) -> str:

@@ -88,7 +88,7 @@ def resampled(
 
 
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
-    """Whether each position +- edge [m] lies in the measured area.
+    """Return, for each position, whether position +- edge [m] lies in the measured area.
 
     Raises ValueError for a position outside this area if there is no fill.
     """
@@ -104,6 +104,6 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
 
 
 def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Divide cells into equal parts, at most a step long; return the part centres of each cell."""
+    """Divide each cell into equal parts, at most one step long; return the centres of the parts."""
     count = max(1, int(np.ceil(cell / step - 1e-9)))
     return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

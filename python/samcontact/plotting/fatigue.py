@@ -172,7 +172,7 @@ def _quantity(field: FatigueField) -> Quantity:
 def _coloured(
     field: FatigueField, ax: Axes | None, axes: str, values: FloatArray, note: str
 ) -> Axes:
-    """Draw values along two axes, with a cross at the maximum."""
+    """Draw values in colour over two coordinates, with a cross at the maximum."""
     sides = [field.coordinates[axis] for axis in axes]
     plane = Plane(*(edges(side, _step(side)) for side in sides))
     ax = show_surface(ax, plane, values, _quantity(field), axes[0], note)

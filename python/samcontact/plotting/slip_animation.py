@@ -120,7 +120,7 @@ def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
 
 
 def _course_panel(ax: Axes, course: ForceHistory) -> Line2D:
-    """Draw the whole curve as a thin line, and the point of the current state."""
+    """Draw the force of all states as a thin line; return the mark of the current state."""
     ax.plot(course.across, course.force, "-", linewidth=0.8, color="0.6")
     (point,) = ax.plot([], [], "o", color="C3")
     ax.set_xlabel(course.labels[0])

@@ -53,7 +53,7 @@ def slip_figures(results: ContactResults) -> dict[str, Figure]:
 
 
 def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
-    """Return figures of the force versus distance rolled and, if it varies, versus creepage."""
+    """Return figures of force versus distance rolled and, if creepage varies, versus creepage."""
     figures = {"rolling_force": new_figure()}
     rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)
     xi, force = creepages(dataset, direction)

@@ -130,7 +130,7 @@ def _load_text(results: ContactResults, position: int) -> str:
 
 
 def _peak_figures(results: ContactResults) -> dict[str, Figure]:
-    """Draw pressure, gap and stresses at the increment with the maximum stress."""
+    """Return figures of pressure, gap and stresses at the increment with the maximum stress."""
     grid, number = results.grid, results.number(results.peak)
     _, size = results.map_look
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
@@ -170,7 +170,7 @@ def _sections(results: ContactResults, number: int) -> Figure:
 
 
 def _temperature_figures(results: ContactResults) -> dict[str, Figure]:
-    """Draw the temperature rise of a heated body."""
+    """Return figures of the temperature rise of a heated body; none without heating."""
     if results.hottest is None:
         return {}
     grid, rise = results.grid, results.surface("surface_temperature", results.hottest)
@@ -186,7 +186,7 @@ def _temperature_figures(results: ContactResults) -> dict[str, Figure]:
 
 
 def _imprint_figures(results: ContactResults) -> dict[str, Figure]:
-    """Draw residual imprint and residual stress of a stationary contact."""
+    """Return figures of residual imprint and residual stress of a stationary contact."""
     grid, depth = results.grid, results.surface("residual_displacement", -1)
     across, size = results.map_look
     figures = {"imprint": _panel(), "imprint_map": _panel(*size)}
@@ -214,7 +214,7 @@ def _imprint_figures(results: ContactResults) -> dict[str, Figure]:
 
 
 def _track_figures(track: xr.Dataset) -> dict[str, Figure]:
-    """Draw residual imprint and residual stress of the whole track of a moving contact."""
+    """Return figures of residual imprint and residual stress along the track of a contact."""
     grid, length = grid_of(track), float(np.ptp(track["x"].values))
     figures = {"imprint": _panel()}
     imprint_along(track, figures["imprint"].axes[0])

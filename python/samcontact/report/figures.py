@@ -144,7 +144,7 @@ def _interfaces(results: ContactResults, number: int) -> Made:
 
 
 def _utilisation(results: ContactResults, stress: FloatArray) -> str:
-    """Describe the maximum ratio of von Mises stress to yield stress in a graded body."""
+    """Return a text on the maximum of von Mises stress / initial yield stress in a graded body."""
     body, grid = results.graded, results.grid
     if body is None or not body.is_plastic:
         return ""

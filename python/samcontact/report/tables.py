@@ -66,7 +66,7 @@ class Table(NamedTuple):
 
 
 def parameters(dataset: xr.Dataset) -> list[Row]:
-    """Return the parameters of the stored case; without a case, from the attributes of the run."""
+    """Return the parameters of the stored case or, if missing, from the attributes of the run."""
     text = dataset.attrs.get("case", "")
     if not text:
         return _from_attributes(dataset)
@@ -167,7 +167,7 @@ def scalars_table(dataset: xr.Dataset) -> Table:
 
 
 def results_table(dataset: xr.Dataset) -> Table:
-    """Return a table of the maxima of the scalar results over all increments, without errors."""
+    """Return a table of the maximum of each scalar result, for results without estimated errors."""
     table = maxima_table(dataset, "increment", CONTACT, _SCALARS[:-2])
     return table._replace(note=f"{table.note} Errors were not estimated.")
 

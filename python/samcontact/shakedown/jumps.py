@@ -77,7 +77,7 @@ class Trend:
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:
-        """Return the predicted change in one cycle, the given number of cycles after the last."""
+        """Return the predicted change in a single cycle, `cycles` cycles after the last one."""
         weight = self.weight(cycles)
         return [d + weight * e for d, e in zip(self.last, self.steps[1], strict=True)]
 

@@ -317,7 +317,7 @@ def _value_differences(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict
 
 
 def error_summary(shares: Mapping[str, float]) -> str:
-    """Describe the errors of all fields in one text, largest error first."""
+    """Return a text that lists the errors of all fields, largest error first."""
     found = sorted(shares.items(), key=lambda item: -item[1])
     parts = [f"the {_label(name)} by about {percent(share)}" for name, share in found]
     return f"more increments would change {', '.join(parts)}"

@@ -305,7 +305,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return bool(self._core.has_eigenstrain(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
-        """Heights of the `Relief` of a body in its current position [m], shape (nx, ny), or 0."""
+        """Heights of the `Relief` of a body at the current position [m], shape (nx, ny), or 0."""
         return self._field("relief", body)
 
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:

@@ -205,7 +205,7 @@ class Gaussian:
 
 
 def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
-    """Map a volume field to depths z_k below the worn surface: return its values at z_k + depth.
+    """Map a volume field to depths z_k below the worn surface, i.e. z_k + depth below the old one.
 
     Parameters
     ----------
