@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Residual stress of a real plastic zone: exact and fast method against a converged field.
+"""Residual stress of a real plastic zone: errors of the exact and the fast method.
 
 The plastic strain is from a fine axisymmetric solution for two balls at the largest load, and is
 sampled at the cell centres of a box around the plastic zone. For the reference it is sampled in

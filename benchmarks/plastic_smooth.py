@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two steel balls, loaded to 1500 N and unloaded, against axisymmetric finite elements."""
+"""Two steel balls, loaded to 1500 N and unloaded: comparison with axisymmetric finite elements."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m benchmarks.experiments: page of indentation against experiments."""
+"""python -m benchmarks.experiments: page that compares indentation with experiments."""
 
 from .page import STUDY
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical texts of user-defined functions and objects, from their code and its data."""
+"""Canonical texts of user-defined functions and objects, from code and the data used by it."""
 
 from __future__ import annotations
 

@@ -28,7 +28,7 @@ MIN_BYTES_PER_SECOND = 2e7
 BLOCK_BYTES = 1 << 24
 """Number of bytes that are read in one call from variables without chunks."""
 MAX_COMPRESSION_RATIO = 2000
-"""Maximum compression ratio: deflate reaches 1032."""
+"""Maximum compression ratio; deflate compresses by up to 1032."""
 
 _READER_PROGRAM = """
 import json, runpy, sys

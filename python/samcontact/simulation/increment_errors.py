@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimated error due to the size of increments, from a run with twice or half as many of them."""
+"""Estimated errors due to the size of increments, from a run with more or fewer increments."""
 
 from __future__ import annotations
 
@@ -41,8 +41,9 @@ _DOUBLING_FACTORS = 2.0, 2.0
 """Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
 other fields; exact for first-order convergence."""
 _HALVING_FACTORS = 2.0, 1.5
-"""Ratio of the error of n increments to the difference between n/2 and n: 1 for order 1, 2.4 for
-order 1/2, which single cells may have; calibrated, see docs/theory/accuracy.md."""
+"""Ratio of the error of n increments to the difference between n/2 and n, for plastic strain and
+for other fields. In theory it is 1 for order 1, and 2.4 for order 1/2, which occurs in single
+cells; these values are calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 _STRESS_TOLERANCE = 1e-3
-"""Relative tolerance of equal stresses: without hardening, many increments reach yield stress."""
+"""Relative difference of equal stresses; without hardening, many increments reach yield stress."""
 _ROUNDING_ERROR = 1e-9
 """Relative tolerance of equal pressures and loads, for rounding errors."""
 

@@ -19,7 +19,7 @@ _BLOCK_PAIRS = 1 << 18
 _EDGE_TOLERANCE = 1e-6
 """Distance from the edge of a cell, in cells, below which a point is on the edge."""
 _MAX_COORDINATE = 1e75
-"""Maximum coordinate [m]; with larger ones, products of squared distances overflow."""
+"""Maximum coordinate [m]; with larger values, products of squared distances overflow."""
 
 IntArray = NDArray[np.intp]
 Tractions = tuple[FloatArray, FloatArray | None, FloatArray | None]

@@ -26,7 +26,7 @@ from .results import Cycle, Moments, WearResult
 from .steps import Window, below_worn_surface, depth, deviator_below_worn_surface
 
 LOAD_TOLERANCE = 1e-9
-"""Relative difference below which loads are equal, for rounding."""
+"""Relative difference below which loads count as equal, in view of rounding errors."""
 
 
 def run(

@@ -23,7 +23,7 @@ S = TypeVar("S", bound=WearProblem)
 R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
-"""Function that solves one cycle; returns its states and the initial state of the next cycle."""
+"""Function that solves a cycle, and returns its states and the initial state of the next one."""
 
 
 def repeat(
