@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Capabilities by title, each a change of the description of a contact."""
+"""Capabilities by name: each changes the description of a contact."""
 
 from __future__ import annotations
 

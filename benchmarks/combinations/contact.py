@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small contact of a ball whose description capabilities modify, and checks of its states."""
+"""Description of a small contact of a ball, which each capability changes; checks of its states."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Body = sc.Material | sc.Layered
 
 @dataclass
 class Contact:
-    """Description of a contact of two bodies, with a path of loads and motions."""
+    """Description of the contact of a ball and a half-space, with loads and motions."""
 
     body1: sc.Material = field(default_factory=lambda: sc.Material.elastic(210e9, 0.3))
     body2: sc.Material = field(default_factory=lambda: sc.Material.elastic(210e9, 0.3))
