@@ -90,7 +90,7 @@ class Stated:
         self.part, self.fields = part, fields
 
     def on(self, mesh: str, **fields: Any) -> Stated:
-        """Return these rows with `mesh` as the mesh of all rows without a mesh of their own."""
+        """Return these rows; rows without a mesh get `mesh`."""
         return Stated(self.part, **self.fields, mesh=mesh, **fields)
 
     def values(self, name: str) -> dict[Any, Any]:

@@ -133,7 +133,7 @@ def volume(grid: CellCounts, bytes_a_cell: float, layers: int | None = None) -> 
 def available() -> float | None:
     """Return the available memory [bytes]; None if it is unknown.
 
-    It is the minimum of the limits of machine, container and process.
+    This is the smallest of the amounts that are available to machine, container and process.
     """
     known = [
         amount for amount in (_machine_memory(), _container_memory(), _process_memory()) if amount

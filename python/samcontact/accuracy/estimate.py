@@ -155,7 +155,7 @@ def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of each group of values, with an error from the errors in the group.
+    """Return the maximum of each group of values and its error, found from their errors.
 
     Parameters
     ----------

@@ -392,6 +392,6 @@ def require_refinable(case: Case) -> None:
     radii = surface.radii()
     if radii is None or not all(map(math.isfinite, radii)):
         raise ValueError(
-            f"surface.shape = {surface.shape!r} gives a contact of infinite length, which accuracy "
-            'does not support: specify [grid] with periodic = "y" (or "x") instead'
+            f"surface.shape = {surface.shape!r} gives a contact of infinite length, for which "
+            'accuracy cannot be prescribed: specify [grid] with periodic = "y" (or "x") instead'
         )

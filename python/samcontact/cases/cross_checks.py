@@ -137,7 +137,7 @@ def _require_accuracy(case: Any) -> None:
     """Raise ValueError for fields that `accuracy` excludes or that require `accuracy`."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
-            raise ValueError(f"{name} requires accuracy: add accuracy, or omit {name}")
+            raise ValueError(f"{name} requires accuracy: add the field accuracy, or omit {name}")
         return
     if case.grid is not None:
         raise ValueError("grid cannot be combined with accuracy: omit one of them")

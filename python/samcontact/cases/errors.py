@@ -175,7 +175,7 @@ def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
     """Return the field at the location `loc` of a pydantic error; `loc` may contain union tags.
 
     If a field allows several types, pydantic reports an error for each type and appends the type to
-    `loc`. The location returned ends at the field.
+    `loc`. The location in the returned value ends at the field.
     """
     place = _FieldLocation([], [], root, ())
     for element in loc:

@@ -166,7 +166,7 @@ class CylinderSurface(_Surface):
 
 
 class FileSurface(_Surface, HeightsFile):
-    """Heights of body 2 from a file, in contact with a paraboloid."""
+    """Surface of body 2 with heights from a file; body 1 is a paraboloid."""
 
     shape: Literal["file"]
     x: Position | None = None

@@ -99,7 +99,7 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
 def _arguments(*directions: tuple[float | None, float | None]) -> dict[str, Any]:
     """Return the tangential arguments of `Simulation.step`, without arguments that are None.
 
-    directions: (motion, force) along x, along y and about z.
+    directions: three pairs (motion, force), along x, along y and about z.
     """
     (x, force_x), (y, force_y), (rotation, torque) = directions
     given: dict[str, Any] = {"shift": (x, y), "tangential_load": (force_x, force_y)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [wear] of a case file: the path is one cycle, and wear is computed after each cycle."""
+"""Section [wear] of a case file: the path is a load cycle, repeated with wear after each cycle."""
 
 from __future__ import annotations
 

@@ -130,13 +130,14 @@ class CriticalCylinderOverDepth(CriticalCylinder):
     z: float
 
 
-def _require_numbers(R: float, E_star: float, p0: float) -> None:
+def _require_numbers(R: float, E_star: float, yield_stress: float, C: float = 1.0) -> None:
     """Raise ValueError if the critical load or energy would overflow."""
+    p0 = C * yield_stress
     powers = [5 * math.log10(p0), 3 * math.log10(R), -4 * math.log10(E_star)]
     if not all(abs(sum(powers[: n + 1])) < 300 for n in range(3)):
         raise ValueError(
             "R, E_star and yield_stress must give finite critical values, got "
-            f"R = {R!r}, E_star = {E_star!r}, yield_stress = {p0:.4g}/C"
+            f"R = {R!r}, E_star = {E_star!r}, yield_stress = {yield_stress!r}"
         )
 
 
@@ -144,7 +145,7 @@ def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalS
     R, E_star = positive("R", R), positive("E_star", E_star)
     p0 = C * positive("yield_stress", yield_stress)
     strength = math.pi * p0
-    _require_numbers(R, E_star, p0)
+    _require_numbers(R, E_star, yield_stress, C)
     return CriticalSphere(
         interference=(strength / (2.0 * E_star)) ** 2 * R,
         load=strength**3 * R**2 / (6.0 * E_star**2),
@@ -158,7 +159,7 @@ def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalS
 def _cylinder(R: float, E_star: float, C: float, yield_stress: float) -> CriticalCylinder:
     R, E_star = positive("R", R), positive("E_star", E_star)
     p0 = C * positive("yield_stress", yield_stress)
-    _require_numbers(R, E_star, p0)
+    _require_numbers(R, E_star, yield_stress, C)
     return CriticalCylinder(
         load_per_length=math.pi * R * p0**2 / E_star, C=C, p0=p0, b=2.0 * p0 * R / E_star
     )

@@ -248,7 +248,7 @@ def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
 
 
 def _row_of_residual(track: xr.Dataset) -> float:
-    """Return the y position of the maximum residual stress [m], or of the middle row."""
+    """Return the y position [m] of the row with the most residual stress; 0 if equal there."""
     residual, y = track["residual_von_mises"].values, track["y"].values
     return float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
 

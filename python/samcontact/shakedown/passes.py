@@ -53,7 +53,7 @@ def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, An
     if not grid.along_x:
         raise ValueError(
             f"grid must be periodic along x, got periodic = {grid.periodic!r}: for a track with "
-            "ends, use paths.rolling and return the bodies"
+            "ends, use paths.rolling and move the bodies back after each pass"
         )
     step = integer("cells", cells, 1)
     if grid.nx % step:

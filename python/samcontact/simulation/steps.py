@@ -230,8 +230,8 @@ def _require_motion_of_heat(
         moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:
             raise ValueError(
-                f"advance of body {n} must be a whole number of cells of {dx!r} m "
-                f"with heat.history, got {moved!r} m"
+                f"advance of body {n} must be a multiple of the cell size, {dx!r} m, if "
+                f"heat.history is given, got {moved!r} m"
             )
         expected = heat.velocity[n - 1][0] * duration
         if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:

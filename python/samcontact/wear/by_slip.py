@@ -187,7 +187,7 @@ def _advance(
     first = _solve_repeat(setup, heights)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
         raise ValueError(
-            "cycle must bring the bodies into contact in its repeated part, "
+            "cycle must bring the bodies into contact when it is repeated, "
             "got no contact: increase the load"
         )
     while left > 0:
