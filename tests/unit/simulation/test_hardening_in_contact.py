@@ -180,7 +180,8 @@ def test_plastic_strain_of_the_exact_method_without_hardening():
     page = file.read_text(encoding="utf-8")
     stated = re.search(
         r"with (\d+) cells over \$3 \\sqrt\{R w\}\$, with R the radius of the ball and w the "
-        r"interference, the maximum plastic strain is ([\d.]+) %. The fast operator gives ([\d.]+) %",
+        r"interference, the maximum plastic strain is ([\d.]+) %. The fast operator gives "
+        r"([\d.]+) %",
         " ".join(page.split()),
     )
     cells, modulus = int(stated[1]), E / (1 - NU**2)
