@@ -64,8 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]: the sum of `error` and the difference between value and target,
-        divided by the slope d(value)/d(load).
+        Load and its error [N]: `error` plus deviation from the target, divided by d(value)/d(load).
     value, error : float
         Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State
