@@ -35,7 +35,7 @@ class AccuracyResult(HtmlTable):
     values: dict[str, float]
     errors: dict[str, float]
     accuracy: dict[str, float]
-    """Prescribed accuracy of each quantity: error divided by the maximum value of the run [-]."""
+    """Prescribed accuracy of each quantity, as error divided by the maximum of the run [-]."""
     reached: bool
     """Whether all errors are below the prescribed accuracy."""
     series: dict[str, FloatArray]
