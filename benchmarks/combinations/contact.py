@@ -10,6 +10,8 @@ import numpy as np
 
 import samcontact as sc
 
+from ..stability.materials import slip_error
+
 CELLS, LAYERS, SIZE = 16, 10, 40e-6
 RADIUS, LOAD, APPROACH = 5e-3, 260.0, 6e-6
 SPEED = 0.2
@@ -124,9 +126,9 @@ def _faults_of(state: sc.State, step: dict[str, Any], contact: Contact) -> list[
     if highest > 0:
         closed = np.minimum(pressure / highest, gap / np.abs(gap).max())
         conditions["pressure or gap zero"] = bool(np.abs(closed).max() <= TOL)
-    if isinstance(contact.law, sc.Coulomb) and np.isfinite(contact.law.coefficient):
-        excess = np.hypot(*state.shear) - contact.law.coefficient * pressure
-        conditions["shear below the friction limit"] = bool((excess <= 1e-6 * highest).all())
+    if isinstance(contact.law, sc.Coulomb):
+        excess = slip_error(state, contact.law.coefficient)
+        conditions["shear below the friction limit"] = excess <= 1e-6
     for body in (1, 2):
         conditions |= _conditions_in(state, body)
     return [name for name, holds in conditions.items() if not holds]

@@ -34,6 +34,16 @@ def with_trials(name):
     return pytest.mark.parametrize("count", [pytest.param(few, id="few"), slow])
 
 
+def with_trials_of_each(names):
+    """Run a test for each name, with `count` trials, and as a slow test with more."""
+    few = [pytest.param(name, TRIALS[name][0], id=f"{name}-few") for name in names]
+    many = [
+        pytest.param(name, TRIALS[name][1], marks=pytest.mark.slow, id=f"{name}-many")
+        for name in names
+    ]
+    return pytest.mark.parametrize(("name", "count"), [*few, *many])
+
+
 def start(script, *arguments, **options):
     """Start a single-threaded Python process."""
     return subprocess.Popen(

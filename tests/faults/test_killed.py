@@ -7,7 +7,7 @@ import shutil
 import signal
 
 import pytest
-from faulting import Nursery, with_trials
+from faulting import Nursery, with_trials_of_each
 
 BEGIN = """
 import hashlib, sys, warnings
@@ -71,7 +71,9 @@ def computed(folder):
     numbers = [n for n in sorted(data.data_vars) if data[n].dtype.kind == "f"]
     return digest(*(data[name].values for name in numbers))
 """
-SCRIPTS = {"run": RUN, "wear": WEAR, "asperities": ASPERITIES, "sweep": SWEEP}
+SCRIPTS = {
+    "kill: run": RUN, "kill: wear": WEAR, "kill: asperities": ASPERITIES, "kill: sweep": SWEEP,
+}  # fmt: skip
 # With a place, the process kills itself at a system call of a write, which a random time rarely
 # hits.
 ANY = (
@@ -108,14 +110,15 @@ def nursery():
         yield made
 
 
-def check(kind, nursery, count, tmp_path):
+@with_trials_of_each(SCRIPTS)
+def test_any_time(name, nursery, count, tmp_path):
     """Kill at times spread over the run, twice in the same folder, then let the run finish."""
-    times = random.Random(f"killed {kind}")
-    expected, whole = nursery.run(f"{kind}|{tmp_path / 'whole'}")
+    times = random.Random(name)
+    expected, whole = nursery.run(f"{name}|{tmp_path / 'whole'}")
     assert len(expected) == 64, nursery.message()
     for trial in range(count):
         folder = tmp_path / f"trial{trial}"
-        run = f"{kind}|{folder}"
+        run = f"{name}|{folder}"
         moments = [(trial + times.random()) / count * whole for _ in range(2)]
         while nursery.run(run, moments[0], signal.SIGKILL)[0] is not None:
             shutil.rmtree(folder, ignore_errors=True)
@@ -125,30 +128,10 @@ def check(kind, nursery, count, tmp_path):
         shutil.rmtree(folder, ignore_errors=True)
 
 
-@with_trials("kill: run")
-def test_run(nursery, count, tmp_path):
-    check("run", nursery, count, tmp_path)
-
-
-@with_trials("kill: wear")
-def test_wear(nursery, count, tmp_path):
-    check("wear", nursery, count, tmp_path)
-
-
-@with_trials("kill: asperities")
-def test_asperities(nursery, count, tmp_path):
-    check("asperities", nursery, count, tmp_path)
-
-
-@with_trials("kill: sweep")
-def test_sweep(nursery, count, tmp_path):
-    check("sweep", nursery, count, tmp_path)
-
-
 @pytest.fixture(scope="module")
 def written(nursery, tmp_path_factory):
     """Return the digest of an undisturbed run."""
-    return nursery.run(f"run|{tmp_path_factory.mktemp('written') / 'whole'}")[0]
+    return nursery.run(f"kill: run|{tmp_path_factory.mktemp('written') / 'whole'}")[0]
 
 
 @pytest.mark.parametrize(
@@ -160,7 +143,7 @@ def written(nursery, tmp_path_factory):
     ],
 )
 def test_while_writing(nursery, written, tmp_path, module, name, number):
-    run = f"run|{tmp_path / 'run'}"
+    run = f"kill: run|{tmp_path / 'run'}"
     assert len(written) == 64
     assert nursery.run(f"{run}|{module}|{name}|{number}")[0] is None
     assert (tmp_path / "run").is_dir()

@@ -143,7 +143,8 @@ def _require_numbers(R: float, E_star: float, yield_stress: float, C: float = 1.
 
 def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalSphere:
     R, E_star = positive("R", R), positive("E_star", E_star)
-    p0 = C * positive("yield_stress", yield_stress)
+    yield_stress = positive("yield_stress", yield_stress)
+    p0 = C * yield_stress
     strength = math.pi * p0
     _require_numbers(R, E_star, yield_stress, C)
     return CriticalSphere(
@@ -158,7 +159,8 @@ def _sphere(R: float, E_star: float, C: float, yield_stress: float) -> CriticalS
 
 def _cylinder(R: float, E_star: float, C: float, yield_stress: float) -> CriticalCylinder:
     R, E_star = positive("R", R), positive("E_star", E_star)
-    p0 = C * positive("yield_stress", yield_stress)
+    yield_stress = positive("yield_stress", yield_stress)
+    p0 = C * yield_stress
     _require_numbers(R, E_star, yield_stress, C)
     return CriticalCylinder(
         load_per_length=math.pi * R * p0**2 / E_star, C=C, p0=p0, b=2.0 * p0 * R / E_star
