@@ -315,7 +315,7 @@ def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:
-    """Return half the work of the tractions on the displacement that they cause [J]."""
+    """Return half the work [J] of the tractions on the elastic displacement that they cause."""
     bodies = simulation.body1, simulation.body2
     solver = ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
     pressure, shear = state.pressure, state.shear

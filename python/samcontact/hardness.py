@@ -3,8 +3,8 @@
 
     material.with_yield_profile(depth, hardness.yield_from_vickers(HV) / yield_stress)
 
-Both relations are estimates from the bulk hardness. Hardness profiles of nitrided and carburised
-steel are not provided, because they depend on the treatment: use measured profiles.
+Both functions of this module are estimates from the bulk hardness. Hardness profiles of nitrided
+and carburised steel are not provided, because they depend on the treatment: use measured profiles.
 """
 
 from __future__ import annotations

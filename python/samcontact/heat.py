@@ -46,8 +46,8 @@ class Heat:
     Parameters
     ----------
     factor : float or pair of floats, optional
-        Q_f >= 0 [m/s]: heat flux per unit pressure into body 2, or into bodies 1 and 2; see
-        `factors`. Heated bodies must have thermal constants. Default: 0, no heating.
+        Q_f >= 0 [m/s]: heat flux per unit pressure, a number for body 2 or a pair for bodies 1 and
+        2; see `factors`. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
         Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
         thus to the heat source [m/s]. Default: at rest.
@@ -192,7 +192,7 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
 def partition(
     body1: Material, body2: Material, radius: float, velocity1: float = 0.0, velocity2: float = 0.0
 ) -> float:
-    """Return the fraction of heat that enters body 2 for equal maximum temperatures [-].
+    """Return the fraction of heat that enters body 2 if both maximum temperatures are equal [-].
 
     Parameters
     ----------

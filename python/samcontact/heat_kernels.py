@@ -138,7 +138,7 @@ def temperature(
         Time since the source was switched on [s]; default inf, the steady state.
     tol : float
         Tolerance relative to the maximum of the table, in [1e-12, 1e-2]; the error is usually far
-        smaller. Small values far from the source are still accurate to several digits.
+        smaller. Even the small values far from the source are accurate to several digits.
 
     Raises
     ------

@@ -104,7 +104,7 @@ def _stress(
 def pressure_stress(
     X: ArrayLike, Y: ArrayLike, z: ArrayLike, a: float, b: float, nu: float
 ) -> FloatArray:
-    """Return the stress [-] per unit pressure, (6, ...). Boucly (2008), eqs (2.81)-(2.86)."""
+    """Return the stress [-] per unit pressure, shape (6, ...). Boucly (2008), eqs (2.81)-(2.86)."""
     return _stress(_PRESSURE, X, Y, z, a, b, nu)
 
 
@@ -136,7 +136,7 @@ def eigenstrain_displacement(
     *,
     axis: str = "z",
 ) -> FloatArray:
-    """Return the surface displacement [m] per unit eigenstrain component of a cuboid, (6, ...).
+    """Return the surface displacement [m] per unit eigenstrain of a cuboid, shape (6, ...).
 
     The displacement is along `axis`: "x", "y" or "z", with z into the body. zc is the depth of the
     centre of the cuboid. For a unit shear component, e.g. xy, the component yx is also 1.

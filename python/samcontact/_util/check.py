@@ -23,7 +23,7 @@ class Check:
     unit : str
         SI unit of `value` and `limit`; "" for pure numbers.
     of_input : bool
-        Whether the check is of the input (e.g. for wrong units) and not of the results.
+        Whether the input is checked (e.g. for wrong units), and not the results.
     """
 
     name: str

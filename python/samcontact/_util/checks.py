@@ -24,13 +24,13 @@ BoolArray = NDArray[np.bool_]
 MAX_COUNT = (1 << 31) - 1
 """Maximum count: the core uses 32-bit integers."""
 MAX_CELLS_ALONG_AXIS = 1 << 24
-"""Maximum number of cells along one axis; transforms need twice as many."""
+"""Maximum number of cells along one axis; Fourier transforms need twice this number."""
 MAX_STRESS = 1e75
 """Maximum stress or modulus [Pa], and maximum load [N]: their products do not overflow."""
 MAX_INCREMENTS_OF_PATH = 100_000
 """Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]; file systems allow 255, temporary names are longer."""
+"""Maximum length of a file name [bytes]: up to 255 are allowed, but temporary names are longer."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
 _NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy
@@ -59,7 +59,7 @@ def number(name: str, value: Any) -> float:
 
 
 def _remedy(value: Any) -> str:
-    """Return the remedy, for an error message, for a value that is not a number."""
+    """Return the remedy that an error message gives if a value is not a number."""
     if _has_unit(value):
         return ": convert it with samcontact.units.si"
     if isinstance(value, str):
@@ -153,7 +153,7 @@ def in_cells(name: str, length: float, step: float) -> float:
 
 
 def step_list(name: str, steps: Any, known: Iterable[str]) -> list[dict[str, Any]]:
-    """Return `steps` as a list of dicts of `Simulation.step` arguments named in `known`."""
+    """Return `steps` as a list of dicts, whose keys must be among the argument names `known`."""
     several = isinstance(steps, Iterable) and not isinstance(
         steps, (Mapping, str, bytes, np.ndarray)
     )
@@ -365,7 +365,7 @@ def tractions(name: str, value: ArrayLike, shape: tuple[int, ...]) -> FloatArray
 
 
 def value_per_body(name: str, value: Any) -> tuple[float, float]:
-    """Return a finite float >= 0 for each body; for a single number, 0 and this number."""
+    """Return a finite float >= 0 for each body: (0, value) if `value` is a single number."""
     given = real_array(name, value)
     pair = [0.0, value] if given.ndim == 0 else list(given)
     if given.ndim > 1 or len(pair) != 2:
@@ -394,7 +394,7 @@ def file_path(name: str, value: Any) -> Path:
 
 
 def load_or_approach(load: float | None, approach: float | None) -> tuple[str, float]:
-    """Return the name and checked value of load or approach; the other one must be None."""
+    """Return the name and the checked value of load or approach, exactly one of which is given."""
     name = exactly_one(load=load, approach=approach)
     # a negative approach separates the bodies; a negative load requires adhesion
     return name, non_negative("load", load) if name == "load" else finite("approach", approach)

@@ -9,7 +9,7 @@ class GridTooSmallWarning(UserWarning):
 
 
 class ConvergenceWarning(UserWarning):
-    """Warning that pressure and shear did not converge; the result is the one with least error."""
+    """Warning that pressure and shear did not converge; the result has the smallest error."""
 
 
 class PlasticStrainWarning(UserWarning):

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 _ESTIMATE_MARGIN = 3.0
-"""Safety factor on bounds estimated from Hertz theory, because a gap may deviate by 3 % from a
-paraboloid, or from the yield stress of elastic-plastic bodies."""
+"""Safety factor on bounds that are estimated from Hertz theory or from the yield stress of
+elastic-plastic bodies. For Hertz theory, a gap may deviate by 3 % from a paraboloid."""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
@@ -40,10 +40,11 @@ class _Limit(NamedTuple):
 
 
 def require_attainable(name: str, target: float, simulation: Simulation, max_load: float) -> None:
-    """Raise ValueError if no load up to the largest can give the target value.
+    """Raise ValueError if no load up to `max_load` can give the target value.
 
-    Bounds follow from Hertz theory for a parabolic gap, from the yield stress, and from the size of
-    the grid. All other values are checked during the search.
+    The target value is compared with bounds, which follow from Hertz theory for a parabolic gap,
+    from the yield stress, and from the size of the grid. A target within the bounds may still turn
+    out to be unattainable during the search.
 
     Parameters
     ----------
@@ -118,7 +119,7 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return an upper bound: grid width for a depth, grid area for an area on a fixed grid."""
+    """Return a bound: the grid width for a depth, or the area of a fixed grid for an area."""
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
@@ -129,7 +130,7 @@ def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
 
 
 def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -> _Limit | None:
-    """Return a bound estimated from the Hertz contact at maximum load and the yield stress."""
+    """Return a bound estimated from the yield stress and from the Hertz contact at maximum load."""
     contact, both = expected.contact, (simulation.body1, simulation.body2)
     bodies = [body for body in both if isinstance(body, Material)]
     if len(bodies) < len(both) or any(body.softening for body in bodies):

@@ -40,8 +40,8 @@ which convergence is taken as first order (ratio 2). Outside this range, the dif
 correction for n and twice the correction for 2 n may change on a finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
-"""Relative error added for the contact area, divided by the relative correction of the maximum
-pressure, because on a coarse grid the area changes only by whole cells."""
+"""Relative error added for the contact area, as a fraction of the relative correction of the
+maximum pressure. It is needed because the area on a coarse grid changes only by whole cells."""
 
 
 class Estimate(NamedTuple):
@@ -133,7 +133,7 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
 
 
 def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
-    """Return the part of the increment corrections that is not of first order.
+    """Return the part of the corrections for increments that is not of first order.
 
     Parameters
     ----------
@@ -143,7 +143,8 @@ def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
     Returns
     -------
     ndarray
-        Zero where the ratio of the corrections is within `FIRST_ORDER_RATIOS`.
+        Part of each correction that is not of first order; zero where the ratio of the two
+        corrections is within `FIRST_ORDER_RATIOS`.
     """
     low, high = FIRST_ORDER_RATIOS
     inside = (
@@ -155,7 +156,7 @@ def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of each group of values and its error, found from their errors.
+    """Return the maximum of each group of values, with an error from the errors of all its values.
 
     Parameters
     ----------

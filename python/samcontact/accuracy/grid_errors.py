@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 __all__ = ["GridErrors", "estimate_errors"]
 
 MAX_RELATIVE_ERROR = 0.2
-"""Relative error above which the check of a report fails."""
+"""Estimated relative error above which the error check of a report fails."""
 MAX_SLOPE_FRACTION = 0.25
 """Limit of the fraction of the mean-square slope at the shortest wavelengths of a grid (below four
 cells). Above this limit, most of the slope may be at wavelengths that the grid does not contain."""
@@ -264,7 +264,7 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 def _differences(
     fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Return differences between two grids by name, at least a bound against chance agreement.
+    """Return differences between two grids by name, with a minimum, as grids may agree by chance.
 
     The difference is infinite for quantities that are singular at a sharp edge.
     """
@@ -293,7 +293,7 @@ def _differences(
 def _slip_errors(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
-    """Return frictional work, and tangential forces and motions not prescribed, with errors.
+    """Return, with errors, the frictional work and the tangential quantities not prescribed.
 
     The error of each increment is at least 20 % of the largest error up to this increment, because
     both grids may agree by chance where a quantity changes sign.

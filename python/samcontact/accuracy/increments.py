@@ -34,7 +34,7 @@ class Correction(NamedTuple):
     doublings: list[Doubling]
     """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """Possible error of the correction from each doubling when applied to the finest grid."""
+    """For each doubling, possible error of the correction when it is applied to the finest grid."""
     irregular: FloatArray
     """Part of the correction that is not of first order."""
 
@@ -46,7 +46,7 @@ def trial_runs(runs: Runs) -> list[GridRun]:
 
 
 def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
-    """Return the correction of values `finest`, from the finest grid with `used` increments."""
+    """Return the correction of the values `finest` of the finest grid with `used` increments."""
     made = []
     for run in trial_runs(runs)[:-1]:
         n = run.increments

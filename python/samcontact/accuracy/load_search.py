@@ -221,8 +221,8 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary in this layout: all forces are multiplied by one
-        factor; or a function of the maximum load [N] that returns simulation and path.
+        Case, path of a case file, or dictionary with its layout; all forces are multiplied by one
+        factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
         without a body number, the larger value of both bodies. The value used is the larger of the
@@ -306,7 +306,7 @@ def _checked_build(build: Callable[[float], Built], load: float) -> Built:
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """Return the indices of the last increment at maximum load and the last increment of all."""
+    """Return the indices of the last increment at maximum load and of the last increment."""
     loads = [state.load for state in states]
     max_load = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= max_load), len(states) - 1}

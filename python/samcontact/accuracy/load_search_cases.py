@@ -70,7 +70,7 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """Return a quantity's name with body number; ValueError if the simulation has no such value."""
+    """Return a quantity's name with body number; ValueError if the simulation cannot compute it."""
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:

@@ -75,8 +75,8 @@ def to_accuracy(
     Warns
     -----
     AccuracyWarning
-        The accuracy requires more memory or time than allowed; the message gives both amounts. The
-        best values so far are returned with their errors.
+        The accuracy requires more memory or time than allowed; the message gives the memory and the
+        time required. The best values so far are returned with their errors.
     """
     search = prepare_search(case, accuracy, quantities, max_memory, max_time, progress=progress)
     try:

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
-"""Cells per semi-axis of the Hertz contact on the first grid. Each finer grid has sqrt(2) times as
-many as the grid before."""
+"""Cells per semi-axis of the Hertz contact on the first grid; on each finer grid, their number is
+sqrt(2) times as large."""
 HERTZ_MARGIN = 1.35
 """Half-width of the first grid, relative to the semi-axis of the Hertz contact."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
@@ -42,7 +42,7 @@ TOL_SHARE = 0.01
 of the values of about a tenth of the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the number of increments of a segment with a `start`. The first increment leads from
-the value reached before to a value beyond `start`; with more increments it is shorter."""
+the end of the previous segment to a value beyond `start`; more increments make it shorter."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
@@ -51,8 +51,8 @@ _FIELDS_WITHOUT_EFFECT = {
 """Fields of a case that do not affect the values computed on a given grid."""
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
-"""Minimum number of cells, on the first grid, in the largest common divisor of the thicknesses of
-elastic-plastic layers: maxima at an interface are extrapolated from this number of cells."""
+"""Minimum number of cells of the first grid in the largest common divisor of the thicknesses of
+elastic-plastic layers. Maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
 """Maximum ratio of the cell width of the first grid to this largest common divisor."""
 
@@ -273,7 +273,7 @@ class RefinableCase:
         return part
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the number of increments of segment `number`: 1, `increments` or a multiple."""
+        """Return the number of increments of segment `number`: 1, or a multiple of `increments`."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -318,7 +318,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Set half-widths of later grids, and segments without plastic flow, as found in a run."""
+        """Take half-widths of later grids, and segments without plastic flow, from a run."""
         half = [1.08 * h + 2.0 * d for h, d in zip(run.half, self._sizes(run.level), strict=True)]
         along_x = max(half[0], self.half[0]) if self.case.moves else half[0]
         self.half = along_x, half[1]
@@ -345,7 +345,7 @@ def common_part(lengths: Sequence[float]) -> float | None:
 
 
 def marks_of(case: Case) -> list[int]:
-    """Return indices: the last increment of each segment, and the last loaded one of passes."""
+    """Return indices: last increment of each segment, and last loaded increment of passes."""
     marks: list[int] = []
     count = 0
     for segment, made in zip(case.path, case.steps_of_segments(), strict=True):

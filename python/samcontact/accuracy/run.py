@@ -32,8 +32,8 @@ MIN_GRIDS = 3
 MIN_INCREMENTS, MAX_INCREMENTS = 2, 512
 """Range of the number of increments per segment."""
 INCREMENT_QUANTITIES = ("max_pressure", "contact_area")
-"""Quantities that are always evaluated: the error of the area due to increments is estimated from
-the change of the pressure."""
+"""Quantities that are always evaluated, because the error of the contact area due to increments is
+estimated from the change of the maximum pressure."""
 INCREMENT_TIME_SHARE = 0.3
 """Fraction of the allowed time for choosing the increments."""
 MAX_IRREGULAR_SHARE = 0.25
@@ -45,7 +45,7 @@ NEXT_GRID_TIME_SHARE = 0.5
 """Time limit of a run with more increments on a finer grid, relative to the expected time of the
 next grid."""
 MAX_CORRECTED_ERROR = 10.0
-"""Maximum error due to the increments, relative to the accuracy, that may be corrected."""
+"""Maximum error due to the increments, relative to the prescribed accuracy, that is corrected."""
 MAX_GRIDS = 24
 
 
@@ -169,7 +169,10 @@ class AccuracySearch:
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        """Solve grid `TRIAL_LEVEL` with twice the increments; return False at a limit."""
+        """Solve grid `TRIAL_LEVEL` with twice the increments, if number and time are allowed.
+
+        Return whether a solution was added.
+        """
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS
         costs = self.seconds + 2 * series[-1].seconds if len(series) >= 3 else 0.0
@@ -179,7 +182,10 @@ class AccuracySearch:
         return True
 
     def _on_finer_grid(self, grids: list[GridRun], found: Correction) -> bool:
-        """Repeat the least accurate doubling of increments on a finer grid, if time allows."""
+        """Repeat the least accurate doubling of increments on a finer grid, if the time allows it.
+
+        Return whether a solution was added.
+        """
         error_ratios = [self._error_ratio(grids, errors) for errors in found.by_grid]
         count, before = found.doublings[int(np.argmax(error_ratios))]
         allowed = min(
@@ -204,7 +210,10 @@ class AccuracySearch:
         return combined(found, self.parts)
 
     def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
-        """Return the error of increment corrections of coarse grids if used on the finest grid."""
+        """Return the possible error of applying corrections for increments to the finest grid.
+
+        The corrections were computed on coarse grids.
+        """
         mixed: FloatArray = sum(more.by_grid) + more.irregular
         before = self.refinable.names.index
         area, pressure = (sum(self.parts[: before(n)]) for n in ("contact_area", "max_pressure"))
@@ -239,7 +248,7 @@ class AccuracySearch:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[GridRun]) -> float:
-        """Return the estimated ratio of solution times on the next and the present grid [-]."""
+        """Return the estimated solution time of the next grid, divided by that of the last [-]."""
         known = len(grids) > 2
         growth = (
             grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO
@@ -247,9 +256,10 @@ class AccuracySearch:
         return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[GridRun], worst: float) -> bool:
-        """Whether memory and time suffice for the next grid; if not, `needs` states the need.
+        """Whether memory and time suffice for the next grid; if not, set `needs` to a text.
 
-        worst: maximum ratio of error to prescribed accuracy, assumed to halve with each grid.
+        The text states how much memory and time are required. worst: maximum ratio of error to
+        prescribed accuracy; it is assumed that each finer grid halves this ratio.
         """
         last = grids[-1]
         growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Storage for a task that needs several solutions: all results, and the latest increments."""
+"""Storage for a task that needs several solutions: all results, and increments of the latest
+ones."""
 
 from __future__ import annotations
 
@@ -38,7 +39,7 @@ class _Solve(NamedTuple):
 
 
 class Solves:
-    """Solutions of one task by name: results of all, and increments that may still be needed.
+    """Solutions of one task by name: results of all solutions, and increments still needed.
 
     Parameters
     ----------

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
 
 _ROUNDING_ERROR = 1e-9
-"""Limit of approach/interference, or of the relative excess of a distance over whole steps, below
-which the value is attributed to rounding."""
+"""Limit below which a value is attributed to rounding: the ratio approach/interference, or the
+relative excess of a distance over a whole number of steps."""
 
 
 def whole_steps(distance: float) -> int:

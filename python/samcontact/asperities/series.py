@@ -57,7 +57,10 @@ class IncrementRow:
 
 
 def _table(passes: Sequence[Sequence[IncrementRow]], name: str) -> FloatArray:
-    """Array of a quantity, axes pass, increment (and body); NaN after the end of shorter passes."""
+    """Array of a quantity with the axes (pass, increment) or (pass, increment, body).
+
+    Values after the end of shorter passes are NaN.
+    """
     values = [np.array([getattr(row, name) for row in rows]) for rows in passes]
     longest = max(len(column) for column in values)
     table = np.full((len(values), longest, *values[0].shape[1:]), np.nan)

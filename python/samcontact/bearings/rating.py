@@ -15,7 +15,7 @@ from .races import RaceContact
 STEEL_CONTACT_MODULUS = 2.07e11 / (1.0 - 0.3**2) / 2.0
 """Contact modulus used for the factors of ISO 76 [Pa]: E = 207 GPa, nu = 0.3 for both bodies."""
 PALMGREN_FACTOR = 1.3e-19
-"""Palmgren's factor, 1.3e-7 with mm and N, in [m^4/N^2]."""
+"""Palmgren's factor [m^4/N^2]; 1.3e-7 in mm and N."""
 
 
 def static_load_rating(

@@ -162,7 +162,7 @@ class Layered(HtmlTable):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """Fill `out` with `of(material, depth)` at each depth [m]; last axes: depths."""
+        """Fill `out`, whose last axes are those of `depths` [m], with `of(material, depths)`."""
         for material, there in materials_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out

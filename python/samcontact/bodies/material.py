@@ -25,7 +25,7 @@ def _as_list(value: Any) -> list[Any]:
 
 
 def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Return a group of constants as floats; raise ValueError unless there is one per name."""
+    """Return a group of constants as floats; raise ValueError unless `parts` names each one."""
     values = _as_list(given)
     if len(values) != len(parts):
         raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
@@ -247,7 +247,7 @@ class Material(HasDepthProfiles, HtmlTable):
         ----------
         law : callable
             Function of the temperature rise [K] that returns the factor on the yield stress, in (0,
-            1]; argument and result are arrays of shape (nx, ny, nz). It is called once per
+            1]; argument and result are arrays of shape (nx, ny, nz). The law is called once per
             increment, with the temperature rise of the first contact solution.
             `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
             passed to `Simulation.load` again. A run with `checkpoint` resumes only with an

@@ -196,7 +196,7 @@ class _Body(_Solid):
 
     @property
     def inelastic_laws(self) -> list[str]:
-        """Hardening laws of all elastic-plastic layers and of the substrate, if elastic-plastic."""
+        """Hardening laws of all elastic-plastic materials of the body: layers and substrate."""
         return [part.law for part in self.parts if LAWS[part.law].yields]
 
     @property

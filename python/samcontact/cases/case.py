@@ -162,7 +162,7 @@ class Case(CaseFile):
 
     @property
     def sticks(self) -> bool:
-        """Whether friction allows partial slip, instead of prescribing full sliding."""
+        """Whether friction allows partial slip; if not, the contact slides fully."""
         return self.friction.sticks
 
     @property
@@ -176,7 +176,7 @@ class Case(CaseFile):
         return any(any(step.get("advance", ())) for step in self.steps())
 
     def _check_motion(self, steps: paths.Path) -> None:
-        """Check that motion suits the direction of friction and the velocity given for heating."""
+        """Check that motion agrees with the direction of friction and the velocity of [heat]."""
         heat = NO_HEAT if self.heat is None else self.heat.build()
         friction = self.friction
         attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit

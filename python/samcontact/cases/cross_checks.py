@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of combinations of sections and fields; messages name fields that have no effect."""
+"""Checks of combinations of sections and fields: no field may be without effect or in conflict."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def require_all_used(case: Any) -> None:
-    """Raise ValueError for the first field of a `Case` without effect or in conflict."""
+    """Raise ValueError for the first field of a `Case` that has no effect or is in conflict."""
     _require_accuracy(case)
     bodies = (("body1", case.body1), ("body2", case.body2))
     # [[path]] heat_factor: 0 switches the heat source off on purpose
@@ -90,7 +90,7 @@ def _require_repeatable(case: Any) -> None:
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError if tangential motion, tangential force or wear requires another friction."""
+    """Raise ValueError if wear, or a tangential motion or force, does not suit the friction law."""
     by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
         if case.wear is not None and not by_slip:
@@ -159,7 +159,7 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
-    """Raise ValueError if thermal constants or softening of a body have no effect without heat."""
+    """Raise ValueError for thermal constants or softening that have no effect without heat."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
         if getattr(body, "thermal", None) is not None:

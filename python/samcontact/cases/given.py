@@ -11,9 +11,10 @@ from .case import Case, load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
-    """Return a `Case` from a case, the path of a case file, or a dictionary in this layout.
+    """Return a `Case` from a case, the path of a case file, or a dictionary with its layout.
 
-    name: name of the argument, for error messages. defaults: values of fields omitted by a dict.
+    name: name of the argument, for error messages. defaults: values of fields that a dictionary
+    omits.
     """
     made = given
     if isinstance(given, (str, Path)):

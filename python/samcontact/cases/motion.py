@@ -159,7 +159,7 @@ class Segment(TangentialSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the steps and the end of this segment; `reached` is the end of the previous one.
+        """Return the steps and the end of this segment; `reached`: end of the previous segment.
 
         Raises ValueError if the segment cannot start from the end of the previous segment.
         """

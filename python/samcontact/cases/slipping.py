@@ -21,7 +21,7 @@ Force = Annotated[Finite, in_unit("N")]
 
 
 class EndState(NamedTuple):
-    """End of a path segment: "load" or "approach" and the value, tangential forces, torque.
+    """End of a path segment: name and value of load or approach, tangential forces, torque.
 
     A force is None after a prescribed motion, because this force is unknown before the solution.
     """

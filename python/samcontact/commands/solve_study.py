@@ -170,7 +170,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """Return the table of cycles: maximum over both bodies, but sum of the worn volumes."""
+    """Return the table of cycles: the sum of the worn volumes, and maxima over both bodies."""
     columns = []
     for name in (name for name in _CYCLE_COLUMNS if name in dataset):
         values = dataset[name]

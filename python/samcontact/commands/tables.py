@@ -133,9 +133,9 @@ CONTACT_COLUMNS = (
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the quantities listed in `names` by the name of their variable in `dataset`.
+    """Return the quantities listed in `names`; keys: names of their variables in `dataset`.
 
-    For a quantity that is stored for each body, this is the variable of `body`.
+    A quantity that is stored for each body has the variable of `body` as key.
     """
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Remedies for a contact that reaches the edge of a grid that cannot be enlarged."""
+"""Remedies if the contact reaches the edge of a grid that cannot be enlarged."""
 
 from __future__ import annotations
 
@@ -30,7 +30,8 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
-    remedy_prefix: further remedy, with a leading comma, for a message with a new remedy.
+    remedy_prefix: second remedy, with a leading comma, for the end of the message; it is used if
+    the first remedy replaces the remedy in `text`.
     """
     before, _, remedy = text.partition(_REMEDY)
     if setup.radii is not None or not remedy:
@@ -50,7 +51,7 @@ def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Describe the rise of the mean plane of a gap over the grid; "" unless the rise dominates."""
+    """Describe the tilt of a gap; "" unless it exceeds half of the other heights."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 MAX_RELATIVE_OVERLAP = 1e-3
-"""Minimum overlap regarded as an error, divided by (maximum pressure) * (contact size)/E*."""
+"""Overlap above which an error is raised, divided by (maximum pressure) * (contact size)/E*."""
 
 
 def may_overlap(bodies: tuple[Body, Body], friction: FrictionLaw) -> bool:
@@ -46,8 +46,8 @@ def require_apart(
     if overlap > max(MAX_RELATIVE_OVERLAP, 10 * tol) * scale > 0:
         error = ConvergenceError(
             f"contact did not converge at load {found.load:.6g} N: the bodies overlap by "
-            f"{overlap:.3g} m because the shear of friction = {friction!r} moves their surfaces "
-            "more than the pressure: use less friction, or more similar materials"
+            f"{overlap:.3g} m, because with friction = {friction!r} the shear traction displaces the "
+            "surfaces more than the pressure does: use less friction, or more similar materials"
         )
         error.iterations, error.residual = found.iterations, overlap / scale
         raise error

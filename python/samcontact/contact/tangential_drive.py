@@ -26,7 +26,7 @@ from ..solutions.contact_solution import (
 _DIRECTIONS = ("x", "y")
 
 Pressing = tuple[FloatArray, bool, float]
-"""Initial gap [m]; whether the load, not the approach, is prescribed; load [N] or approach [m]."""
+"""Initial gap [m]; whether the load is prescribed (not the approach); load [N] or approach [m]."""
 Settings = tuple[float, int, bool, bool]
 """Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether,
 without convergence, the state with the smallest error is accepted."""

@@ -126,7 +126,7 @@ def _max_excess(
 
 
 class _GlobalSearch:
-    """Search in the whole region; contact stress is stored, and interpolated at profile kinks."""
+    """Search in the whole region; the stored contact stress is interpolated at profile kinks."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread

@@ -19,7 +19,7 @@ MIN_CONTACT_MODULUS = 1e4
 
 @dataclass(frozen=True)
 class ExpectedContact:
-    """Elastic Hertz contact of smooth bodies; str() gives size, pressure and a hint on units."""
+    """Elastic Hertz contact of smooth bodies; its text gives size, pressure and a hint on units."""
 
     contact: hertz.PointContact | hertz.EllipticContact
 

@@ -29,7 +29,7 @@ MAX_PARABOLOID_DEVIATION = 0.03
 """Maximum deviation of a gap from a paraboloid, divided by the height range of the gap. A sphere
 of radius R has a ratio of (r/R)^2/4 on a grid of half-width r."""
 _ROUNDING_MARGIN = 1e-6
-"""Relative margin for rounding at both ends of the range of loads that pass all checks."""
+"""Relative margin for rounding errors, at both ends of the range of loads that pass all checks."""
 _FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
 _WARNING_HINT = ', or set on_border="warn"'
 
@@ -233,7 +233,7 @@ class ContactSetup:
 
     @cached_property
     def _reference(self) -> plausibility.ExpectedExtent | None:
-        """Hertz contact about a quarter as wide as the grid; scaled to obtain other loads."""
+        """Hertz contact about a quarter as wide as the grid, from which other loads are scaled."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
@@ -311,7 +311,7 @@ def _extent_of(
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Widths of a contact divided by the sides of the grid [-]; longer axis on the longer side."""
+    """Contact widths over the sides of the grid [-], with the longer axis along the longer side."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)

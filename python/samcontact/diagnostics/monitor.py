@@ -30,7 +30,7 @@ class Monitor:
     limit_warned: bool = False
     alternation_warned: bool = False
     checks_increments: bool = True
-    """Whether the error due to increments is estimated after later increments."""
+    """Whether the error due to increments is still estimated after each increment."""
     checks_steps: bool = True
     """Whether the resolution is checked after each step; in a run it is checked at the end."""
     clipping_warned: bool = False

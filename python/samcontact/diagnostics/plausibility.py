@@ -40,7 +40,7 @@ MAX_YIELD_FACTOR = 20.0
 MAX_PROFILE_DEPTH = 0.1
 """Maximum depth of hardening, residual stress or a layer [m]; mill rolls are hard to 0.1 m."""
 MIN_STRESS_RATIO = 1e-7
-"""Minimum ratio of residual stress, or of backstress modulus, to E; 0.02 MPa in steel."""
+"""Minimum ratio of residual stress, or of backstress modulus, to E; for steel, 0.02 MPa."""
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
 """Maximum ratio of backstress modulus to E; the modulus E Et/(E - Et) is large for Et near E."""
 MAX_SPEED = 1e3
@@ -50,11 +50,11 @@ MAX_WEAR_COEFFICIENT = 1e-9
 MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
-"""Range of volumetric heat capacity of solids [J/(m^3 K)]: 1e6 to 4e6 without pores."""
+"""Range of the volumetric heat capacity [J/(m^3 K)]: solids without pores have 1e6 to 4e6."""
 MAX_EXPANSION = 2e-3
 """Maximum thermal expansion [1/K]: rubber has up to 7e-4."""
 MAX_TEMPERATURE_RISE = 3e5
-"""Maximum temperature rise, melting disregarded [K]."""
+"""Maximum temperature rise [K], as computed without melting."""
 _THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
 _MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width in cells after correction of a unit
 _MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
@@ -202,7 +202,7 @@ def wear_coefficient(name: str, value: float) -> PlausibilityCheck:
 
 
 def strength(name: str, value: float) -> PlausibilityCheck:
-    """Check of a fatigue limit [Pa], or of a yield stress [Pa] without a material."""
+    """Check of a fatigue limit [Pa], or of a yield stress [Pa] that is not part of a material."""
     check = Check(name, value, MIN_STRESS_LIMIT, at_least=True, unit="Pa")
     return PlausibilityCheck(check, lambda: "Use Pa: 300 MPa is 300e6")
 
@@ -242,7 +242,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
 
 
 def _strength_check(number: int, body: Material) -> PlausibilityCheck:
-    """Check of the ratio of maximum yield stress of a hardening law to E, without yield profile."""
+    """Check of the ratio of maximum yield stress to E for a hardening law without yield profile."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
@@ -274,7 +274,7 @@ def _thermal_checks(number: int, body: Material) -> Iterator[PlausibilityCheck]:
 def _temperature_check(
     contact: ExpectedExtent, number: int, factor: float, body: Material, heat: Heat
 ) -> PlausibilityCheck:
-    """Check of the temperature rise [K]: flux/conductivity times contact or diffusion length."""
+    """Check of the temperature rise [K]: flux/conductivity times (contact or diffusion length)."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
     age = heat.time if heat.history is None else heat.history[1]
@@ -339,7 +339,7 @@ def _layer_check(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Ratio >= 1 of fully plastic width (mean pressure 3 yield stresses) to the elastic width."""
+    """Contact width for a mean pressure of 3 yield stresses over the elastic width; at least 1."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
@@ -379,7 +379,11 @@ def _is_unusual(name: str, value: float) -> bool:
 
 
 def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
-    """Whether a contact fits the grid after multiplying width, width/radius and cell size."""
+    """Whether a contact fits the grid if its width, width/radius and the cell size are scaled.
+
+    The factors are `wider` for the width, `steeper` for width/radius, and `cells` for the cell
+    size.
+    """
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
     part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))

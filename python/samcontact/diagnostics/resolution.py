@@ -30,14 +30,14 @@ if TYPE_CHECKING:
 RECOMMENDED_CELLS = 8
 """Recommended cells across a contact, and layers of a plastic zone; fewer cause a warning."""
 MINIMUM_CELLS = 4
-"""Minimum number of cells or layers; below it the check of a report fails."""
+"""Minimum number of cells or layers; with fewer, the check of a report fails."""
 ROUND_SPOT_AREA_ERROR = 16 / math.pi * AREA_PER_SIDE
 """Relative area uncertainty of a round spot, multiplied by the spot diameter in cells."""
 AREA_ERROR_WARNING, AREA_ERROR_LIMIT = 0.1, 0.2
 """Relative area uncertainty above which a warning is issued, and above which the check of a report
 fails."""
 MAX_ELASTIC_STRAIN = 0.5
-"""Limit of the ratio of maximum pressure to E*; a Hertz contact with a/R = 0.8 has this ratio."""
+"""Limit of the ratio of maximum pressure to E*; a Hertz contact reaches this limit at a/R = 0.8."""
 _MAX_STRESS_DEPTH = 0.8
 """Largest ratio of depth of maximum von Mises stress to half-width: 0.48 in a point contact, 0.79
 in a line contact."""
@@ -160,7 +160,7 @@ def _uncertainty(outline: Outline) -> float:
 
 
 def _is_wide(pressure: FloatArray) -> bool:
-    """Whether the spot of maximum pressure is at least `RECOMMENDED_CELLS` long along x and y.
+    """Whether the spot with the maximum pressure is at least `RECOMMENDED_CELLS` wide on both axes.
 
     Only the lines through the cell of maximum pressure are checked. If the check passes, the spot
     is wide enough; if not, the spot may still be wide enough.
@@ -272,10 +272,10 @@ def warn_of_zone(
 def warn_if_yield_unresolved(
     peak: State, last: State, setup: ContactSetup, few: int = MINIMUM_CELLS, *, stacklevel: int
 ) -> bool:
-    """Warn if layers are too thick to show yield below a contact; return True after a warning.
+    """Warn if layers may be too thick to show yield below a contact; return True after a warning.
 
-    This applies if the contact pressure suffices for yield and the half-width of the contact is
-    less than `few` times dz.
+    The condition is that the contact pressure suffices for yield and that the half-width of the
+    contact is less than `few` times dz.
     """
     grid = peak.grid
     if grid.dz is None or (hardest := peak.outline.largest) < setup.weakest:

@@ -33,11 +33,11 @@ if TYPE_CHECKING:
 
 MIN_STEP_RATIO = 0.25
 """Minimum height of a step divided by p d/E*, with pressure p and cell size d. Without a step, the
-elastic deflection of neighbouring cells differs by less."""
+elastic deflections of neighbouring cells differ by less than this."""
 MIN_EDGE_CELLS = 3
 """Minimum number of cells of an edge; single cells of a rough surface are not an edge."""
 MIN_CELLS_OF_ROUNDING = 4
-"""Minimum radius of a rounded edge, in cells, for which the pressure is resolved."""
+"""Minimum radius [cells] of a rounded edge at which the grid resolves the pressure."""
 SINGULAR_QUANTITIES = (
     "max_pressure", "max_von_mises", "max_equivalent_plastic_strain", "max_residual_von_mises",
 )  # fmt: skip

@@ -115,7 +115,7 @@ def _over_yield(
 
 @lru_cache(maxsize=64)
 def _sliding(nu: float, friction: float) -> tuple[float, float]:
-    """Return (maximum von Mises stress)/(maximum pressure) in sliding, and depth/half-width.
+    """Return (maximum von Mises stress)/(maximum pressure) in sliding, and its depth/half-width.
 
     The depth is the depth of the maximum von Mises stress.
     """

@@ -23,8 +23,8 @@ from .field import FatigueField
 __all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
 
 _MAX_SLOPE = 10.0
-"""Maximum slope: slopes are pure numbers below 1 for metals; a larger value is probably a
-stress."""
+"""Maximum slope. For metals, slopes are pure numbers below 1; a value above the maximum is probably
+a stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
@@ -281,7 +281,7 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Evaluate a criterion in blocks of points; `fields` tensor fields per block fit in memory."""
+    """Evaluate a criterion in blocks of points whose `fields` tensor fields fit in memory."""
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):

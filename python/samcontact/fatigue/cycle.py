@@ -23,7 +23,7 @@ from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 __all__ = ["Cycle", "cycle", "steady_cycle"]
 
 _MAX_MEMORY_FRACTION = 0.4
-"""Maximum fraction of the available memory used for a block of points at all instants."""
+"""Maximum fraction of the available memory that a block of points, at all instants, may use."""
 _COPIES_OF_BLOCK = 2.5
 """Memory needed for a block, including copies of fields, divided by the memory of the fields."""
 

@@ -111,7 +111,7 @@ class StatePaths:
 
 @dataclass(frozen=True)
 class SteadyPaths:
-    """Stress history from one steady state, for material that moves through it along an axis."""
+    """Stress history of material that moves through the field of one steady state along an axis."""
 
     state: State
     body: int

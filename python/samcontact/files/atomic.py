@@ -93,7 +93,7 @@ def _checked(path: Path) -> Path:
 
 
 def _part(target: Path, ending: str) -> tuple[int, Path]:
-    """Create a temporary file next to the target; a lock shows that a process is writing it."""
+    """Create a temporary file next to the target, locked to show that it is being written."""
     prefix = f".{target.name}.samcontact-"
     while True:
         handle, name = tempfile.mkstemp(f".part{ending}", prefix, target.parent)

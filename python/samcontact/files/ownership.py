@@ -43,7 +43,7 @@ def is_regular(file: Path) -> bool:
 
 
 def is_marked(file: Path) -> bool:
-    """Whether an HDF5 file (intact or damaged) was written by this package, or is empty."""
+    """Whether a file is empty, or is an HDF5 file (intact or damaged) that this package wrote."""
     if not is_regular(file):
         return False
     with file.open("rb") as opened:

@@ -88,6 +88,6 @@ def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, Float
 
 
 def elliptic_max_von_mises(k: float, nu: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / p0 on the axis, and its depth / shorter semi-axis."""
+    """Return the maximum von Mises stress / p0 on the axis, and (its depth)/(shorter semi-axis)."""
     nu, k = poisson_ratio("nu", nu), max(k, 1.0 / k)
     return _maximum(lambda s: _von_mises(*elliptic_axis(np.float64(s), k, nu)), 2.0)

@@ -102,9 +102,9 @@ _UNKNOWN_FORMAT = 2
 def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterator[tuple[Any, int]]:
     """Iterate over possible readers of a file and their ranks, the most likely reader first.
 
-    Rank 0: the reader recognises the content; 1: only the suffix of the file name; 2: neither.
-    Readers of text files keep the order in which SurfaceTopography lists them, because some of them
-    must be tried before others.
+    Rank 0: the reader recognises the content. Rank 1: it recognises only the suffix of the file
+    name. Rank 2: it recognises neither. Readers of text files keep the order in which
+    SurfaceTopography lists them, because some of them must be tried before others.
     """
     if format is not None:
         yield io.lookup_reader_by_format[format], 0
@@ -125,7 +125,7 @@ def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterat
 
 
 def _expected(io: Any, path: Path) -> str:
-    """Return a hint that the content does not match the suffix; "" for an unknown suffix."""
+    """Return a hint that a file does not begin as its suffix requires; "" for an unknown suffix."""
     ending = path.suffix.lower()[1:]
     names = [reader.name() for reader in io.readers if ending in reader.file_extensions()]
     return f"; it does not begin like a {names[0]} file" if names else ""

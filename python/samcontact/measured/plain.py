@@ -37,7 +37,7 @@ _UNITS = {
 
 
 class Table(NamedTuple):
-    """Numbers of a file, and the unit in the label of each column (None without a unit)."""
+    """Numbers of a file, and the unit of each column; None for a column whose label has no unit."""
 
     values: FloatArray
     units: tuple[str | None, ...]
@@ -92,7 +92,7 @@ def plain_heights(path: Path) -> FloatArray:
 
 
 def table(path: Path) -> Table | None:
-    """Read two or three columns that may be positions and heights; None for other files."""
+    """Read two or three columns, perhaps positions and heights; return None for other files."""
     if is_array(path):
         values, header = plain_heights(path), []
     elif path.suffix.lower() in _TABLE_FORMATS:
@@ -115,7 +115,7 @@ def table(path: Path) -> Table | None:
 
 
 def written_positions(path: Path) -> FloatArray | None:
-    """Read the positions x of a profile from a text with any header; None for other files."""
+    """Return the positions x of a profile in a text with any header; None for other files."""
     try:
         lines = _lines(path)
         values = _rows(lines, path.suffix.lower() == ".csv", skip=_header(lines))

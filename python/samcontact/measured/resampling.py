@@ -88,7 +88,7 @@ def resampled(
 
 
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
-    """Return, for each position, whether position +- edge [m] lies in the measured area.
+    """Return whether both ends of each cell, position +- edge [m], lie in the measured area.
 
     Raises ValueError for a position outside this area if there is no fill.
     """

@@ -141,8 +141,8 @@ class MeasuredSurface(ShortRepr):
             Trend to subtract. "center": mean height; "height": plane with minimum rms height of the
             residual; "slope": plane with minimum rms slope of the residual; "curvature":
             second-order polynomial, which also removes the shape of a ball. For maps, every trend
-            except the mean requires SurfaceTopography. For profiles, the trend is a line instead of
-            a plane, or a parabola.
+            except the mean requires SurfaceTopography. For profiles, a line replaces the plane, and
+            a parabola replaces the polynomial.
 
         Returns
         -------
@@ -167,7 +167,7 @@ class MeasuredSurface(ShortRepr):
 
         Maps are interpolated by harmonic functions, and profiles linearly. For a map with undefined
         points, SurfaceTopography is required (ImportError). `attrs` contains the number of
-        interpolated points; above 5 % of all points, a UserWarning is issued.
+        interpolated points; if they exceed 5 % of all points, a UserWarning is issued.
         """
         count = self.undefined
         if count == 0:
@@ -227,16 +227,16 @@ class MeasuredSurface(ShortRepr):
         method : {"cubic", "linear"}
             Spline through the samples: bicubic (exact for cubic polynomials) or bilinear.
         average : bool, optional
-            Whether to average over each cell, which removes wavelengths shorter than a cell,
-            instead of using the height at the cell centre. Set it for cells larger than the sample
+            Whether to use the mean height of each cell instead of the height at its centre. The
+            mean removes wavelengths shorter than a cell: use it for cells larger than the sample
             spacing.
         fill : float, optional
             Height outside the measured area [m]; -inf if there is no body. By default the grid must
             lie inside the measured area.
         periodic : {"", "x", "y", "xy"}, optional
             Directions in which the measured area, nx dx long and ny dy wide, is repeated as one
-            period; the spline is smooth across its ends. If the grid is periodic along such a
-            direction, its length must be a whole number of periods.
+            period; the spline is smooth across the ends of the period. If the grid is periodic
+            along such a direction, the length of the grid must be a whole number of periods.
 
         Returns
         -------
@@ -268,7 +268,7 @@ class MeasuredSurface(ShortRepr):
         average: bool = False,
         fill: float | None = None,
     ) -> Relief:
-        """Convert the surface, over its whole length along x, to a `Relief` that moves with a body.
+        """Convert the surface, in its whole length along x, to a `Relief` that moves with a body.
 
         Parameters
         ----------
