@@ -86,7 +86,7 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
         if any(at_surface):
             first = at_surface.index(True)
             ax.plot(_FRICTION[first], ratios[first], "o", color=colour, markersize=4)
-    ylabel = "maximum Hertz pressure / shear yield stress, $p_0/k$ [-]"
+    ylabel = "maximum Hertz pressure /\nshear yield stress, $p_0/k$ [-]"
     ax.set(xlabel="coefficient of friction [-]", ylabel=ylabel)
     ax.set(xlim=(0.0, _FRICTION[-1]), ylim=(0.0, 5.0))
     ax.legend(frameon=False, fontsize="small", loc="lower left")
