@@ -129,7 +129,7 @@ def residual_stress(
         closed form), at the cell centres. "fast": the strain is taken as band-limited in the plane
         and uniform in each layer, and the stress is averaged over each layer. This method is for
         smooth fields; time and memory are proportional to the number of cells.
-        docs/theory/residual_stress.md describes both.
+        docs/theory/residual_stress.md describes both methods.
     image_tol : float, optional
         Only with "fast": limit of the error due to the periodicity of the transforms, relative to
         the maximum stress, in [1e-6, 0.1].

@@ -105,7 +105,7 @@ def _circular(r2: FloatArray, R: float) -> FloatArray:
 
 
 def sphere(grid: SurfaceGrid, R: float) -> FloatArray:
-    """Exact sphere of radius R above the plane.
+    """Gap between an exact sphere of radius R and a plane that it touches.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def sphere(grid: SurfaceGrid, R: float) -> FloatArray:
 
 
 def cylinder(grid: SurfaceGrid, R: float, axis: str = "y") -> FloatArray:
-    """Exact circular cylinder of radius R lying on the plane.
+    """Gap between an exact circular cylinder of radius R and the plane on which it lies.
 
     Parameters
     ----------
@@ -206,11 +206,11 @@ def from_heights(
     grid : Grid
         Grid on which the gap is evaluated.
     heights_lower : array_like, shape (nx, ny)
-        Heights of the lower surface (body 2) [m], upwards, out of body 2; -inf where there is no
-        surface.
+        Heights of the lower surface (body 2) [m], positive upwards (out of body 2); -inf where
+        there is no surface.
     heights_upper : array_like, shape (nx, ny), optional
-        Heights of the upper surface (body 1) [m], upwards, into body 1; +inf where there is no
-        surface. Default: flat.
+        Heights of the upper surface (body 1) [m], positive upwards (into body 1); +inf where there
+        is no surface. Default: flat.
 
     Returns
     -------

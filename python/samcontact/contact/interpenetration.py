@@ -46,8 +46,9 @@ def require_apart(
     if overlap > max(MAX_RELATIVE_OVERLAP, 10 * tol) * scale > 0:
         error = ConvergenceError(
             f"contact did not converge at load {found.load:.6g} N: the bodies overlap by "
-            f"{overlap:.3g} m, because with friction = {friction!r} the shear traction displaces the "
-            "surfaces more than the pressure does: use less friction, or more similar materials"
+            f"{overlap:.3g} m, because with friction = {friction!r} the shear traction displaces "
+            "the surfaces more than the pressure does: use less friction, or more similar "
+            "materials"
         )
         error.iterations, error.residual = found.iterations, overlap / scale
         raise error

@@ -113,7 +113,7 @@ def ramp(
     Parameters
     ----------
     load, approach : float
-        Target load [N], < 0 only with attraction, or approach [m]. Exactly one must be given.
+        Target load [N] (< 0 only with attraction) or approach [m]. Exactly one must be given.
     increments : int
         Number of steps, from 1 to 100000.
     start : float
@@ -158,17 +158,18 @@ def load_unload(
     spacing: str = "linear",
     exponent: float = 2.0,
 ) -> Path:
-    """Load from zero to the peak, then unload to `end`.
+    """Increase load or approach from zero to a maximum, then decrease it to `end`.
 
     Parameters
     ----------
     load, approach : float
-        Peak load [N] or approach [m]. Exactly one must be given.
+        Maximum load [N] or approach [m]. Exactly one must be given.
     increments, unload_increments : int
         Numbers of loading and unloading steps, from 1 to 100000. Default of `unload_increments`:
         `increments`.
     end : float
-        Load [N] or approach [m] of the last step, below the peak; a load < 0 only with attraction.
+        Load [N] or approach [m] of the last step, below the maximum; a load < 0 only with
+        attraction.
     spacing, exponent
         As in `ramp`. Unloading mirrors loading, so that the small steps are near zero load.
 

@@ -2,7 +2,7 @@
 """Figures of one or several asperity collisions.
 
 Each function takes an `ax` and returns it. With `critical` (e.g. `samcontact.critical.green`),
-values are relative to their values at first yield, as in Boucly (2008), figures 4.7 to 4.11.
+values are divided by the values at first yield, as in Boucly (2008), figures 4.7 to 4.11.
 """
 
 from __future__ import annotations
@@ -71,8 +71,8 @@ def force(
     number : int
         Number of the pass, from 1.
     critical : CriticalSphere, optional
-        Critical values: the force is shown relative to the critical load. If omitted, the force is
-        in N with a suitable prefix.
+        Critical values: the force is divided by the critical load. If omitted, the force is in N
+        with a suitable prefix.
     """
     choice("component", component, ("x", "z"))
     name = f"force_{component}"
@@ -113,7 +113,7 @@ def load_ratio(
 def net_energy(
     results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
 ) -> Axes:
-    """Draw net energy of each pass, and energy of the residual stress, versus interference.
+    """Draw net energy and energy of the residual stress versus interference, for each pass.
 
     Parameters
     ----------
@@ -123,8 +123,8 @@ def net_energy(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     critical : CriticalSphere, optional
-        Critical values: energy and interference are shown relative to them. If omitted, they are in
-        J and m.
+        Critical values, by which energy and interference are divided. If omitted, energy is in J
+        and interference in m.
     """
     unit = 1.0 if critical is None else critical.energy
     ax = axes_or_new(ax)

@@ -146,7 +146,7 @@ def load_approach(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact of the two bodies; its load is arbitrary.
+        Hertz contact of the two bodies at any load.
 
     Returns
     -------
@@ -171,7 +171,7 @@ def load_approach(
 
 
 def _between(points: FloatArray) -> FloatArray:
-    """Return the points of a curve, with additional points by linear interpolation."""
+    """Return the points of a curve, and points between them by linear interpolation."""
     count, parts = points.shape[1], 24
     fine = np.linspace(0.0, count - 1.0, parts * (count - 1) + 1)
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class ContactResults:
-    """Results of a contact, the number of the body shown, and the Hertz contact at the `peak`."""
+    """Results of a contact, number of the body shown, and Hertz contact at the increment `peak`."""
 
     dataset: xr.Dataset
     body: int
@@ -91,7 +91,7 @@ class ContactResults:
         return field
 
     def row(self, field: FloatArray, across: str = "y") -> float:
-        """Return the position of a section [m]: middle of the grid, or maximum of the field."""
+        """Return the position of a section [m]: the row of cells from `row_of_interest`."""
         axis = "xy".index(across)
         others = tuple(n for n in range(field.ndim) if n != axis)
         centres = getattr(self.grid, across)

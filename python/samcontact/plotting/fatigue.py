@@ -96,7 +96,7 @@ def fatigue_section(
         Coordinate that is constant on the section. Default: "y". For a `steady_cycle`, the only
         section is across the direction of motion.
     position : float, optional
-        Value of this coordinate [m]; default: position of the maximum of the field.
+        Value of this coordinate [m]. Default: the position of the maximum of the field.
 
     Returns
     -------

@@ -46,7 +46,10 @@ class Plane(NamedTuple):
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return coordinates [µm] and values at cell centres, and nearest values at the edges."""
+        """Return coordinates [µm] and values at cell centres and edges of the plane.
+
+        At an edge, the value is that of the nearest cell.
+        """
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
             for side in (self.across, self.down)
@@ -149,7 +152,7 @@ def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
 
 
 def _crossing(values: FloatArray) -> FloatArray:
-    """Replace zeros outside a positive region by negative values, extrapolated from the region.
+    """Replace zeros outside a positive region by negative values extrapolated from this region.
 
     The extrapolation is linear, from the two nearest positive values. If these values do not
     decrease towards the edge, the mean slope at the edge of the region is used.

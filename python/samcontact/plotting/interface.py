@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _MAX_PANELS = 3
 _TENSION_LABEL = "maximum tension"
 _MIN_MARKED_TENSION = 1e-2
-"""Tension, relative to the maximum stress drawn, below which the maximum is not marked."""
+"""Tension, relative to the maximum stress drawn, below which the maximum tension is not marked."""
 _SIDE_STYLES = (("above", "C0", "-"), ("below", "C1", "--"))
 _LEGEND_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
 
@@ -53,8 +53,8 @@ def interface_profile(
 
     The in-plane stress is discontinuous: it is drawn for the layers above and below. Normal and
     shear traction are continuous: the mean of both sides is drawn, because the discretised plastic
-    strain causes a small difference. A side without stress, such as a rigid substrate, is omitted.
-    The maximum tension is marked.
+    strain causes a small difference between them. A side without stress, such as a rigid substrate,
+    is omitted. The maximum tension is marked.
 
     Parameters
     ----------

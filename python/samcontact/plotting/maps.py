@@ -56,9 +56,10 @@ def surface_map(
     label : str, optional
         Text that replaces the name of the quantity in the label.
     contact : array_like, shape (nx, ny), optional
-        Field that is positive in contact cells, for the contact edge. If it is the pressure, the
-        edge is located between cell centres. Default: cells with pressure, or with a gap below 1e-6
-        of its maximum. For other quantities, the edge is drawn only if this argument is given.
+        Field that is positive in contact cells, from which the contact edge is drawn. If the field
+        is the pressure, the edge is located between cell centres. Default for a pressure: cells
+        with pressure. Default for a gap: cells with a gap below 1e-6 of the maximum gap. For other
+        quantities, the edge is drawn only if this argument is given.
     across : {"x", "y"}, optional
         Coordinate that runs from left to right. "y" rotates the map by 90°, with x downward, for
         contacts that are long along y.

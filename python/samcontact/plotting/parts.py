@@ -34,7 +34,7 @@ SURFACES = {
     "pressure": "pressure", "gap": "gap", "imprint": "residual_displacement", "shear_x": "shear_x",
     "shear_y": "shear_y", "temperature": "surface_temperature",
 }  # fmt: skip
-"""Names of surface fields in figures, and their quantities."""
+"""Quantity of each surface field, by the name of the field in figures."""
 INTERFACE_STYLE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 MAX_FLAT_MAP_RATIO = 0.2
 """Ratio of height to width below which the colour bar of a map is placed below the map."""
@@ -175,7 +175,7 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """Return the index of the middle row, or of the row with a clearly larger maximum.
+    """Return the index of the middle row, or of another row if its maximum is clearly larger.
 
     values: maximum magnitude in each row. coordinate: positions of the rows [m].
     """
@@ -195,7 +195,7 @@ def place(name: str, value: float) -> str:
 
 
 def elsewhere(name: str, value: float, cell: float) -> str:
-    """Return the position of a row as text, or "" for the middle row."""
+    """Return the position of a row as text; "" for the middle row, which needs no text."""
     return "" if abs(value) <= 0.5 * cell else place(name, value)
 
 

@@ -85,7 +85,11 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
 
 
 def course_of(states: Sequence[State]) -> ForceHistory:
-    """Return displacement and force along the axis of maximum force, or twist and torque."""
+    """Return displacement and force along the axis of maximum force.
+
+    If there is no force, twist and torque are returned. For rolling bodies, the displacement is the
+    distance rolled.
+    """
     forces = np.array([state.tangential_load for state in states])
     motions = np.array([state.shift for state in states])
     direction = int(np.argmax(np.abs(forces).max(axis=0)))

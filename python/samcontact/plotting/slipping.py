@@ -49,7 +49,7 @@ def partial_slip_map(
     Parameters
     ----------
     pressure : array_like, shape (nx, ny)
-        Pressure [Pa], or repulsion with adhesion; white where it is zero.
+        Pressure [Pa] or, with adhesion, repulsion [Pa]; the map is white where this field is zero.
     slip : array_like, shape (2, nx, ny)
         Slip of body 1 relative to body 2, e.g. of a `State` or a solution; zero in the stick zone.
         The length of the arrows is proportional to the slip; the title states the maximum.
@@ -108,7 +108,7 @@ def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> No
 
 
 def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: Plane) -> float:
-    """Draw arrows of the slip in every n-th cell, and return the maximum slip."""
+    """Draw arrows of the slip in some of the cells, and return the maximum slip."""
     size: FloatArray = np.hypot(*slip)
     largest = float(size.max(initial=0.0))
     if not largest > 0:
@@ -262,7 +262,7 @@ def creep_curve(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     largest : float, optional
-        Force at full sliding, coefficient of friction times load [N]; drawn as a dashed line for
+        Force at full sliding (coefficient of friction times load) [N]; drawn as a dashed line for
         each sign of the force that occurs.
     label : str, optional
         Label of the curve.

@@ -46,7 +46,8 @@ def summary_figures(
     """Write the standard figures of a run to files.
 
     Profiles and sections pass through the middle of the grid. If values are clearly larger
-    elsewhere, as on rough surfaces, they pass through the row of cells with the maximum.
+    elsewhere, as on rough surfaces, profiles and sections pass through the row of cells with the
+    maximum.
 
     Parameters
     ----------
@@ -56,8 +57,8 @@ def summary_figures(
     directory : str or Path
         Folder of the figures; created if missing.
     body : {1, 2}
-        Body whose stresses and residual imprint are shown. Default: the body of [output], or the
-        body with volume fields.
+        Body whose stresses and residual imprint are shown. Default: the body of [output]; if only
+        the other body has volume fields, the other body.
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the increment with maximum stress.
     format : {"png", "pdf", "svg"}

@@ -223,7 +223,7 @@ def _section(
 
 
 def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
-    """Draw the residual imprint along x, in the row of cells with the deepest imprint."""
+    """Draw the residual imprint along x, in the row of cells from `row_of_interest`."""
     field, x, y = (track[name].values for name in ("residual_displacement", "x", "y"))
     field = np.abs(field)
     row = row_of_interest(field.max(axis=0), y)
@@ -234,7 +234,7 @@ def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
 
 
 def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
-    """Return a figure of the residual stress along a track, in the row with the maximum stress.
+    """Return a figure of the residual stress along a track, in the row of `_row_of_residual`.
 
     width: width of the figure [in].
     """
@@ -248,7 +248,7 @@ def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
 
 
 def _row_of_residual(track: xr.Dataset) -> float:
-    """Return the y position [m] of the row with the most residual stress; 0 if equal there."""
+    """Return the y position [m] of the middle row, or of another row with clearly larger stress."""
     residual, y = track["residual_von_mises"].values, track["y"].values
     return float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
 
@@ -264,7 +264,8 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
     """Return the limits along x of a region shown in figures of a track [m].
 
-    This is the region above 2 % of the maximum, extended at each end by half of its length.
+    The field is above 2 % of its maximum in this region without its margins. Each margin is half as
+    long as the region without margins.
     """
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])

@@ -53,7 +53,8 @@ def view(
         Number of the increment, from 1; negative numbers count from the end of the increments with
         volume fields.
     body : {1, 2}, optional
-        Body whose field is shown. Default: the body of [output], or the body with volume fields.
+        Body whose field is shown. Default: the body of [output]; if only the other body has volume
+        fields, the other body.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", \
 "temperature"}, optional
         Stored quantity to show.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear and running-in. Functions draw on an `ax` (default: new figure) and return it.
+"""Figures of wear and running-in, drawn on an `ax` (default: a new figure), which is returned.
 
 As in `samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth is downward.
 """
@@ -261,7 +261,7 @@ def cycle_panels(
     width: float | None = None,
     depth: float | None = None,
 ) -> Figure:
-    """Draw pressure and Tresca stress under load, mean stress and plastic strain after unloading.
+    """Draw pressure and Tresca stress under load; mean stress and plastic strain after unloading.
 
     Parameters
     ----------
@@ -273,7 +273,8 @@ def cycle_panels(
         Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
         maximum pressure if this pressure is much higher.
     width, depth : float, optional
-        Limits of the figure [m]: x from -`width` to `width`, z down to `depth`; default: all.
+        Limits of the figure [m]: x from -`width` to `width`, z down to `depth`; default: whole
+        grid.
 
     Returns
     -------

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Contact laws: lower bound of the pressure as a function of the gap, and the cells in contact.
 
-Only this module defines whether a cell is in contact: its pressure exceeds the lower bound.
+A cell is in contact if its pressure exceeds the lower bound. Only this module defines this
+condition.
 """
 
 from __future__ import annotations

@@ -35,7 +35,7 @@ class FrictionLaw(HtmlTable):
     law: ClassVar[str]
     """Name of the law in case files and results."""
     sticks: ClassVar[bool]
-    """Whether cells stick below the bound; if not, all cells slide along x."""
+    """Whether cells stick if their shear is below the bound; otherwise all cells slide along x."""
     constants: ClassVar[Mapping[str, Constant]]
     """Parameters of the law and their ranges."""
 
@@ -111,8 +111,8 @@ class GrossSliding(FrictionLaw):
 class Coulomb(FrictionLaw):
     """Coulomb friction with partial slip, for `ContactSolver` and `Simulation`.
 
-    The shear traction is at most mu p. Cells with a smaller shear traction stick. Cells in which it
-    equals mu p slip in the direction of the shear traction.
+    The shear traction is at most mu p. Cells with a smaller shear traction stick. Cells whose shear
+    traction equals mu p slip in the direction of the shear traction.
 
     Attributes
     ----------
@@ -154,7 +154,7 @@ class Tresca(FrictionLaw):
 
 @dataclass(frozen=True)
 class CappedCoulomb(FrictionLaw):
-    """Coulomb friction with a shear limit, such as the shear strength of the softer body.
+    """Coulomb friction with a limit of the shear, such as the shear strength of the softer body.
 
     The shear traction is at most min(mu p, k).
 

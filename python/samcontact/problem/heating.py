@@ -19,9 +19,9 @@ from .grid import Grid
 NO_HEAT = Heat(0.0)
 """Absence of heating."""
 MAX_PECLET_NUMBER = 1e7
-"""Maximum of speed times grid length divided by diffusivity [-]; it limits the computing time."""
+"""Maximum of (speed times grid length)/diffusivity [-]; it limits the computing time."""
 MIN_DIFFUSION_LENGTH = 0.02
-"""Minimum diffusion length in the shortest step of a history, in cells; it bounds the time and
+"""Minimum diffusion length [cells] in the shortest step of a heat history; it bounds the time and
 memory of transient heating."""
 
 Bodies = tuple[Body, Body]
@@ -98,7 +98,7 @@ def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> N
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
-    """Raise ValueError if the shortest step of the history is too short for the cells."""
+    """Raise ValueError if heat diffuses over too small a part of a cell in the shortest step."""
     cell = max(grid.dx, grid.dy)
     if math.sqrt(diffusivity * shortest) < MIN_DIFFUSION_LENGTH * cell:
         minimum = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity

@@ -17,7 +17,7 @@ from .grid import Grid
 __all__ = ["Relief"]
 
 MAX_ROWS = 1 << 20
-"""Maximum number of rows between the start of a contact and the last row of a dent or furrow."""
+"""Maximum number of rows between the initial contact and the last row of a dent or furrow."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Settings of `ContactSolver` and `Simulation`, with their defaults and ranges.
 
-They are used for argument checks, repr, checkpoints, the section [contact] of case files, and the
-core.
+Argument checks, repr, checkpoints, the section [contact] of case files, and the core use these
+definitions.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from .friction import FrictionLaw, friction_law, is_law
 
 @dataclass(frozen=True)
 class RangeSetting:
-    """Range of a setting that is a finite number; a bound of None means no limit."""
+    """Range of a setting that is a finite number; None means that there is no such bound."""
 
     gt: float | None = None
     ge: float | None = None

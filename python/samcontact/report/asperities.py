@@ -22,9 +22,8 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("force_x", "force_z", "work", "net_energy", "energy_imbalance")
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted energy of a pass, relative to the maximum energy of any pass, because a
-later pass may need almost no energy. The unaccounted energy decreases with the number of
-increments."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum energy of all passes, because
+a later pass may need almost no energy. With more increments, the unaccounted energy decreases."""
 MAX_MISSING_WORK = 0.02
 """Limit of the unaccounted energy of a pass, relative to the maximum work within the pass; most of
 this work is recovered."""

@@ -144,7 +144,10 @@ def _interfaces(results: ContactResults, number: int) -> Made:
 
 
 def _utilisation(results: ContactResults, stress: FloatArray) -> str:
-    """Return a text on the maximum of von Mises stress / initial yield stress in a graded body."""
+    """Return a text on the maximum of von Mises stress / initial yield stress.
+
+    The text is empty for a body whose yield stress and initial stress do not vary with depth.
+    """
     body, grid = results.graded, results.grid
     if body is None or not body.is_plastic:
         return ""
@@ -191,7 +194,7 @@ def _temperature(results: ContactResults) -> Iterator[Made]:
 
 
 def _imprint(results: ContactResults) -> Iterator[Made]:
-    """Iterate over figures of residual imprint and stress at the end; none if there is a track."""
+    """Iterate over figures of residual imprint and stress at the end; none if a track is stored."""
     if results.track is not None:
         return
     data, number = results.dataset, results.number(-1)

@@ -52,7 +52,7 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
 
 
 def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
-    """Compare the integrated pressure with the load of the case or, if missing, the stored load."""
+    """Compare the integrated pressure with the load of the case (if missing, the stored load)."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     total = area * dataset["pressure"].values.sum(axis=(1, 2))
     targets = dataset["load"].values.copy()
@@ -181,7 +181,7 @@ def _strains(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def _errors(dataset: xr.Dataset) -> Iterator[Check]:
-    """Check the maximum estimated error or, with a prescribed accuracy, the error of each quantity.
+    """Check the largest estimated error or, with a prescribed accuracy, the error of each quantity.
 
     For surfaces that are only given on the grid, also check the slope at short wavelengths.
     """

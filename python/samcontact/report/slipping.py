@@ -59,7 +59,8 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
 def _pressure_of_touching_cells(dataset: xr.Dataset, tol: float) -> FloatArray:
     """Return the repulsion [Pa], with a tiny positive value in closed cells without pressure.
 
-    This value marks these cells as in contact: a constant shear strength admits shear in them.
+    The tiny value marks such a cell as in contact, because a constant shear strength admits shear
+    there.
     """
     pressure: FloatArray = repulsion_of(dataset).values
     closed = dataset["gap"].values <= tol * np.abs(dataset["approach"].values[:, None, None])

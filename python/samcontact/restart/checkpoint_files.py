@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Distinction of own and foreign files in a folder of checkpoints; only own files are removed."""
+"""Distinction of own and foreign files in a folder of checkpoints, so that foreign files are
+kept."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical texts of user-defined functions and objects, from code and the data used by it."""
+"""Canonical texts of user-defined functions and objects, from their code and the data that it
+uses."""
 
 from __future__ import annotations
 
@@ -106,7 +107,7 @@ def _code(code: CodeType) -> list[Any]:
 
 
 def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Iterate over the global names used by a function, with their values."""
+    """Iterate over pairs of name and value of the global variables that a function uses."""
     names = set(_names(code))
     imported = {name: sys.modules[name] for name in names - set(scope) if name in sys.modules}
     yield from _used(names, imported | scope, "", set())
@@ -117,8 +118,8 @@ def _used(
 ) -> Iterator[tuple[str, Any]]:
     """Iterate over the parts of a scope that a function uses, as pairs of name and value.
 
-    For a user module, only parts with names that occur in the function are listed. Some of these
-    parts may be unused, which does no harm.
+    For a user module, the parts whose names occur in the function are listed. Some of these parts
+    may be unused, which does no harm.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]

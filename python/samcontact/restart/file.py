@@ -43,7 +43,7 @@ class ForeignCheckpointError(CheckpointError):
 
 
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
-    """Return the error for a checkpoint with unusable content."""
+    """Return the error to be raised for a checkpoint with unusable content."""
     return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
 
 

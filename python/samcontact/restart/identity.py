@@ -17,7 +17,7 @@ Identity = dict[str, str]
 """Canonical text of each argument by name, or the digest of the text if it is long."""
 _MAX_SHOWN_CHARACTERS = 60
 _MAX_EXACT_INTEGER = 1 << 53
-"""Largest integer up to which all integers are exact in float64."""
+"""Magnitude up to which all integers are exact in float64."""
 _UNIDENTIFIED_PREFIX = "unidentified: "
 
 

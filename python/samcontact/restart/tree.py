@@ -79,7 +79,8 @@ def array(
     """Return an array of finite float64 values from a dictionary.
 
     shape: expected shape; None for any extent. may_end: whether +inf is allowed, e.g. for the gap
-    outside a body. Raises KeyError if there is no array, and ValueError if it is invalid.
+    outside a body. Raises KeyError if there is no array of this name, and ValueError if the array
+    is invalid.
     """
     values: FloatArray = tree[name]
     if not isinstance(values, np.ndarray) or values.dtype != np.float64:

@@ -79,13 +79,13 @@ def to_dataset(
     case : Case, optional
         Case whose title, text and [output] settings are used.
     body : {1, 2}, optional
-        Body whose stresses are stored even if it is elastic. Default: the body of the case, or
-        body 2, or body 1 if body 2 is rigid. Elastic-plastic bodies are always stored.
+        Body whose stresses are stored even if it is elastic. Default: the body of the case; without
+        a case, body 2, or body 1 if body 2 is rigid. Elastic-plastic bodies are always stored.
     volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
         Increments for which volume fields are stored, as a word or as increment numbers. Default:
         the setting of the case, or "peak_and_last". The peak is the increment with the maximum von
-        Mises stress. Among increments with stresses that agree to 0.1 %, it is the increment with
-        the maximum pressure, then with the maximum load.
+        Mises stress. If the stresses of several increments agree to 0.1 %, the peak is the one with
+        the maximum pressure; if their pressures also agree, the one with the maximum load.
     stopped_by : str, optional
         Reason why a run did not reach the end of its path, e.g. the text of the error that holds
         the completed states in its attribute `states`. The attribute ``complete`` of the dataset is
@@ -141,7 +141,7 @@ def to_dataset(
 
 
 def completeness(stopped_by: str) -> dict[str, int | str]:
-    """Return dataset attributes that say whether the run is complete or what stopped it."""
+    """Return dataset attributes that say whether the run is complete; if not, what stopped it."""
     return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
@@ -150,7 +150,10 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """Return all states with an equal number of layers, enough for `stored` and the last state."""
+    """Return all states with an equal number of layers: that of `stored` or of the last state.
+
+    The larger number is used.
+    """
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 

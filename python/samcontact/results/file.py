@@ -63,14 +63,14 @@ def save(dataset: xr.Dataset, path: str | Path) -> Path:
 
 
 def _history(dataset: xr.Dataset) -> str:
-    """Return the history with one line per operation, oldest first, by the CF conventions."""
+    """Return the history by the CF conventions: one line per operation, the oldest first."""
     now = datetime.now(timezone.utc).isoformat(timespec="seconds")
     before = dataset.attrs.get("history")
     return (f"{before}\n" if before else "") + f"{now}: written by samcontact {version}"
 
 
 def open_results(path: str | Path) -> xr.Dataset:
-    """Open a results file; each field is read from the file when it is first used.
+    """Open a results file; a field is read from the file when the field is first used.
 
     The bytes of a file written by `save` are compared with its digest. A file modified by another
     program has no digest and is first read completely by a separate process: HDF5 may crash on

@@ -28,12 +28,11 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
     path : str or Path
         File of the collection of volume fields, with all increments for which they are stored. The
         collection of surface fields, with all increments, is written to ``*_surface.pvd``. The
-        number of the increment is appended to the names of its files with five digits:
-        ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The
-        folder must exist.
+        files of an increment have its number with five digits in their names: ``*_00001.vtr`` (or
+        .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The folder must exist.
     body : {1, 2}, optional
         Body for which volume fields and residual imprint are written. Default: the body of
-        [output], or the body with volume fields.
+        [output]; if only the other body has volume fields, the other body.
 
     Returns
     -------

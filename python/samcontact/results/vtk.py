@@ -41,9 +41,9 @@ def to_vtk(
     also written; x = 0 is the initial contact position on the body.
 
     Axes x and y are the axes of the contact; z points upwards, out of body 2. Body 2 is at z < 0
-    and body 1 at z > 0, so both can be shown together. Shear components xz and yz of body 2 refer
-    to these axes: their sign is opposite to the sign in the dataset. Values are cell values in SI
-    units.
+    and body 1 at z > 0, so both bodies can be shown together. Shear components xz and yz of body 2
+    refer to these axes: their sign is opposite to the sign in the dataset. Values are cell values
+    in SI units.
 
     Parameters
     ----------
@@ -58,14 +58,14 @@ def to_vtk(
         volume fields or, if none are stored, from the last increment.
     body : {1, 2}, optional
         Body for which volume fields and residual imprint are written; their names in the file have
-        no suffix "_body1" or "_body2". Default: the body of [output], or the body with volume
-        fields.
+        no suffix "_body1" or "_body2". Default: the body of [output]; if only the other body has
+        volume fields, the other body.
 
     Returns
     -------
     list of Path
         Files of the volume (if volume fields are stored), of the surface, and of the track (if
-        any).
+        there is one).
 
     Raises
     ------

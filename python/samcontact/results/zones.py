@@ -66,14 +66,14 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
 
 
 def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
-    """Return a field, or part of a field, stored for cells with plastic strain on the full grid.
+    """Return a field on the full grid, from values stored for cells with plastic strain only.
 
     Parameters
     ----------
     field : xarray.DataArray
-        Field of the dataset, e.g. ``dataset["residual_stress_body2"].sel(component="xx")``.
-        Selecting components and increments first saves memory. A field with x, y and z is returned
-        unchanged.
+        Field of the dataset or part of it, e.g.
+        ``dataset["residual_stress_body2"].sel(component="xx")``. Selecting components and
+        increments first saves memory. A field with x, y and z is returned unchanged.
     dataset : xarray.Dataset
         Result of `samcontact.results.to_dataset` or `open_results`.
 

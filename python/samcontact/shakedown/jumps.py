@@ -29,9 +29,11 @@ from .plastic import FIELDS, PlasticChange, at_common_depth, max_equivalent, pro
 MAX_JUMP_CYCLES = 20
 """Maximum number of cycles in one jump."""
 _MAX_PREDICTION_ERROR = 0.3
-"""Maximum error of the sum over a jump and of the next cycle, relative to the change per cycle."""
+"""Maximum error of the predicted sum over a jump, and of the predicted change in the cycle after
+the jump, relative to the change per cycle."""
 _MIN_REMAINING_FRACTION = 0.1
-"""Fraction of a decaying change that must remain after a jump, for the solved cycles."""
+"""Fraction of a decaying change that must remain after a jump, so that solved cycles contribute
+too."""
 _MAX_DECAY_RATIO = 0.98
 Changes = Mapping[int, PlasticChange]
 

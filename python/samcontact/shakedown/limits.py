@@ -26,7 +26,8 @@ _PATH_POSITIONS = np.concatenate(
         [1e4],
     ]
 )
-"""Positions of a material point relative to the contact, in half-widths; denser at the edges."""
+"""Positions of a material point relative to the contact, in half-widths; denser at the contact
+edges."""
 _MAX_FRICTION = 10.0
 EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
@@ -70,7 +71,7 @@ def _coefficient(friction: float) -> float:
 
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Return the maximum over all depths of the required k/p0, and the depth of this maximum."""
+    """Return the maximum, over all depths, of the k/p0 that `strength` requires, and its depth."""
     required_k = [strength(depth) for depth in _DEPTHS]
     worst = int(np.argmax(required_k))
     if worst == 0:
@@ -100,7 +101,7 @@ def _smallest_ball(deviator: FloatArray) -> float:
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Return a path and its mirror image of opposite shear; the optimum residual shear is 0."""
+    """Return a path and its mirror image with opposite shear, whose optimum residual shear is 0."""
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 

@@ -15,10 +15,10 @@ from ..problem.grid import Grid
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:
     """Move a prescribed pressure once over a surface that is periodic along x.
 
-    The pressure moves towards +x through one period, starting at its given position. All points at
-    one depth and one y have the same stress history, as under a train of equal rollers, one per
-    period. The contact is not solved. With friction given as a number, the shear traction along +x
-    moves with the pressure.
+    The pressure moves towards +x through one period, starting at its given position. All points
+    with equal y and equal depth have the same stress history, as under a train of equal rollers,
+    one per period. The contact is not solved. With friction given as a number, the shear traction
+    along +x moves with the pressure.
 
     Parameters
     ----------

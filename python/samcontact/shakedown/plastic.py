@@ -47,7 +47,7 @@ def max_equivalent(strain: FloatArray) -> float:
 
 
 def product(one: FloatArray, other: FloatArray) -> float:
-    """Return the sum of a product of two fields over all cells and all components of tensors."""
+    """Return the sum of the product of two fields, over all cells and all tensor components."""
     weights = _SHEAR_WEIGHTS if one.ndim > 3 else 1.0
     return float(np.sum(weights * one * other))
 

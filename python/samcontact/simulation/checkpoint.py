@@ -34,7 +34,7 @@ KIND = "simulation"
 
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
-    """Write a checkpoint file; if this fails, an old file remains. more: further data to store."""
+    """Write a checkpoint file; on failure, an old file is kept. more: further data to store."""
     tree = {"setup": _setup_tree(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 

@@ -32,7 +32,7 @@ Path = Sequence[Mapping[str, Any]]
 def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Domain]:
     """Return the setup and domain of a simulation on cells twice as long, wide and deep.
 
-    If the body has elastic-plastic layers, each layer must be a whole number of coarse cells thick:
+    If a body has elastic-plastic layers, each layer must be a whole number of coarse cells thick:
     the cells become two to three times as deep or, if this is impossible, keep their depth.
     Surfaces given as functions are evaluated on the coarser grid. Surfaces given as an array of
     heights are averaged over the coarser cells (interpolated for a smooth paraboloid).
@@ -59,8 +59,8 @@ def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
     """Return a grid of cells twice as large that covers at least the area of the given grid.
 
     Interfaces of elastic-plastic layers still lie between two layers of cells. An odd number of
-    cells along x or y remains odd, so the origin remains at the centre of a cell; likewise, it
-    remains between two cells if the number is even.
+    cells along x or y remains odd, so that the origin remains at the centre of a cell. An even
+    number remains even, so that the origin remains between two cells.
     """
     given: dict[str, Any] = {}
     for axis, n, d in zip("xy", (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True):
@@ -83,8 +83,8 @@ def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
 def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
     """Return the ratio of coarse to fine cell depth, preferably 2.
 
-    With elastic-plastic layers, it is the smallest ratio >= 2 for which each of these layers is a
-    whole number of coarse cells thick; 1 if there is no such ratio.
+    With elastic-plastic layers, the result is the smallest ratio >= 2 for which each of these
+    layers is a whole number of coarse cells thick; 1 if there is no such ratio.
     """
     ends = [
         round(float(depth) / dz) for body in bodies if isinstance(body, Layered) and body.is_plastic
@@ -119,7 +119,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
 
 
 def _sum_of_two(step: Mapping[str, Any]) -> dict[str, Any]:
-    """Combine two equal increments: add their motions, and use the forces of the second one."""
+    """Combine two equal increments: add the motions, and use the forces of the second increment."""
     moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
     if step.get("shift") is not None:
         moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
@@ -167,11 +167,10 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
         Fraction in [0, 1] that is due to waves shorter than 4 dx along x or 4 dy along y. NaN for a
         smooth surface, and for fewer than 8 cells per side.
 
-    Notes
-    -----
-    The fraction belongs to the last octave of wavenumbers on this grid. If the slope spectrum is a
-    power law of the wavenumber, as for a self-affine surface, the next octave, which this grid
-    cannot resolve, contains at least this fraction times the ratio of the last two octaves.
+    Notes ----- The waves in this fraction are the last octave of wavenumbers on this grid. If the
+    slope spectrum is a power law of the wavenumber, as for a self-affine surface, the next octave,
+    which this grid cannot resolve, contains at least this fraction times the ratio of the last two
+    octaves.
     """
     field = np.asarray(heights, dtype=np.float64)
     finite_array("heights", field, field.shape)

@@ -40,8 +40,8 @@ _FIXED = "the grid is fixed"
 class Engine:
     """Solver of the increments of a simulation, on a domain (grid, surfaces) that may be enlarged.
 
-    The domain is enlarged if the contact reaches its edge and the surfaces are known beyond it,
-    except with on_border="warn".
+    The domain is enlarged if the contact reaches the edge of the domain and the surfaces are known
+    beyond this edge, except with on_border="warn".
     """
 
     def __init__(self, setup: SimulationSetup, grid: Grid, heat: Heat) -> None:
@@ -219,7 +219,7 @@ class Engine:
     def _enlarge(
         self, error: GridTooSmallError, load: float | None = None, approach: float | None = None
     ) -> None:
-        """Switch to a larger domain; raise the error if the domain cannot be enlarged."""
+        """Switch to a larger domain; raise `error` if the domain cannot be enlarged."""
         if reason := self._reason_fixed:
             if reason == ENLARGEMENT_HINT and not callable(self.setup.surfaces.gap):
                 add_border_remedies(error, self.estimate)

@@ -2,8 +2,8 @@
 """Quantities of a state for which errors can be estimated; maxima are interpolated between cells.
 
 Maxima are interpolated by parabolas through the cell of the maximum and its neighbours. Under grid
-refinement interpolated maxima change more smoothly than maxima over cells, just as `contact_area`
-changes more smoothly than a count of cells.
+refinement, interpolated maxima change more smoothly than maxima over cells. Likewise,
+`contact_area` changes more smoothly than a count of cells.
 """
 
 from __future__ import annotations
@@ -42,7 +42,10 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Return the names of all quantities, for elastic-plastic bodies or, if none, `body`."""
+    """Return the names of the quantities of the contact and of all elastic-plastic bodies.
+
+    If no body is elastic-plastic, the only quantity of a body is the von Mises stress of `body`.
+    """
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     found = list(CONTACT_QUANTITIES)
     if not volume:
@@ -58,7 +61,7 @@ def value(state: State, name: str) -> float:
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """Return local maxima, the largest of which is the quantity; each converges separately.
+    """Return local maxima, the largest of which is the quantity; each of them converges separately.
 
     For a volume field they are the maximum below the surface and the maximum at the surface; for a
     layer, the maximum inside the layer and the maxima at both faces. Which maximum is the largest
@@ -91,10 +94,11 @@ def _bodies(state: State) -> tuple[Body, Body]:
 
 
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
-    """Return a field over the box of plastic strain of a body, from the operators of the solver.
+    """Return a field in the plastic subdomain of a body, from the operators of the solver.
 
-    `name` is "stress" or "residual_stress" (deviators) or "residual_displacement". The result is
-    None without plastic strain, with several plastic subdomains, or after the body has moved.
+    `name` is "stress" or "residual_stress" (the deviator is returned), or "residual_displacement".
+    The result is None without plastic strain, with several plastic subdomains, or after the body
+    has moved.
     """
     index, core = body - 1, state._core
     box = core.own_box(index)
@@ -185,8 +189,9 @@ def peak_value(field: ArrayLike) -> float:
     Returns
     -------
     float
-        Maximum over the cells plus, for each axis, the amount by which the peak of the parabola
-        through the cell of the maximum and its two neighbours exceeds this maximum.
+        Maximum over the cells plus, for each axis, the excess of a parabola. The parabola passes
+        through the cell of the maximum and its two neighbours; the excess is the parabola's maximum
+        minus the value in this cell.
     """
     values = np.asarray(field, dtype=np.float64)
     if values.size == 0:
@@ -195,7 +200,7 @@ def peak_value(field: ArrayLike) -> float:
 
 
 def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
-    """Return the value at a cell plus the excess of the peak of a parabola along each axis."""
+    """Return a cell value plus the excess of a parabola along each axis, see `peak_value`."""
     risen = float(values[at])
     for axis in range(values.ndim):
         line = np.moveaxis(values, axis, -1)[tuple(np.delete(at, axis))]
@@ -210,9 +215,10 @@ def _risen(values: FloatArray, at: tuple[np.intp, ...]) -> float:
 def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
     """Return the largest local maximum below the surface, and the maximum value at the surface.
 
-    A local maximum is a value that neighbouring layers do not exceed. In columns with values that
-    increase towards the surface, the value at the surface is extrapolated by a parabola through the
-    first three layers, or by a line through two if the value in the third layer is zero.
+    A local maximum is a value that is not exceeded in the layers above and below. In columns with
+    values that increase towards the surface, the value at the surface is extrapolated by a parabola
+    through the first three layers, or by a line through two if the value in the third layer is
+    zero.
     """
     layers = field.shape[2]
     if layers < 3:

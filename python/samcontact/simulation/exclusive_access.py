@@ -7,7 +7,7 @@ import threading
 
 
 class ExclusiveAccess:
-    """Context manager in which no other thread, and no softening law, may change a simulation."""
+    """Context manager in which no other thread or softening law may change a simulation."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()

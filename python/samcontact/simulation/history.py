@@ -15,12 +15,13 @@ if TYPE_CHECKING:
 
 @dataclass
 class History:
-    """Record of the increments of a simulation since its start; empty if any is unknown."""
+    """Record of all increments of a simulation since its start."""
 
     heat: Heat
     """Heat of the first increment."""
     steps: list[dict[str, Any]] | None = field(default_factory=list)
-    """Arguments of `Simulation.step` for each increment; None if they are not all known."""
+    """Arguments of `Simulation.step` for each increment; None if those of any increment are
+    unknown."""
     checked: int = 0
     """Number of increments at the last error estimate."""
 

@@ -42,8 +42,8 @@ _DOUBLING_FACTORS = 2.0, 2.0
 other fields; exact for first-order convergence."""
 _HALVING_FACTORS = 2.0, 1.5
 """Ratio of the error of n increments to the difference between n/2 and n, for plastic strain and
-for other fields. In theory it is 1 for order 1, and 2.4 for order 1/2, which occurs in single
-cells; these values are calibrated, see docs/theory/accuracy.md."""
+for other fields. In theory, the ratio is 1 for order 1, and 2.4 for order 1/2, which occurs in
+single cells. The two ratios used here are calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 
@@ -63,9 +63,9 @@ class IncrementErrors(HtmlTable):
         relative to the maximum value or the yield strain, whichever is larger, and is determined
         only at the increment of maximum load and the last increment.
     values : dict of float
-        Errors of the quantities with error control, by their names in results files: the larger
-        error of two increments, of maximum load and the last, relative to the larger value at these
-        increments.
+        Errors of the quantities with error control, by their names in results files. The errors at
+        the increment of maximum load and at the last increment are compared; the larger error is
+        divided by the larger of the values at these two increments.
     compared : str
         Description of the runs that were compared.
     """
@@ -102,8 +102,8 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether some of the states depend on the number of increments.
 
-    States with partial slip depend on it. States after plastic flow also do, unless `increment_tol`
-    controls the error.
+    States with partial slip depend on this number, and so do states after plastic flow, unless
+    `increment_tol` controls the error.
     """
     last = states[-1]
     if setup.friction.sticks:
@@ -128,8 +128,8 @@ def check_errors(
 
     No error is estimated if a warning filter ignores the warning.
 
-    states: the latest states. factor: minimum growth of the number of increments since the last
-    estimate, which bounds the time of all estimates.
+    states: the latest states. factor: an error is estimated only if the number of increments has
+    grown by this factor since the last estimate, which bounds the time of all estimates.
     """
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
@@ -239,14 +239,14 @@ def _compared(
 
 
 def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[str, float]:
-    """Convert differences to errors by two factors, for strains and for other quantities."""
+    """Convert differences to errors by two factors: one for strains, one for other quantities."""
     return {
         name: factors[0 if "strain" in name else 1] * share for name, share in differences.items()
     }
 
 
 def _level(states: Sequence[State]) -> int:
-    """Return the number of times the cell size is doubled for the estimate."""
+    """Return how often the cell size is doubled to obtain the grid of the estimate."""
     top = max(states, key=lambda state: float(state.pressure.max()))
     periodic = top.grid.periodic
     yields = any(states[-1].max_equivalent_plastic_strain(body) > 0 for body in (1, 2))

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Ends = list[tuple[int, int]]
-"""Pairs of increments of two paths that end at equal targets, by their indices (from 0)."""
+"""Index pairs (from 0): an increment of one path, and one of another path with an equal target."""
 _TARGETS = ("load", "approach", "torque")
 _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0
@@ -32,7 +32,7 @@ def cleaned(step: Step) -> dict[str, Any]:
 def doubled(
     path: Sequence[Step], states: Sequence[State], start: float, dx: float, heat: Heat
 ) -> tuple[list[dict[str, Any]], Ends]:
-    """Split each increment in two, if halves are allowed by motion and heating.
+    """Split each increment in two halves, if motion and heating allow it.
 
     An increment is not split if the bodies would move by a fraction of a cell in each half, or if a
     half would be shorter than the heat history allows.
@@ -50,7 +50,7 @@ def doubled(
 def halved(
     path: Sequence[Step], states: Sequence[State], start: float
 ) -> tuple[list[dict[str, Any]], Ends] | None:
-    """Merge neighbouring increments that continue in one direction; leave the others unchanged.
+    """Merge neighbouring increments that continue in one direction; keep all other increments.
 
     Return None if a comparison would not be meaningful: only few increments can be merged, or an
     unmerged increment is larger than all merged increments.
@@ -91,7 +91,7 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
 def _before(
     number: int, path: Sequence[Step], states: Sequence[State], start: float
 ) -> dict[str, Any]:
-    """Return load, approach and other targets before an increment, as prescribed or as computed."""
+    """Return load, approach and other targets before an increment, prescribed or else computed."""
     if number == 0:
         return {"load": 0.0, "approach": start, "torque": 0.0, "tangential_load": (0.0, 0.0)}
     step, state = path[number - 1], states[number - 1]

@@ -98,7 +98,7 @@ class Journal:
                 break
 
     def next(self) -> State | None:
-        """If a checkpoint of the next increment exists, restore it and return its state.
+        """Restore the next increment from its checkpoint and return the state; None without one.
 
         A damaged checkpoint is ignored with a warning; the increment is then solved again.
         """

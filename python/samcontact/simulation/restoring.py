@@ -42,7 +42,7 @@ def restored(cls: type[Made], kept: Snapshot, first: Domain | None = None, gap: 
 
 
 def reduced(cls: type[Any], engine: Engine, monitor: Monitor) -> tuple[Any, ...]:
-    """Return the data of a simulation for a pickle or copy; functions remain functions."""
+    """Return the data of a simulation for a pickle or copy, including gap and relief functions."""
     kept, surfaces = engine.snapshot(), vars(engine.setup.surfaces)
     functions = {name: shape for name, shape in surfaces.items() if callable(shape)}
     kept = replace(kept, arguments=kept.arguments | functions)

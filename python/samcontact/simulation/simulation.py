@@ -79,7 +79,7 @@ class Simulation(Configured, HtmlTable):
         Maximum error of "fast" due to periodicity, relative to the residual stress, in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
         Domain of the plastic strain. "auto": several boxes if this saves work, e.g. on rough
-        surfaces; "one": a single box. Results differ by about 1e-3 of the residual stress.
+        surfaces; "one": one box. The choice changes results by about 1e-3 of the residual stress.
     heat : Heat, optional
         Frictional heating. Default: none, `Heat(0.0)`.
     relief1, relief2 : Relief or callable, optional
@@ -200,7 +200,7 @@ class Simulation(Configured, HtmlTable):
         load, approach : float
             Normal load [N], >= 0 or, with attraction, >= minus the attractive force; approach [m].
         pressure : array_like, shape (nx, ny)
-            Prescribed pressure [Pa]; the contact is not solved. Exactly one of the three is given.
+            Prescribed pressure [Pa]; the contact is not solved. Excludes `load` and `approach`.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Prescribed shear traction s_x, or (s_x, s_y), on body 2 [Pa]. Only with `pressure`.
             Default: friction * pressure.
@@ -221,7 +221,8 @@ class Simulation(Configured, HtmlTable):
         torque : float, optional
             Final moment on body 2 [N m]. Without twist and torque, the bodies do not rotate.
         heat_factor : float or pair of floats, optional
-            New heat flux per unit pressure, from this increment on [m/s]; 0 switches it off.
+            New heat flux per unit pressure, from this increment on [m/s]; 0 switches the source
+            off.
         duration : float, optional
             Duration of the increment [s], > 0. Only with `heat.history`, where the heat flux
             follows the pressure at the end of the increment, or with `heat.partition`.
@@ -355,7 +356,7 @@ class Simulation(Configured, HtmlTable):
         """Add an eigenstrain (misfit, swelling, transformation) to a body that is not rigid.
 
         It acts from the next increment on and moves with the body: see `State.eigenstress`. Raises
-        ValueError for a box outside the grid, a grid without dz, a rigid body or non-finite strain.
+        ValueError for cells outside the grid, a grid without dz, a rigid body or non-finite strain.
 
         Parameters
         ----------

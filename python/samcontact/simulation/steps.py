@@ -67,7 +67,7 @@ _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
 
 class StepArguments:
-    """Checks of the arguments of increments on one grid; an unchanged heat is checked only once."""
+    """Checks of the arguments of increments on one grid; only a changed heat is checked again."""
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
@@ -173,7 +173,7 @@ def _require_possible(
 
 
 def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
-    """Return the maximum load of a path; None if the heating changes or if no load is given."""
+    """Return the maximum load of a path; None if the path has no load or changes the heating."""
     loads = [step.get("load") for step in steps]
     given = [load for load in loads if isinstance(load, (int, float))]
     heated = any("heat_factor" in step for step in steps)
@@ -181,7 +181,7 @@ def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:
 
 
 def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
-    """Return the maximum load of a path, or the maximum approach if no load is given."""
+    """Return the maximum load of a path; the maximum approach if the path has no load."""
     for name in ("load", "approach"):
         given = [v for step in steps if isinstance(v := step.get(name), (int, float))]
         if given:

@@ -13,12 +13,13 @@ from ..problem.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_next_to
 
 AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
-"""Mean excess of the counted area, per cell side on the outline of a smooth spot [cells]."""
+"""Mean overestimate of an area by counting cells, per cell side on the outline of a spot
+[cells]."""
 MAX_LOCATED_CORRECTION, MIN_COUNTED_CORRECTION = 0.08, 0.14
 """Limits of the perimeter correction, relative to the counted area (in nearly full contact on a
-periodic grid, relative to the open area). Below the first limit the edge is located from the
-pressure; above the second limit only the perimeter correction is used. The limits correspond to
-round spots 7.5 and 4.3 cells in diameter."""
+periodic grid, relative to the open area). If the correction is below the first limit, the edge is
+located from the pressure; if it is above the second limit, only the perimeter correction is used.
+The limits correspond to round spots 7.5 and 4.3 cells in diameter."""
 _EXTRAPOLATION_CELLS = range(1, 5)  # numbered from the edge; used to extrapolate the pressure
 _PADDING_CELLS = 4  # cells added around a field
 
@@ -28,16 +29,16 @@ def contact_area(
 ) -> float:
     """Contact area from the pressure in the cells of a grid [m^2].
 
-    Counting the cells under pressure is a first-order method and nearly always overestimates the
-    area. If the contact spots are resolved, the contact edge is located within the cells by the
+    Counting the cells under pressure is a method of first order, and nearly always overestimates
+    the area. If the contact spots are resolved, the contact edge is located within the cells by the
     squared pressure, which falls linearly to zero at the edge of a smooth contact. This method is
     of second order. If the spots are not resolved, or if the area by this method would exceed the
     count (nearly full contact), each cell side on the contact outline reduces the count by (pi - 1
     + ln 2)/24 of a cell. This is the mean overestimate of counting, averaged over all directions of
     a smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). For
-    intermediate resolution, the area is a weighted mean of both values. Sides at the edge of the
-    grid or at a step of the gap do not reduce the count, because the contact edge lies on these
-    sides.
+    intermediate resolution, the area is a weighted mean of the areas by the two methods. Cell sides
+    at the edge of the grid or at a step of the gap do not reduce the count, because the contact
+    edge lies on these sides.
 
     Parameters
     ----------

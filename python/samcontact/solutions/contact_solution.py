@@ -52,7 +52,7 @@ class ContactSolution(ShortRepr, HtmlTable):
         Complementarity error [-]: maximum of ``|min(r/max r, g/max u)|`` over all cells, for the
         repulsion r, gap g and displacement u.
     converged : bool
-        Whether error <= tol (otherwise ConvergenceError is raised).
+        Whether error <= tol; if not, ConvergenceError is raised unless on_stall="warn".
     """
 
     grid: Grid
@@ -174,7 +174,8 @@ class PartialSlipSolution(ShearedSolution):
         at most `energy_gap` more. The elastic energy of the error of the shear is at most half of
         `energy_gap`. NaN for infinite friction.
     sweeps : int
-        Number of alternating solutions for pressure and for shear; 1 if they are uncoupled.
+        Number of alternating solutions for pressure and for shear; 1 if pressure and shear are
+        uncoupled.
     joint_steps : int
         Number of Newton steps for pressure and shear together; 0 if the alternating solutions
         converged.
@@ -241,7 +242,7 @@ def both(values: FloatArray, unit: str) -> str:
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid contains all cells of the grid of a solution, possibly with more around."""
+    """Whether a grid contains all cells of the grid of a solution; more cells are allowed."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)

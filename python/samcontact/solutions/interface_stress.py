@@ -15,7 +15,7 @@ from ..problem.grid import Grid
 
 SIDES = ("above", "below")
 _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
-"""Weights of the means over n cells, whose sum is the value of a polynomial at the first face."""
+"""For n cells, weights of their mean stresses that extrapolate a polynomial to the first face."""
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:

@@ -16,13 +16,14 @@ from ..problem.contact_law import in_contact
 MIN_EDGE_PRESSURE_RATIO = 1.05
 """Minimum ratio of the pressures in a cell at a sharp edge and in the next inner cell."""
 MIN_STEP_RATIO = 8.0
-"""Minimum ratio of the height of a step to the changes of slope of the gap next to it."""
+"""Minimum ratio of the height of a step to the changes of slope of the gap next to the step."""
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 18
 """Number of cells that are processed together, which limits the memory."""
 _MARGIN_CELLS = 5
-"""Margin around a contact within which cells determine whether its edge is sharp."""
+"""Margin around a contact; the gap within this margin determines whether the contact edge is
+sharp."""
 
 
 def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
@@ -43,12 +44,12 @@ class Outline(NamedTuple):
     cells: int
     """Cells in contact."""
     sides: int
-    """Total number of sides from `sides_of`."""
+    """Total number of cell sides from `sides_of`."""
     reach: int
-    """Number r of cells: along x and y, the spot extends from r cells before the maximum pressure
-    to r - 1 cells after it, so it is at least 2 r cells wide."""
+    """Number r of cells. Along x and y, the contact extends without a gap from r cells before the
+    cell of maximum pressure to r - 1 cells after it, and is thus at least 2 r cells wide."""
     rises: bool
-    """Whether the pressure increases towards a side of the contact, from the next inner cell."""
+    """Whether a cell at a side of the contact has a higher pressure than the next inner cell."""
     largest: float
     """Maximum pressure [Pa]."""
 
@@ -115,8 +116,8 @@ def steps_next_to(
     """Return whether the gap has an upward step at each side, and the height of each step [m].
 
     Slopes are differences of the gap between neighbouring cells. The height of a step exceeds the
-    change of slope across the side, and `MIN_STEP_RATIO` times the changes of slope next to it. If
-    there is no body outside (gap NaN or infinite), the height of the step is infinite.
+    change of slope across the side, and `MIN_STEP_RATIO` times the changes of slope next to the
+    side. If there is no body outside (gap NaN or infinite), the height of the step is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -171,10 +172,10 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether a cell has a pressure above `MIN_EDGE_PRESSURE_RATIO` times both neighbours.
+    """Whether a cell has more than `MIN_EDGE_PRESSURE_RATIO` times the pressure of its neighbours.
 
-    Every contact edge towards which the pressure rises has such a cell, and a smooth contact has
-    none.
+    The two neighbours along x are meant, or the two neighbours along y. Every contact edge towards
+    which the pressure rises has such a cell, and a smooth contact has none.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T
@@ -192,7 +193,7 @@ def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
 
 
 def _rising(sides: Sides, pressure: FloatArray) -> NDArray[np.bool_]:
-    """Return, for each side, whether its cell has a higher pressure than both neighbours."""
+    """Return, for each side, whether its cell has a higher pressure than both adjacent cells."""
     own, inner = pressure[sides.i, sides.j], pressure[sides.neighbours(pressure.shape, -1)]
     outer = pressure[sides.neighbours(pressure.shape, 1)]
     found: NDArray[np.bool_] = (

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
 
 
 _STRESS_TOLERANCE = 1e-3
-"""Relative difference of equal stresses; without hardening, many increments reach yield stress."""
+"""Relative tolerance of equal stresses: without hardening, many increments reach the yield
+stress."""
 _ROUNDING_ERROR = 1e-9
 """Relative tolerance of equal pressures and loads, for rounding errors."""
 
@@ -21,9 +22,10 @@ _ROUNDING_ERROR = 1e-9
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
     """Return the index (from 0) of the increment with the maximum von Mises stress.
 
-    Among increments of equal stress, the increment with the maximum pressure is chosen, then with
-    the maximum load, then the first. In rolling contact the load is constant, and the increment at
-    a rough spot of the track is the most informative.
+    Of several increments with equal stress, the one with the maximum pressure is chosen; if
+    pressures are equal, the one with the maximum load; if loads are equal, the first increment. In
+    rolling contact the load is constant, and the increment at a rough spot of the track is the most
+    informative.
 
     Parameters
     ----------

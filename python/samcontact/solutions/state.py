@@ -215,7 +215,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def initial_stress(self, body: int = 2) -> FloatArray:
         """Initial (residual) stress [Pa], shape (6, nx, ny, nz).
 
-        It is given by `Material.with_residual_stress`, or 0.
+        It is given by `Material.with_residual_stress`; 0 without it.
         """
         return self._field("initial_stress", body)
 
@@ -296,7 +296,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         """Maximum magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
 
         Reversed flow decreases this magnitude, but increases the equivalent plastic strain. The
-        small-strain theory limits it. 0 for a body that cannot yield. Boucly (2008), eq. (2.163).
+        small-strain theory limits it. It is 0 for an elastic body. Boucly (2008), eq. (2.163).
         """
         return self.max_strains[choice("body", body, (1, 2)) - 1][1]
 
@@ -305,14 +305,14 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         return bool(self._core.has_eigenstrain(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
-        """Heights of the `Relief` of a body at the current position [m], shape (nx, ny), or 0."""
+        """Heights of a body's relief at the current position [m], shape (nx, ny); 0 without it."""
         return self._field("relief", body)
 
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to the plastic strain. With axis="x" or "y", the tangential displacement; these
-        axes are common to both bodies. On a periodic surface, relative to the body far below.
+        It is due to plastic strain; on a periodic grid, relative to the body far below the surface.
+        With axis="x" or "y", the tangential displacement is returned; both bodies share these axes.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
@@ -349,7 +349,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
     ) -> FloatArray:
-        """Return a field from the cache, from other fields or from the core."""
+        """Return a field from the cache; if it is not cached, from `compute`."""
         index = choice("body", body, (1, 2)) - 1
         return kept(self, (name, index), compute or (lambda: self._core_field(name, index)))
 

@@ -15,7 +15,7 @@ from ..bodies.material import Material
 from ..problem.grid import Grid
 
 _BLOCK_PAIRS = 1 << 18
-"""Number of pairs of a point and a cell that are processed together; they require 20 MB."""
+"""Number of pairs (point, cell) that are processed together; they require 20 MB."""
 _EDGE_TOLERANCE = 1e-6
 """Distance from the edge of a cell, in cells, below which a point is on the edge."""
 _MAX_COORDINATE = 1e75
@@ -56,7 +56,7 @@ def stress_at_points(
 
 
 def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatArray:
-    """Return half a cell [m] for surface points on lines where loaded cells meet, otherwise 0.
+    """Return half a cell size [m] for surface points on lines where loaded cells meet, otherwise 0.
 
     With uniform tractions in each cell, the stress near a jump of the traction grows with the
     logarithm of the distance. The mean of the values half a cell to both sides does not contain

@@ -101,7 +101,7 @@ class SurfaceState:
         """Accumulated tangential rigid-body displacement [m], shape (2,).
 
         It is the displacement of body 1 relative to body 2 along x and y, and includes the
-        difference of their travel. Raises ValueError in full sliding.
+        difference between the travels of both bodies. Raises ValueError in full sliding.
         """
         _require_sticking("shift", self.setup)
         return np.array(self._core.motion[:2])
@@ -131,7 +131,7 @@ class SurfaceState:
 
     @cached_property
     def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); under prescribed tractions, at zero approach."""
+        """Separation [m], shape (nx, ny); with prescribed tractions, that at zero approach."""
         field: FloatArray = self._core.gap()
         field.flags.writeable = False
         return field

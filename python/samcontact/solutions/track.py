@@ -42,7 +42,7 @@ class Track(FixedAttributes):
             nz=layers if grid.has_volume else 0,
             dz=grid.dz,
         )
-        """Grid of the track; the origin of this grid is its centre."""
+        """Grid of the track, with its origin at the centre."""
         # Cell n of the body was initially at (n - (nx - 1)/2) dx of the grid at the start.
         cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
@@ -82,7 +82,7 @@ class Track(FixedAttributes):
     def initial_stress(self) -> FloatArray:
         """Initial (residual) stress [Pa], shape (6, len(x), ny, nz).
 
-        It is given by `Material.with_residual_stress`, or 0.
+        It is given by `Material.with_residual_stress`; 0 without it.
         """
         return self._field("initial_stress")
 

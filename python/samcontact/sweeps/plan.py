@@ -191,7 +191,7 @@ def _listed(problems: Mapping[str, str]) -> str:
 
 
 def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
-    """Return the error text of a case; for an unknown parameter, it suggests a similar field."""
+    """Return the error text of a case; for an unknown parameter it suggests a similar field."""
     where, _, reason = line.partition(": ")
     if reason.startswith("unknown field;"):
         for name in names:

@@ -166,7 +166,7 @@ class _SweepRun:
 
 
 def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
-    """Solve all tasks with an executor; pass on each outcome as soon as it is available."""
+    """Solve all tasks with an executor; pass each outcome to `take` as soon as it is available."""
     if executor is None:
         for key, task in tasks.items():
             take(key, worker.solve_case(*task))
@@ -191,7 +191,7 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
 
 
 def _outcome(future: Future[Outcome]) -> Outcome:
-    """Return the outcome of a task; if its process failed, the error as outcome."""
+    """Return the outcome of a task; if the process of the task failed, this is an error."""
     try:
         error = future.exception()
     except CancelledError as cancelled:

@@ -96,7 +96,7 @@ def assemble(
     keys : sequence of str
         Key of each case, in the order of the plan.
     outcomes : mapping
-        Outcomes by key; cases without an outcome have been cancelled.
+        Outcomes of the cases by key; a case without an outcome has been cancelled.
     base : CaseFile
         Base case; its title and text are stored.
     """

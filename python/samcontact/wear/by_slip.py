@@ -28,16 +28,16 @@ from .repeating import reliefs_of, repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum relative decrease of the shortest pressure wave on the grid by wear between two contact
-solutions. With a decrease of 2 or more, the shortest waves would grow from one solution to the
-next.
+"""Maximum relative decrease of the shortest pressure wave on the grid that wear may cause between
+two contact solutions. If the decrease were 2 or more, the shortest waves would grow from one
+solution to the next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
 """Maximum change of the shear over one repeat, relative to the maximum of mu p.
 
-At the edge of the stick zone, slip directions still rotate slightly over many repeats, which does
-not noticeably affect the frictional work.
+The limit is not smaller because, at the edge of the stick zone, slip directions rotate slightly
+over many repeats. This rotation does not noticeably affect the frictional work.
 """
 _MAX_REPEATS = 20
 
@@ -84,8 +84,8 @@ def fretting(
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The contact is solved again whenever wear
-        since the last solution would change the pressure of the shortest wave on the grid by 100 %.
+        Number of repeats of the loop per cycle, >= 1. The contact is solved again before the wear
+        since the last solution changes the shortest pressure wave on the grid by more than 100 %.
     checkpoint, progress
         As for `run`.
     **settings

@@ -57,7 +57,7 @@ class FrettingSetup:
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row and number of rows that can wear: all rows of the grid."""
+        """Return the first row that can wear and the number of such rows: all rows of the grid."""
         return 0, self.grid.nx
 
 
@@ -131,7 +131,9 @@ def closing(path: list[dict[str, Any]]) -> int:
 
 
 def _places(path: list[dict[str, Any]]) -> list[list[tuple[str, float]]]:
-    """Return load or approach, and tangential forces or motions, initially and after each step.
+    """Return the loads or approaches and the tangential forces or motions at all instants.
+
+    The instants are the start of the path and the end of each step.
 
     Tangential forces and motions are ignored while the load is 0.
     """

@@ -96,7 +96,7 @@ def require_own(path: str | os.PathLike[str] | None) -> None:
 
 
 def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProgress) -> None:
-    """Write a checkpoint file; the old file becomes `_before`, or is kept if writing fails."""
+    """Write a checkpoint file; the old file is renamed to `_before`, or kept if writing fails."""
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
@@ -117,7 +117,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 
 def latest(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
-    """Read a checkpoint file; if damaged, warn and read the file of the preceding cycle."""
+    """Read a checkpoint file; if it is damaged, warn and read that of the preceding cycle."""
     require_identified(_identity(problem))
     try:
         return read(path, problem)

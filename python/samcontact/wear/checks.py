@@ -42,7 +42,7 @@ strain alone and is far beyond yield.
 """
 NO_LAYERED_WEAR = "layered bodies are not supported, because a worn layer has no uniform thickness"
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
-"""Ratio of the width of a moving mean to the standard deviation of a Gaussian of equal spread."""
+"""Width of a moving mean divided by the standard deviation of a Gaussian with equal variance."""
 _MARGIN_ROWS = 4
 """Rows of cells added on both sides of the rows in contact, for interpolation between cells."""
 

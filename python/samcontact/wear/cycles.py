@@ -228,7 +228,7 @@ def _largest(kept: BodyStrain | None, layers: slice) -> float:
 
 
 def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
-    """Return the wear depth before smoothing [m], on the rows of `heights`."""
+    """Return the wear depth before smoothing [m], in the rows of `WearProgress.heights`."""
     grid = setup.grid
     assert grid.dz is not None
     first, rows = setup.rows(body)

@@ -23,7 +23,7 @@ S = TypeVar("S", bound=WearProblem)
 R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
-"""Function that solves a cycle, and returns its states and the initial state of the next one."""
+"""Function that solves a cycle; it returns the states of the cycle and the progress after it."""
 
 
 def repeat(
@@ -34,7 +34,7 @@ def repeat(
     checkpoint: str | os.PathLike[str] | None,
     progress: bool,
 ) -> R:
-    """Repeat cycles, from the start or from a checkpoint, until a cycle removes no material."""
+    """Solve up to `count` cycles, from the start or a checkpoint, until one removes no material."""
     with nullcontext() if checkpoint is None else alone(checkpoint):
         standing = None if checkpoint is None else latest(checkpoint, problem)
         if standing is None:

@@ -22,7 +22,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""States of a cycle at maximum load (of several, the one of maximum pressure) and unloaded."""
+"""States of a cycle: at maximum load (of several, the state with maximum pressure), and
+unloaded."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +33,7 @@ class Cycle:
     number: int
     """Number of the cycle, from 1."""
     volume: tuple[float, ...]
-    """Volume of removed material, whose plastic strain exceeded the threshold [m^3]."""
+    """Volume [m^3] of the removed material, in which the plastic strain exceeded the threshold."""
     lost_volume: tuple[float, ...]
     """Decrease of the volume below the surface [m^3]."""
     depth: tuple[float, ...]
@@ -84,7 +85,7 @@ class FrettingCycle:
     contact_area: float
     """Contact area at maximum load [m^2]."""
     stick_area: float
-    """Area in contact that does not slip during a whole repeat [m^2]."""
+    """Contact area that sticks during a whole repeat [m^2]."""
     cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
 
@@ -114,7 +115,7 @@ class BaseWearResult(ShortRepr):
 
     @cached_property
     def first(self) -> Any:
-        """States of the first cycle, like `last`; after a resumed run they are computed again."""
+        """States of the first cycle, like `last`; solved again after a run that was resumed."""
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:

@@ -25,7 +25,7 @@ _MAX_RELATIVE_TRACE = 1e-9
 
 
 def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
-    """Return the depth of the layer at the surface in which the plastic strain exceeds a threshold.
+    """Return the thickness of the surface layer in which the plastic strain exceeds a threshold.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ class Gaussian:
 
 
 def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
-    """Map a volume field to depths z_k below the worn surface, i.e. z_k + depth below the old one.
+    """Map a volume field to depths z_k below the worn surface: z_k + depth below the old surface.
 
     Parameters
     ----------
@@ -259,8 +259,8 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
 def deviator_below_worn_surface(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
     """Apply `below_worn_surface` to each component of tensors, shape (..., 6, nx, ny, nz).
 
-    In columns of cells (along z) with deviators only, the interpolated tensors are made deviators
-    by subtraction of their trace.
+    In columns of cells (along z) that contain deviators only, the mean normal part is subtracted
+    from the interpolated tensors, so that they are deviators too.
     """
     moved = below_worn_surface(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)
