@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Silent exit of the command ``samcontact`` on Ctrl-C while it is loading.
+"""Silent exit of the command ``samcontact`` on Ctrl-C while its modules are loaded.
 
 Otherwise Python would print a traceback. No results exist at this stage; later, `commands.signals`
 handles interruptions.

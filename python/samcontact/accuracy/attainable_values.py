@@ -77,7 +77,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     if largest is not None and target > largest.value:
         raise ValueError(
             f"{shown} cannot be reached: at loads up to {max_load:.6g} N the value is below "
-            f"{largest.value:.6g}, {largest.of}{unit_hint()}"
+            f"{largest.value:.6g} ({largest.of}){unit_hint()}"
         )
     if reason := _reason_too_small(kind, target, simulation):
         raise ValueError(f"{shown} is too small for the grid: {reason}{unit_hint()}")

@@ -49,8 +49,8 @@ _KINDS = (
     ("max_equivalent_plastic_strain", "max_residual_von_mises", "imprint_depth"),
 )
 _MIN_ERROR_OF_KIND = 0.2
-"""Minimum relative error of a quantity, as a fraction of the largest relative difference in its
-group in `_KINDS`, because the values on two grids may agree by chance."""
+"""Minimum relative error, as a fraction of the largest relative difference in a group of `_KINDS`.
+It is needed because the values of a quantity on two grids may agree by chance."""
 _AREA_ERROR_FACTOR = 0.7
 """Factor C of the bound C (cells per radius)^-1.5 on the relative error of the area of round spots.
 The factor applies to wavy surfaces; the error for balls is half as large."""

@@ -240,8 +240,8 @@ def find_load(
         Print one line per trial load to stderr.
     checkpoint : path, optional
         Folder that stores the values of all loads and the increments of the last load. Repeating
-        the call continues from these, with bit-identical results. Remove the folder when it is no
-        longer needed.
+        the call continues from this folder, with bit-identical results. Remove the folder when it
+        is no longer needed.
 
     Returns
     -------
@@ -252,8 +252,8 @@ def find_load(
     ValueError
         No load reaches the value; the message gives the maximum, or a bound found before the
         search. An argument is out of range, the quantity is unknown, the case has no loads or has
-        wear, or another call wrote `checkpoint`. With "yield": no body is elastic-plastic, or one
-        is layered, softens or yields in the deepest grid layer.
+        wear, or another call wrote `checkpoint`. With "yield": no body is elastic-plastic, or a
+        body that can yield is layered, softens, or first yields in the deepest grid layer.
     """
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress

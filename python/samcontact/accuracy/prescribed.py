@@ -57,8 +57,8 @@ def to_accuracy(
         Print one line per grid to stderr.
     checkpoint : path, optional
         Folder that stores the values of each grid and the increments of the last grids. Repeating
-        the call continues from these, with bit-identical results. Remove the folder when it is no
-        longer needed.
+        the call continues from this folder, with bit-identical results. Remove the folder when it
+        is no longer needed.
 
     Returns
     -------

@@ -54,7 +54,8 @@ _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the largest common divisor of the thicknesses of
 elastic-plastic layers. Maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
-"""Maximum ratio of the cell width of the first grid to this largest common divisor."""
+"""Maximum ratio of the cell width of the first grid to the largest common divisor of
+thicknesses."""
 
 
 class GridSolution(NamedTuple):

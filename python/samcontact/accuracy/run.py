@@ -316,8 +316,8 @@ def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:
         warnings.warn(
             f"prescribed accuracy not reached: estimated relative error of {name} is "
             f"{relative[name]:.2g}, target {targets[name]:.3g}; {outcome.needs}: to reach "
-            f"it, increase max_memory or max_time, relax the accuracy, or exclude {name} "
-            "from quantities",
+            "the target, increase max_memory or max_time, relax the accuracy, or exclude "
+            f"{name} from quantities",
             AccuracyWarning,
             stacklevel=4,
         )

@@ -79,8 +79,8 @@ def collide(
         Roughness of the spheres. When the spheres are aligned, roughness heights lie at cell
         centres.
     checkpoint : path, optional
-        Folder for a checkpoint of each increment. Repeating the call resumes from it, with
-        bit-identical results. Delete it when it is no longer needed.
+        Folder for a checkpoint of each increment. Repeating the call resumes from this folder, with
+        bit-identical results. Delete the folder when it is no longer needed.
     progress : bool
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings

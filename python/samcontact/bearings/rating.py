@@ -125,10 +125,9 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
     ValueError
         An argument is outside its range.
 
-    Notes
-    -----
-    This formula and the pressures of `static_load_rating` rest on the same tests. Both give a
-    deformation of about 1e-4 of the diameter, but this agreement validates neither of them.
+    Notes ----- This formula and the pressures of `static_load_rating` rest on the same tests. Both
+    give a deformation of about 1e-4 of the diameter; because of the common source, this agreement
+    validates neither the formula nor the pressures.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

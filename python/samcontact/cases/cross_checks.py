@@ -106,9 +106,10 @@ def _require_law_of_friction(case: Any) -> None:
         )
     for index, segment in enumerate(case.path):
         if segment.slips:
+            names = ", ".join(segment.slips)
             raise ValueError(
-                f"path[{index}]: {', '.join(segment.slips)} requires Coulomb friction: set "
-                "[contact] friction = {coulomb = 0.3}, or omit it in the path"
+                f"path[{index}]: {names} requires Coulomb friction: set [contact] friction = "
+                f"{{coulomb = 0.3}}, or omit {names}"
             )
 
 
@@ -176,7 +177,7 @@ def _require_zones(case: Any) -> None:
     if any(b.coating and b.is_plastic for b in bodies) and changed(case.contact, ["zones"]):
         raise ValueError(
             "contact.zones is not supported for elastic-plastic layered bodies, which always use a "
-            "single plastic box: omit it"
+            "single plastic subdomain: omit zones"
         )
 
 

@@ -157,7 +157,7 @@ class Fretting(Section):
         if self.force is not None and any(reached.forces[:2]):
             raise ValueError(
                 "fret with a force must start at zero force, but the previous segment ends at "
-                f"{list(reached.forces[:2])!r} N: reduce it to 0 first"
+                f"{list(reached.forces[:2])!r} N: reduce the force to 0 first"
             )
         if self.force is not None and None in reached.forces[:2]:
             raise ValueError(

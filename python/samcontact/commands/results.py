@@ -53,7 +53,7 @@ def export(
     body: str | None,
     output: Path | None,
 ) -> None:
-    """Export the fields of one increment, or of all, for ParaView or a browser.
+    """Export the fields of one increment, or of all increments, for ParaView or a browser.
 
     RUN is the folder of a run, or the file results.nc in it.
     """

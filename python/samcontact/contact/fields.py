@@ -133,7 +133,7 @@ class ContactFields(Configured):
             law = f" and contact_law {self.contact_law!r}" if attracted else ""
             raise ValueError(
                 f"shear is required with friction = {self.friction!r}{law}, got None: the pressure "
-                "does not determine it; use the shear of a solution"
+                "does not determine the shear; use the shear of a solution"
             )
         parts = shear_components(self.grid, shear)
         s_x, s_y = parts if body == 2 else (None if s is None else -s for s in parts)

@@ -233,7 +233,7 @@ class ContactSetup:
 
     @cached_property
     def _reference(self) -> plausibility.ExpectedExtent | None:
-        """Hertz contact about a quarter as wide as the grid, from which other loads are scaled."""
+        """Hertz contact about a quarter as wide as the grid, scaled to obtain other contacts."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)

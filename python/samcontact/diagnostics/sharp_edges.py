@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 MIN_STEP_RATIO = 0.25
 """Minimum height of a step divided by p d/E*, with pressure p and cell size d. Without a step, the
-elastic deflections of neighbouring cells differ by less than this."""
+elastic deflections of neighbouring cells differ by less than this minimum."""
 MIN_EDGE_CELLS = 3
 """Minimum number of cells of an edge; single cells of a rough surface are not an edge."""
 MIN_CELLS_OF_ROUNDING = 4

@@ -169,8 +169,8 @@ def record_of(folder: Path) -> OwnershipRecord | None:
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
     """Remove temporary files that killed processes have left in a folder.
 
-    With `name`, only temporary files for this file are removed. Files that another process is
-    writing are locked and are not removed.
+    With `name`, only temporary files for the file of this name are removed. Files that another
+    process is writing are locked and are not removed.
     """
     for entry in os.listdir(folder):
         found = PARTIAL_FILE_NAME.fullmatch(entry) if entry.startswith(".") else None

@@ -157,7 +157,7 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
         turns = np.flatnonzero(np.sign(steps) != np.sign(values[-1, first] - values[0, first]))
         raise ValueError(
             f"path: x of the profile in {path} must increase or decrease from row to row, but "
-            f"reverses at row {turns[0] + 2}; for lines that are rows of heights, set "
+            f"reverses at row {turns[0] + 2}; if the lines are rows of heights, set "
             'format="array"'
         )
     return None
@@ -217,7 +217,7 @@ def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, f
         raise ValueError(
             f"path: the three columns of {path} are interpreted as points x, y, z, which must fill "
             f"a grid, got {len(points)} points at {len(x)} values of x and {len(y)} of y: "
-            'interpolate them to a grid, or, for lines that are rows of heights, set format="array"'
+            'interpolate them to a grid or, if the lines are rows of heights, set format="array"'
         )
     steps = []
     for name, places in (("x", x), ("y", y)):

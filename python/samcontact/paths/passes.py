@@ -189,10 +189,10 @@ def rolling(
     back_and_forth : bool
         Whether passes alternate in direction under load, with a single loading and unloading.
     speed : float, optional
-        Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: each
-        rolling or return step lasts its length divided by the speed, and each load increment lasts
-        as long as a full step. Set `velocity` of the heat to the velocities of the bodies: for
-        distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
+        Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: the
+        duration of each rolling or return step is its length divided by the speed, and each load
+        increment lasts as long as a full step. Set `velocity` of the heat to the velocities of the
+        bodies: for distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s].
 

@@ -52,7 +52,7 @@ def rolling_animation(
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable.
 
     Raises
     ------
@@ -128,7 +128,7 @@ def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
 def _section_panel(
     ax: Axes, across: FloatArray, depth: FloatArray, quantity: str, largest: float
 ) -> tuple[AxesImage, list[Line2D]]:
-    """Draw the section, and a frame around the part of it that shows the stress under load."""
+    """Draw the section, with a frame around the part that shows the stress under load."""
     shown = CONTACT[quantity]
     empty = np.zeros((len(depth) - 1, len(across) - 1))
     image = ax.imshow(

@@ -60,7 +60,7 @@ def pressure_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
+        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
     label : str
         Label of the computed curve.
 
@@ -199,7 +199,7 @@ def imprint_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
+        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
     label : str, optional
         Label of the curve.
 
@@ -242,7 +242,7 @@ def temperature_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
+        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
     label : str, optional
         Label of the curve.
 

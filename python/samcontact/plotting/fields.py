@@ -71,8 +71,9 @@ def show_section(
     """Draw a plane of a volume field with a colour bar, depth downward.
 
     values: field in SI units. name: name of the horizontal coordinate. titled: whether the label is
-    the title of the figure; this is always so if the section is too flat for a label at the colour
-    bar. equal: whether both axes have equal scales. cells: whether to show one colour per cell.
+    the title of the figure; if the section is too flat for a label at the colour bar, the label is
+    the title in any case. equal: whether both axes have equal scales. cells: whether to show one
+    colour per cell.
     """
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT_SECTION_RATIO
@@ -135,7 +136,7 @@ def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
 
 
 def inside_of_contact(contact: FloatArray) -> FloatArray:
-    """Return a field that is positive in the contact and crosses zero along its edge.
+    """Return a field that is positive in the contact and crosses zero along the contact edge.
 
     contact: pressure, or 1 in contact cells and 0 elsewhere. Between smooth bodies, the squared
     pressure is approximately proportional to the distance from the edge.
@@ -144,7 +145,7 @@ def inside_of_contact(contact: FloatArray) -> FloatArray:
 
 
 def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return a field that is positive in the slip zone and crosses zero along its inner edge.
+    """Return a field that is positive in the slip zone and crosses zero along the stick zone.
 
     The slip is proportional to the distance from the stick zone to the power 3/2.
     """

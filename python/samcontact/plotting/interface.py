@@ -71,7 +71,7 @@ def interface_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
+        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
     contact : array_like, shape (nx, ny), optional
         Positive in contact cells, e.g. the repulsion; shown as a bar along the upper side.
 

@@ -47,7 +47,7 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Keep a reference to it.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable.
 
     Raises
     ------

@@ -167,7 +167,7 @@ def shear_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Coordinate of the profile across its direction [m]; the nearest row of cells is used.
+        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
     label : str
         Label of the curve.
 

@@ -82,7 +82,7 @@ def summary_figures(
     ------
     ValueError
         The body or format is unknown; or a file with one of these names was not written by this
-        package, or has been changed since.
+        package or has been changed since this package wrote it.
     """
     choice("format", format, ("png", "pdf", "svg"))
     body = body_shown(dataset, body)

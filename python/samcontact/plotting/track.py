@@ -264,8 +264,8 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
     """Return the limits along x of a region shown in figures of a track [m].
 
-    The field is above 2 % of its maximum in this region without its margins. Each margin is half as
-    long as the region without margins.
+    The part in which `sizes` exceed 2 % of their maximum is extended at each end by half the length
+    of this part.
     """
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])

@@ -27,8 +27,8 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
         Result of `samcontact.results.to_dataset` or `open_results`.
     path : str or Path
         File of the collection of volume fields, with all increments for which they are stored. The
-        collection of surface fields, with all increments, is written to ``*_surface.pvd``. The
-        files of an increment have its number with five digits in their names: ``*_00001.vtr`` (or
+        collection of surface fields, with all increments, is written to ``*_surface.pvd``. The file
+        names of each increment contain the increment number with five digits: ``*_00001.vtr`` (or
         .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The folder must exist.
     body : {1, 2}, optional
         Body for which volume fields and residual imprint are written. Default: the body of

@@ -79,7 +79,7 @@ class Trend:
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:
-        """Return the predicted change in a single cycle, `cycles` cycles after the last one."""
+        """Return the predicted change in one cycle, `cycles` cycles after the last solved one."""
         weight = self.weight(cycles)
         return [d + weight * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
@@ -104,7 +104,7 @@ class Trend:
 
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
-    """Return the trend of a field over three cycles; None if its cells differ between cycles."""
+    """Return the trend of a field over three cycles; None if the cells differ between cycles."""
     by_body = [at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:

@@ -112,7 +112,7 @@ def eigenstrain_field(
     for axis, start, count, limit in sizes:
         if start + count > limit and not (axis == "z" and grid.nz == 0):
             raise ValueError(
-                f"the box must lie in the grid, which has {limit} cells along {axis}, got cells "
+                f"strain must lie in the grid, which has {limit} cells along {axis}, got cells "
                 f"{start} to {start + count - 1}"
             )
     return place, np.ascontiguousarray(np.moveaxis(field, 3, 1))

@@ -282,7 +282,7 @@ class Simulation(Configured, HtmlTable):
         -------
         list of State
             One per increment. An error or interrupt (Ctrl-C) holds the completed states in its
-            attribute `states`; the simulation remains at the last of these. The logger
+            attribute `states`; the simulation stays at the last of these states. The logger
             "samcontact" records each increment (INFO) and its iterations (DEBUG).
 
         Raises
@@ -365,7 +365,7 @@ class Simulation(Configured, HtmlTable):
             Tensor components xx, yy, zz, yz, xz, xy [-] in the cells of a box, with any trace; six
             numbers are a uniform strain in `cells`. It adds to earlier eigenstrains.
         first : tuple of int, optional
-            First cell of the box along x, y and z; it may lie below the surface.
+            First cell of the box along x, y and z; the box may lie below the surface.
         cells : tuple of int, optional
             Numbers of cells (nx, ny, nz) of the box. Only with uniform strain.
         """

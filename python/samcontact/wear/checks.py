@@ -182,7 +182,7 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
 
 
 def _check_filter(setup: WearSetup) -> None:
-    """Raise ValueError for a filter wider than the contact, which would spread wear beyond it."""
+    """Raise ValueError for a filter wider than the contact; it would spread wear to other cells."""
     with warnings.catch_warnings():
         # in the cycles, bodies yield and do not reach this elastic pressure
         warnings.simplefilter("ignore", ElasticStrainWarning)

@@ -86,8 +86,8 @@ def run(
         filter has reduced this depth, overstrained material remains, and wears in a later cycle.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
-        resumes from it with bit-identical results; delete it to start again. If the file is
-        damaged, the checkpoint of the preceding cycle is used, with the suffix .before.
+        resumes from this file with bit-identical results; delete the file to start again. If the
+        file is damaged, the checkpoint of the preceding cycle is used, with the suffix .before.
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings

@@ -40,9 +40,9 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
     -------
     ndarray, shape (nx, ny)
         Depth [m]; 0 if the strain in the first layer of cells does not exceed the threshold,
-        regardless of deeper layers. Otherwise it is the first depth at which the strain,
-        interpolated along the column by monotone cubics (PCHIP), drops to the threshold. Boucly
-        (2008), section 5.1.3.1, uses Lagrange polynomials, which overshoot.
+        regardless of deeper layers. Otherwise, the first depth at which the strain, interpolated
+        along the column by monotone cubics (PCHIP), drops to the threshold. Boucly (2008), section
+        5.1.3.1, uses Lagrange polynomials, which overshoot.
 
     Raises
     ------
