@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Empirical models of an elastic, perfectly plastic sphere pressed against a rigid flat.
 
-Fits to finite element solutions of frictionless contact, for comparison with computed contacts.
-Both models are elastic (Hertz) at small interference. They differ from each other by up to 5 % in
-load and 7 % in area.
+The models are fits to finite element solutions of frictionless contact, for comparison with
+computed contacts. At small interference, both models equal Hertz theory. They differ from each
+other by up to 5 % in load and 7 % in area.
 """
 
 from __future__ import annotations

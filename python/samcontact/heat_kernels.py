@@ -303,6 +303,6 @@ class _Table:
             )
 
     def expand(self, values: FloatArray) -> FloatArray:
-        """Return the table at the x and y of the user from values at distinct coordinates."""
+        """Return the table at the given x and y, from values at the distinct x and y."""
         expanded: FloatArray = values[:, self._rows[:, None], self._columns]
         return expanded

@@ -115,14 +115,15 @@ def residual_stress(
     method: str = "exact",
     image_tol: float = Settings.image_tol,
 ) -> FloatArray:
-    """Return the stress [Pa] due to an eigenstrain (plastic strain) field, (6, nx, ny, nz).
+    """Return the stress [Pa] due to a field of eigenstrain, shape (6, nx, ny, nz).
 
     Parameters
     ----------
     grid : Grid
         Grid with layers (dz).
     strain : array_like, shape (6, nx, ny, nz)
-        Eigenstrain [-], uniform in each cell; tensor components xx, yy, zz, yz, xz, xy.
+        Eigenstrain [-], e.g. plastic strain, uniform in each cell; tensor components xx, yy, zz,
+        yz, xz, xy.
     E, nu : float
     method : {"exact", "fast"}, optional
         "exact": influence coefficients of cuboids in a half-space (Mindlin's solution integrated in

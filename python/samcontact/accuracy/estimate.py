@@ -29,15 +29,16 @@ chance. On finer grids the minimum decreases with the square of the cell size.""
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
-"""Minimum assumed relative change of a correction from a coarse grid to the finest grid."""
+"""Minimum assumed relative change of a correction for increments from a coarse to the finest
+grid."""
 CORRECTION_CHANGE_PER_GRID = 3.0
-"""Assumed relative change of a correction from a coarse grid to the finest grid, divided by the
-relative difference of the values on the two grids."""
+"""Assumed relative change of a correction for increments from a coarse grid to the finest grid,
+divided by the relative difference of the values on the two grids."""
 
 FIRST_ORDER_RATIOS = 1.4, 3.0
-"""Range of the ratio of the correction for n increments to the correction for 2 n increments in
-which convergence is taken as first order (ratio 2). Outside this range, the difference between the
-correction for n and twice the correction for 2 n may change on a finer grid."""
+"""Range of the ratio c(n)/c(2 n) in which convergence is taken as first order (ratio 2), where c(n)
+is the correction of a value for n increments. Outside this range, c(n) - 2 c(2 n) may change on a
+finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
 """Relative error added for the contact area, as a fraction of the relative correction of the
@@ -120,7 +121,7 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
-    """Estimate the relative change of a correction from a coarse grid to the finest grid.
+    """Estimate the relative change of a correction for increments from a coarse to the finest grid.
 
     Parameters
     ----------

@@ -37,7 +37,7 @@ estimated from the change of the maximum pressure."""
 INCREMENT_TIME_SHARE = 0.3
 """Fraction of the allowed time for choosing the increments."""
 MAX_IRREGULAR_SHARE = 0.25
-"""Limit of the ratio of the irregular part of the correction to the prescribed accuracy."""
+"""Limit of the ratio of `Correction.irregular` to the prescribed accuracy."""
 MAX_CORRECTION_CHANGE = 0.5
 """Possible error of the correction when applied to the finest grid, divided by the prescribed
 accuracy. Above this limit the correction is determined on a finer grid."""
@@ -169,7 +169,7 @@ class AccuracySearch:
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        """Solve grid `TRIAL_LEVEL` with twice the increments, if number and time are allowed.
+        """Solve grid `TRIAL_LEVEL` with twice the increments, within the limits of number and time.
 
         Return whether a solution was added.
         """

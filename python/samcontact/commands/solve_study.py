@@ -62,7 +62,7 @@ class _StudyKind(NamedTuple):
 def solve_asperities(
     case: AsperityCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve a collision, write series.nc, .csv and figures of the first pass, return the files."""
+    """Solve a collision; write series.nc, series.csv, figures of pass 1; return the files."""
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]

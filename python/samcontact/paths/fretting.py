@@ -122,7 +122,7 @@ def _pressed(load: float | None, approach: float | None) -> dict[str, Any]:
 def _force_or_shift(
     force: Sequence[float] | None, shift: Sequence[float] | None
 ) -> tuple[str, FloatArray]:
-    """Return the name of the step argument, force or displacement, and the x and y values."""
+    """Return the name of the step argument (force or displacement), and its x and y values."""
     if force is not None and shift is None:
         return "tangential_load", finite_array("force", force, (2,))
     if shift is not None and force is None:

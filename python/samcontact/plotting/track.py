@@ -44,7 +44,7 @@ _LOADED_FIELDS = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temp
 
 
 def positions_on_body(state: State, body: int) -> FloatArray:
-    """Return the x positions on the body of the cells of the volume fields [m], shape (nx,)."""
+    """Return the positions x on the body [m] of the cells of volume fields, shape (nx,)."""
     shift = state.offset(body=body) - state.origin - state.travel[body - 1]
     return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
 

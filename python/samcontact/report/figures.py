@@ -43,7 +43,7 @@ _LEGEND_ABOVE: Any = {
     "ncols": 3,
     "frameon": False,
 }
-"""Options of a legend that would otherwise hide points."""
+"""Options that place a legend above the axes, where it does not hide points."""
 
 
 class ReportFigure(NamedTuple):

@@ -291,7 +291,7 @@ def values_table(
 
 
 def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
-    """Iterate over pairs (body, values) of a variable; body is None for the contact."""
+    """Iterate over pairs (body, values) of a variable; without a body, body is None."""
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values
     elif name in dataset:

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("volume", "lost_volume", "depth", "wear_rate")
 MAX_VOLUME_DIFFERENCE = 1e-9
-"""Limit of the relative difference between removed volume and volume below the surface."""
+"""Limit of the relative difference between the removed volume and the decrease of the volume below
+the surface."""
 MAX_PROFILES = 10  # maximum number of profiles in a figure
 _CYCLE_VARIABLES = (
     "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",

@@ -150,10 +150,7 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """Return all states with an equal number of layers: that of `stored` or of the last state.
-
-    The larger number is used.
-    """
+    """Return all states with equally many layers: the maximum of `stored` and the last state."""
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 

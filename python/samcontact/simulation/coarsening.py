@@ -95,7 +95,7 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 
 
 def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
-    """Convert a path to cells twice as long; return the path and new numbers of increments.
+    """Convert a path to cells twice as long; return the path and the new index of each increment.
 
     Two successive increments that move the surfaces by an equal odd number of cells are merged.
     """

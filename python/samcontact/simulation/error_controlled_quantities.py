@@ -217,8 +217,8 @@ def below_and_at_surface(field: FloatArray) -> tuple[float, float]:
 
     A local maximum is a value that is not exceeded in the layers above and below. In columns with
     values that increase towards the surface, the value at the surface is extrapolated by a parabola
-    through the first three layers, or by a line through two if the value in the third layer is
-    zero.
+    through the first three layers, or by a line through the first two layers if the value in the
+    third layer is zero.
     """
     layers = field.shape[2]
     if layers < 3:

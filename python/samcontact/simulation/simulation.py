@@ -317,7 +317,7 @@ class Simulation(Configured, HtmlTable):
     @property
     def counters(self) -> dict[str, int]:
         """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings, joint_steps; volume_bytes: plastic state and kernels."""
+        plastic_iterations, halvings, joint_steps; volume_bytes: memory of kernels and strains."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(

@@ -105,7 +105,7 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
 
 
 def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.bool_]:
-    """Return, for each cell side, whether the contact edge lies on it, at a step of the gap."""
+    """Return, for each cell side, whether the contact edge lies on it: at a step of the gap."""
     if gap is None:
         return np.zeros(len(sides.i), dtype=np.bool_)
     return steps_next_to(sides, np.asarray(gap, dtype=np.float64), periodic)[0]

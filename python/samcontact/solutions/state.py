@@ -349,7 +349,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
     ) -> FloatArray:
-        """Return a field from the cache; if it is not cached, from `compute`."""
+        """Return a field from the cache or else from `compute` (default: from the core)."""
         index = choice("body", body, (1, 2)) - 1
         return kept(self, (name, index), compute or (lambda: self._core_field(name, index)))
 

@@ -130,9 +130,9 @@ class _Repeat:
     slip_distance: FloatArray
     """Slip distance [m]."""
     worn: FloatArray
-    """Wear depth for a coefficient of 1 [m Pa]."""
+    """Wear depth divided by the wear coefficient [m Pa]."""
     per_pressure: FloatArray
-    """Wear depth for a coefficient of 1, per unit pressure [m]."""
+    """Wear depth divided by the wear coefficient and by the pressure [m]."""
 
 
 def _solve_repeat(setup: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:

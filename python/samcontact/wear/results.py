@@ -108,7 +108,8 @@ class BaseWearResult(ShortRepr):
     """Final surface of body 1, for further computations."""
     relief2: Relief | None
     heights: dict[int, FloatArray] = field(repr=False)
-    """Heights of each worn body, at the start and after each cycle [m], (cycles + 1, rows, ny)."""
+    """Heights of each worn body [m], at the start and after each cycle, shape (cycles + 1, rows,
+    ny)."""
     first_row: dict[int, int] = field(repr=False)
     last: tuple[State, ...] = field(repr=False)
     _solve_first: Callable[[], Any] = field(repr=False)
