@@ -178,8 +178,8 @@ def stated_errors(names: Sequence[str] = tuple(SETUPS), runs: int | None = None)
                     _listed(float(f"{true / stated:.2g}") for true, stated in pairs),
                 ]
             )
-    heading = ["case", "cells across", "increments in a segment", "field"]
-    return table([*heading, "true error [%]", "true over estimated error"], rows)
+    heading = ["case", "cells across the contact", "increments in a segment", "field"]
+    return table([*heading, "true error [%]", "true error / estimated error"], rows)
 
 
 def _listed(numbers: Iterable[float]) -> str:

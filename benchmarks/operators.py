@@ -160,7 +160,7 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     ]
     times = [row["time_ratio"] for row in fast]
     return [
-        f"Fast method relative to exact coefficients with the strain at cell centres: rms error "
-        f"{min(errors):.2f} to {max(errors):.2f}, time of a single use {min(times):.2f} to "
-        f"{max(times):.2f}."
+        f"The fast method has {min(errors):.2f} to {max(errors):.2f} times the rms error of exact "
+        "coefficients with the strain at cell centres, and a single use takes "
+        f"{min(times):.2f} to {max(times):.2f} times as long."
     ]

@@ -204,7 +204,8 @@ def area_table(rows: list[Record]) -> str:
     """Return the table of errors from counting cells."""
     head = (
         "cells per shortest wave", "spots", "cells across a spot", "contact area [%]",
-        "area uncertainty [%]", "error [%]", "mean pressure [GPa]", "error [%]",
+        "area uncertainty [%]", "error of the area [%]", "mean pressure [GPa]",
+        "error of the mean pressure [%]",
     )  # fmt: skip
     lines = []
     for row, error in zip(rows, errors(rows), strict=True):
@@ -222,8 +223,8 @@ def area_table(rows: list[Record]) -> str:
 
 def strain_table(rows: list[Record]) -> str:
     head = (
-        "cells per shortest wave", "maximum plastic strain [%]", "error [%]",
-        "residual von Mises stress below 0.8 µm [MPa]", "error [%]",
+        "cells per shortest wave", "maximum plastic strain [%]", "error of the strain [%]",
+        "residual von Mises stress below 0.8 µm [MPa]", "error of the stress [%]",
         "residual von Mises stress, first layer [MPa]", "maximum pressure [GPa]",
     )  # fmt: skip
     lines = []

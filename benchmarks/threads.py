@@ -111,7 +111,9 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]
         large = [efficiency(row) for row in both if row["cells"] >= LARGE_SIZES[case]]
         small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
-        stated = [f"efficiency of two threads at least {min(large):.2f}"] if large else []
+        stated = []
+        if large:
+            stated.append(f"efficiency of two threads in large cases at least {min(large):.2f}")
         if small:
             stated.append(f"small cases take up to {max(small):.2f} times the time on one thread")
         lines += [f"- {case}: {'; '.join(stated)}."] if stated else []

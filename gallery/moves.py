@@ -16,10 +16,10 @@ this page are halved in size, or when the grid is enlarged
 ([sensitivity of the gallery to the mesh](../sensitivity.md)).
 """
 COARSE_MESH_NOTE = """\
-Sensitivity: the largest change of the numbers found with a mesh about half as fine as the mesh of
-this page, when its cells, layers or increments are halved in size, or when the grid is enlarged
-([sensitivity of the gallery to the mesh](../sensitivity.md)). This change is approximately an upper
-bound of the error of this page.
+Sensitivity: the numbers are also computed with a mesh about half as fine as the mesh of this page.
+The column gives their largest change when the cells, layers or increments of this coarser mesh are
+halved in size, or when its grid is enlarged ([sensitivity of the gallery to the
+mesh](../sensitivity.md)). This change is approximately an upper bound of the error of this page.
 """
 BOTH_MESHES_NOTE = """\
 Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of

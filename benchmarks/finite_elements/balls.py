@@ -70,8 +70,9 @@ in {down}:
   radius. `nz` is not given, and all settings have their defaults; samcontact detects the mirror
   planes.
 - samcontact with a prescribed accuracy of 5, 1 and 0.2 % (`sc.to_accuracy`), which chooses cells
-  and increments. The time includes all grids. The reference for these errors is the limit of both
-  fine grids and small increments.
+  and increments. The time includes all grids of the sequence; the table states the number of cells
+  of the finest grid. The reference for these errors is the limit of both fine grids and small
+  increments.
 
 ![Maximum error of two balls against time](../build/figures/finite_elements.png)
 
@@ -183,11 +184,11 @@ def measure_slopes(flatter: float) -> dict[str, float]:
 def section(found: dict[str, Runs]) -> str:
     """Return the text of the section on the balls."""
     runs = both(found)
-    name = "cells on the radius"
+    name = "elements or cells on the contact radius"
     rows = time_rows(runs, QUANTITIES)
     for accuracy, run in found["an accuracy"].items():
         error = error_against(found["truth"]["0"], run, QUANTITIES)
-        cells = time_cells(f"{run['cells']} cells and coarser", error, run)
+        cells = time_cells(f"{run['cells']} cells (finest grid)", error, run)
         rows.append([f"samcontact, to {100 * float(accuracy):g} %", "", *cells])
     off = {
         at: {q: 100 * (run[q] - 1) for q in ("load", "von_mises")}

@@ -14,7 +14,7 @@ Runs = dict[str, dict[str, Any]]
 Quantities = dict[str, tuple[str, float]]
 """Heading and factor from SI to the unit in the table, for each quantity compared."""
 METHODS = {
-    "a grid": "samcontact on a given grid",
+    "a grid": "samcontact with a grid chosen by the user",
     "an accuracy": "samcontact with a prescribed accuracy",
 }
 """Names of the two ways to choose the grid of samcontact."""
@@ -70,8 +70,8 @@ def ratios(theirs: Runs, quantities: Quantities, ours: dict[str, Points]) -> str
             at = time_at(known, error)
             if at is not None:
                 lines.append(
-                    f"- Error {100 * error:.2g} %: finite elements take {seconds / at:.0f} times "
-                    f"as long as {METHODS[than]}."
+                    f"- At an error of {100 * error:.2g} %, CalculiX takes "
+                    f"{seconds / at:.0f} times as long as {METHODS[than]}."
                 )
     return "\n".join(lines)
 

@@ -135,7 +135,7 @@ def uniform_compression() -> float:
 
 def section(runs: dict[str, Runs]) -> str:
     """Return the text of the section on the wavy surface."""
-    name = "cells on half a period, on a period"
+    name = "elements on half a period (CalculiX), cells on a period (samcontact)"
     return TEXT.format(
         amplitude=1e3 * deck.AMPLITUDE,
         period=deck.PERIOD,

@@ -306,8 +306,8 @@ def wins_of_peers(data: dict[str, Any]) -> list[str]:
     if not found:
         return ["In these tables no other code is faster at equal error."]
     head = (
-        "Number of cells, in brackets the minimum ratio of the time to the time of samcontact at "
-        "any error in the tables:"
+        "Each line gives the number of cells and, in brackets, the minimum ratio of the time to "
+        "the time of samcontact at any error in the tables:"
     )
     return ["\n".join([head, "", *(f"- {k}: {', '.join(v)}" for k, v in found.items())])]
 

@@ -62,8 +62,9 @@ def summary(rows: Rows) -> str:
         memory = [f"{bytes_a_cell(found[-1]):.0f}", f"{job.stated:.0f}"]
         lines.append([job.name, job.unit, " to ".join(ends), *exponents, *memory])
     return table(
-        ["job", "cells of the", "cells", "exponent, all sizes", "limit", "exponent, last decade",
-         "bytes per cell, largest size", "limit"], lines,
+        ["job", "cells of the", "cells", "exponent, all sizes", "limit of this exponent",
+         "exponent, last decade", "bytes per cell, largest size", "limit of the bytes per cell"],
+        lines,
     )  # fmt: skip
 
 
@@ -95,7 +96,7 @@ def needs(rows: Rows) -> str:
         times = (cluster.SIDE**2 / found[-1]["cells"]) ** growth(found)
         hours = times * found[-1]["cpu_s"] / 3600
         lines.append([job.name, f"{memory(rows, job) / 1e12:.2g}", f"{hours:.2g}"])
-    return table(["job", "memory [TB]", "one core [h]"], lines)
+    return table(["job", "memory [TB]", "time on one core [h]"], lines)
 
 
 def communication(rows: Rows) -> str:
@@ -112,8 +113,9 @@ def communication(rows: Rows) -> str:
                           f"{count.number * each / cluster.RATE / 60:.2g}"])  # fmt: skip
     return table(
         ["job", "processes", "sent per displacement and process [GB]", "size of a message [MB]",
-         "transposes of a solution", "sent per process [GB]", "time at the rate below [min]"],
-    lines, )  # fmt: skip
+         "transposes of a solution", "sent per solution and process [GB]",
+         f"time at {cluster.RATE / 1e9:g} GB/s [min]"], lines,
+    )  # fmt: skip
 
 
 def slowest(rows: Rows, job: Job) -> tuple[float, int, int]:

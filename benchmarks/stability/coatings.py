@@ -93,7 +93,7 @@ def yielding(row: str) -> dict[str, Any]:
 
 
 ELASTIC = Table(
-    "coatings", "E of the coating over E, thickness over dx", rows(THICKNESS), elastic,
+    "coatings", "E of coating / E of substrate, thickness / dx", rows(THICKNESS), elastic,
     (
         Column("iterations", "iterations", COUNT, 40),
         Column("error", "error", at_most=1e-8),
@@ -105,7 +105,7 @@ ELASTIC = Table(
     "50, 10",
 )  # fmt: skip
 YIELDING = Table(
-    "yielding_coatings", "E of the coating over E, thickness over dz", rows(LAYERS), yielding,
+    "yielding_coatings", "E of coating / E of substrate, thickness / dz", rows(LAYERS), yielding,
     (
         Column("evaluations", "evaluations", COUNT, 100),
         Column("contact", "contact iterations", COUNT),
