@@ -52,7 +52,6 @@ SET = {
         "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio_periodic = 0.45"),
     ("docs/theory/zones.md", "a quarter of the work"): None,  # of the cells there are
     ("docs/theory/half_space.md", "a quarter of the memory"): None,  # planes counted there
-    ("docs/theory/periodic.md", "19 times as long"): None,  # a period
 }  # fmt: skip
 TEMPLATES = {
     str(page.relative_to(ROOT)): page.read_text(encoding="utf-8")
