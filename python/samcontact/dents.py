@@ -39,7 +39,7 @@ def spherical(
     grid : Grid
         Grid of the simulation.
     depth : float
-        Depth at the centre [m], nonzero, magnitude at most the radius; negative: a bump.
+        Depth at the centre [m], nonzero, of magnitude <= `radius`; negative for a bump.
     radius : float
         Radius of the rim, where the dent meets the flat surface [m], > 0.
     x, y : float, optional
@@ -72,7 +72,7 @@ def furrow(
     grid : Grid
         Grid of the simulation.
     depth : float
-        Depth in the middle [m], nonzero, magnitude at most the half-width; negative: a ridge.
+        Depth in the middle [m], nonzero, of magnitude <= `half_width`; negative for a ridge.
     half_width : float
         Half-width at the level of the flat surface [m], > 0.
     along : {"y", "x"}

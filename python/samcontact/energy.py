@@ -38,10 +38,10 @@ def _product(a: FloatArray, b: FloatArray) -> float:
 def plastic_work(material: Body, after: Track, before: Track | None = None) -> float:
     """Plastic work of a body, the integral of sigma : d eps^p [J].
 
-    The work of the isotropic yield stress is integrated in closed form and depends only on the two
-    states. The work of the backstress is computed with the mean backstress of the two states. The
-    error of this mean is of second order in the size of the increment, so add up the work of all
-    increments.
+    The work of the isotropic yield stress is integrated in closed form and depends only on the
+    states `before` and `after`. The work of the backstress is computed with the mean backstress of
+    both states. The error of this mean is of second order in the size of the increment, so add up
+    the work of all increments.
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]: `error` plus deviation from the target, divided by d(value)/d(load).
+        Load and its error [N]: (`error` + deviation from the target)/(d(value)/d(load)).
     value, error : float
         Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State
@@ -221,8 +221,8 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary with its layout; all forces are multiplied by one
-        factor. Or a function of the maximum load [N] that returns simulation and path.
+        Case, path of a case file, or dictionary of the same layout; all forces are multiplied by
+        one factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
         Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
         without a body number, the larger value of both bodies. The value used is the larger of the

@@ -48,7 +48,8 @@ def to_accuracy(
         quantity by name. Default: accuracy of the case.
     quantities : sequence of str, optional
         Quantities whose error is controlled, by their names in results files, e.g. "max_pressure",
-        "imprint_depth_body2". Default: the quantities named by the case, or all.
+        "imprint_depth_body2". Default: the quantities that the case names; if it names none, all
+        quantities.
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional

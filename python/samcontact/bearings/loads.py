@@ -18,7 +18,7 @@ def sjovall(epsilon: float, exponent: float = POINT_CONTACT_EXPONENT) -> tuple[f
 
     J_r is the mean of (Q/Q_max) cos psi over the circumference, J_a the mean of Q/Q_max. Q is the
     load of the element at the angle psi from the radial load. With n = `exponent`, Q(psi)/Q_max =
-    (1 - (1 - cos psi)/(2 epsilon))^n, or 0 where the base is negative.
+    (1 - (1 - cos psi)/(2 epsilon))^n, or 0 where the base of this power is negative.
 
     Parameters
     ----------

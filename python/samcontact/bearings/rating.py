@@ -62,14 +62,12 @@ def static_load_rating(
     ValueError
         An argument is outside its range, or `length` is missing or not applicable.
 
-    Notes
-    -----
-    At these pressures, the permanent deformation of element and raceway together is about 1e-4 of
-    the element diameter; plastic deformation is not computed here. The factors f_0 of the standard
-    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all published digits, as is the
-    factor 44 for rollers. The standard uses the same formulas, so this agreement does not validate
-    the actual capacity of a bearing. Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657,
-    *Explanatory notes on ISO 76*.
+    Notes ----- At these pressures, the permanent deformation of element and raceway together is
+    about 1e-4 of the element diameter; plastic deformation is not computed here. The factors f_0 of
+    the standard (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all published
+    digits, as is the factor 44 that the standard uses for rollers. The standard uses the same
+    formulas, so this agreement does not validate the actual capacity of a bearing. Sources: ISO
+    76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
     """
     if not isinstance(races, Sequence) or not all(isinstance(r, RaceContact) for r in races):
         raise TypeError(

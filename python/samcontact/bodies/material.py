@@ -176,7 +176,7 @@ class Material(HasDepthProfiles, HtmlTable):
         """Return a copy with a yield surface that translates with the plastic strain.
 
         Each backstress X evolves with the plastic strain e and the equivalent plastic strain g by
-        dX = 2/3 modulus de - recovery X dg. Several backstresses are added. The isotropic law of
+        dX = 2/3 modulus de - recovery X dg. Several backstresses are summed. The isotropic law of
         this material stays in effect: with `perfect_plastic` the hardening is purely kinematic.
 
         Parameters

@@ -11,7 +11,7 @@ from .case import Case, load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
-    """Return a `Case` from a case, the path of a case file, or a dictionary with its layout.
+    """Return a `Case` from a case, the path of a case file, or a dictionary of the same layout.
 
     name: name of the argument, for error messages. defaults: values of fields that a dictionary
     omits.

@@ -40,7 +40,8 @@ _ENDINGS = (".html", ".vtr", ".pvd")
 @click.option(
     "--body",
     type=click.Choice(["1", "2"]),
-    help="Body whose fields are exported; default: the body of [output], or the body with fields.",
+    help="Body whose fields are exported; default: the only body with fields or, if both have "
+    "fields, the body of [output].",
 )
 @click.option("--output", type=FilePath(), help="File; default: in the folder of the results.")
 def export(

@@ -156,7 +156,7 @@ class ContactSolver(ContactFields):
             enlarged grid if the grid of the solver does not contain the contact, as in a
             `Simulation`; the solver keeps its own grid.
         load : float
-            Normal load [N], >= 0, or down to the maximum tension of the contact law.
+            Normal load [N], >= 0; with attraction, >= minus the maximum tensile force.
         approach : float
             Rigid-body approach [m]. Exactly one of load and approach must be given.
         shift : pair of float, optional

@@ -95,7 +95,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
         Contact: load balance, complementarity of pressure and gap, yield condition, distance from
         the edge of the grid, small strain, and plausibility of the input (`Check.of_input`); with
         partial slip also the friction law, tangential forces and energy. Asperity collisions:
-        energy, and no force at the end of a pass. Wear: volume.
+        energy balance, and zero force at the end of a pass. Wear: volume balance.
 
     Raises
     ------

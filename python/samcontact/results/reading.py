@@ -33,7 +33,7 @@ def parts_of_a_run() -> Iterator[None]:
 
 
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
-    """Return `body`; default: the only body with volume fields, otherwise the body of [output]."""
+    """Return `body`; default: the only body with volume fields, else the body of [output]."""
     if body is not None:
         return int(choice("body", body, (1, 2)))
     selected = int(dataset.attrs.get("body", 2))

@@ -317,8 +317,8 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
 
     The shear stress sigma_xz alternates between +tau_0 and -tau_0 as the contact passes. Neither
     residual stress nor kinematic hardening reduces the range of this stress, so tau_0 must not
-    exceed the shear yield stress. In this docstring, k is the ratio of the semi-axes.
-    Friction shifts both extremes equally.
+    exceed the shear yield stress. In this docstring, k is the ratio of the semi-axes. Friction
+    shifts both extremes of sigma_xz equally.
 
     Parameters
     ----------
@@ -340,10 +340,9 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
     ValueError
         An argument is outside its range.
 
-    Notes
-    -----
-    Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) at the depth
-    1/((t + 1) sqrt(2t - 1)) semi-axes, with 1/k^2 = (t^2 - 1)(2t - 1).
+    Notes ----- Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) at the depth a/((t
+    + 1) sqrt(2t - 1)), with the semi-axis a along the rolling direction and 1/k^2 = (t^2 - 1)(2t -
+    1).
     """
     ratio, friction = positive("k", k), _coefficient(friction)
     if not ratio > 1e-50:

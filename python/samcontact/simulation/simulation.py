@@ -78,7 +78,7 @@ class Simulation(Configured, HtmlTable):
     image_tol : float, optional
         Maximum error of "fast" due to periodicity, relative to the residual stress, in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
-        Domain of the plastic strain. "auto": several boxes if this saves work, e.g. on rough
+        Boxes of cells for the plastic strain. "auto": several if this saves work, e.g. on rough
         surfaces; "one": one box. The choice changes results by about 1e-3 of the residual stress.
     heat : Heat, optional
         Frictional heating. Default: none, `Heat(0.0)`.
@@ -96,13 +96,12 @@ class Simulation(Configured, HtmlTable):
     MemoryError
         The surface (in `step` the plastic zone) requires more memory than is available.
 
-    Notes
-    -----
-    A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to 1.25 times the
-    Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
-    reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
-    grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
-    cells. Grids that are periodic, or with heat.history, softening or attraction, are not enlarged.
+    Notes ----- A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to
+    1.25 times the Hertz contact (in `run`, at maximum load); otherwise by half along each axis on
+    which contact reaches the edge. `grid` and surface fields then refer to the larger grid. A state
+    keeps its grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64
+    times the initial number of cells. Periodic grids, and grids with heat.history, softening or
+    attraction, are not enlarged.
     """
 
     _last = "engine"

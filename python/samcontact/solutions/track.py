@@ -131,9 +131,9 @@ class Track(FixedAttributes):
         Returns
         -------
         xarray.Dataset
-            Dataset with the dimensions x, y and, with a volume, z and component. Each method above
-            except `backstress` gives a variable. The attributes are the number of the body and the
-            cell sizes [m].
+            Dataset with the dimensions x, y and, with a volume, z and component. Each field of this
+            class except `backstress` gives a variable. The attributes are the number of the body
+            and the cell sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

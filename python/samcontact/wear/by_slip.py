@@ -73,7 +73,7 @@ def fretting(
         step. The steps up to this earlier step are a lead-in, which causes no wear. The first
         repetitions, until the shear is periodic, cause no wear either.
     friction : Coulomb
-        Friction law, with a coefficient > 0, finite.
+        Friction law with a finite coefficient > 0.
     energy : float or pair of floats
         Wear depth divided by frictional work per unit area [m/(J/m^2) = 1/Pa], >= 0: a number for
         body 2, or a pair for bodies 1 and 2. Fouvry et al. (2003),
