@@ -340,9 +340,10 @@ def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
     ValueError
         An argument is outside its range.
 
-    Notes ----- Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) at the depth a/((t
-    + 1) sqrt(2t - 1)), with the semi-axis a along the rolling direction and 1/k^2 = (t^2 - 1)(2t -
-    1).
+    Notes
+    -----
+    Lundberg and Palmgren (1947): tau_0/p0 = sqrt(2t - 1)/(2t(t + 1)) at the depth a/((t + 1)
+    sqrt(2t - 1)), with the semi-axis a along the rolling direction and 1/k^2 = (t^2 - 1)(2t - 1).
     """
     ratio, friction = positive("k", k), _coefficient(friction)
     if not ratio > 1e-50:

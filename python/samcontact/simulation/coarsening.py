@@ -167,9 +167,11 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
         Fraction in [0, 1] that is due to waves shorter than 4 dx along x or 4 dy along y. NaN for a
         smooth surface, and for fewer than 8 cells per side.
 
-    Notes ----- The waves in this fraction are the last octave of wavenumbers on this grid. If the
-    slope spectrum is a power law of the wavenumber, as for a self-affine surface, the next octave,
-    which this grid cannot resolve, contains at least this fraction times the ratio of the last two
+    Notes
+    -----
+    The waves in this fraction are the last octave of wavenumbers on this grid. If the slope
+    spectrum is a power law of the wavenumber, as for a self-affine surface, the next octave, which
+    this grid cannot resolve, contains at least this fraction times the ratio of the last two
     octaves.
     """
     field = np.asarray(heights, dtype=np.float64)

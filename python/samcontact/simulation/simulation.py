@@ -96,12 +96,14 @@ class Simulation(Configured, HtmlTable):
     MemoryError
         The surface (in `step` the plastic zone) requires more memory than is available.
 
-    Notes ----- A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to
-    1.25 times the Hertz contact (in `run`, at maximum load); otherwise by half along each axis on
-    which contact reaches the edge. `grid` and surface fields then refer to the larger grid. A state
-    keeps its grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64
-    times the initial number of cells. Periodic grids, and grids with heat.history, softening or
-    attraction, are not enlarged.
+    Notes
+    -----
+    A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to 1.25 times the
+    Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
+    reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
+    grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
+    initial number of cells. Periodic grids, and grids with heat.history, softening or attraction,
+    are not enlarged.
     """
 
     _last = "engine"
@@ -220,8 +222,7 @@ class Simulation(Configured, HtmlTable):
         torque : float, optional
             Final moment on body 2 [N m]. Without twist and torque, the bodies do not rotate.
         heat_factor : float or pair of floats, optional
-            New heat flux per unit pressure, from this increment on [m/s]; 0 switches the source
-            off.
+            New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
             Duration of the increment [s], > 0. Only with `heat.history`, where the heat flux
             follows the pressure at the end of the increment, or with `heat.partition`.

@@ -172,7 +172,7 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether a cell has more than `MIN_EDGE_PRESSURE_RATIO` times the pressure of its neighbours.
+    """Whether a cell has more than `MIN_EDGE_PRESSURE_RATIO` times its neighbours' pressures.
 
     The two neighbours along x are meant, or the two neighbours along y. Every contact edge towards
     which the pressure rises has such a cell, and a smooth contact has none.
