@@ -60,7 +60,8 @@ def pressure_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
+        Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
+        row of cells is used.
     label : str
         Label of the computed curve.
 
@@ -199,7 +200,8 @@ def imprint_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
+        Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
+        row of cells is used.
     label : str, optional
         Label of the curve.
 
@@ -242,7 +244,8 @@ def temperature_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
+        Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
+        row of cells is used.
     label : str, optional
         Label of the curve.
 

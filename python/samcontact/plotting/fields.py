@@ -145,7 +145,7 @@ def inside_of_contact(contact: FloatArray) -> FloatArray:
 
 
 def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return a field that is positive in the slip zone and crosses zero along the stick zone.
+    """Return a field that is positive in the slip zone, and zero at the edge of the stick zone.
 
     The slip is proportional to the distance from the stick zone to the power 3/2.
     """

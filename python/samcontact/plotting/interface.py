@@ -71,7 +71,8 @@ def interface_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
+        Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
+        row of cells is used.
     contact : array_like, shape (nx, ny), optional
         Positive in contact cells, e.g. the repulsion; shown as a bar along the upper side.
 

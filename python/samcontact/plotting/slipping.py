@@ -167,7 +167,8 @@ def shear_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float
-        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
+        Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
+        row of cells is used.
     label : str
         Label of the curve.
 

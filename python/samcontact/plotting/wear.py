@@ -86,8 +86,9 @@ def worn_profile(
     axis : {"x", "y"}
         Direction of the profile.
     position : float, optional
-        Position y of a profile along x, or x along y [m]; the nearest row of cells is used.
-        Default: the middle row, or the row of maximum wear if the wear there is much deeper.
+        Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
+        row of cells is used. Default: the middle row, or the row of maximum wear if the wear there
+        is much deeper.
     cycles : sequence of int, optional
         Numbers of cycles; 0: before the first cycle. Default: all.
 
