@@ -44,7 +44,7 @@ PAGE = ROOT / "docs" / "benchmarks.md"
 @click.option("--quick", is_flag=True, help="Small sizes, about two minutes.")
 @click.option("--threads", default=1, help="OMP_NUM_THREADS (1).")
 @click.option("--output", type=Path, default=ROOT / "results" / "benchmarks", help="Folder.")
-@click.option("--docs", is_flag=True, help="Also write their tables into docs/benchmarks.md.")
+@click.option("--docs", is_flag=True, help="Also write the tables into docs/benchmarks.md.")
 @click.option("--notes", is_flag=True, help="Only rewrite the sentences below the tables.")
 def main(
     parts: tuple[str, ...], quick: bool, threads: int, output: Path, docs: bool, notes: bool

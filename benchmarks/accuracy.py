@@ -32,7 +32,7 @@ CASE_2D = "2d, rigid on perfectly plastic"
 FINITE_ELEMENT_ERRORS = {"approach": 0.002, "max_pressure": 0.005, "max_von_mises": 0.01,
         "max_equivalent_plastic_strain": 0.01, "max_residual_von_mises": 0.02,
         "imprint_depth": 0.02}  # fmt: skip
-"""Relative errors of the finite element results, from the page on finite elements; not for 2d."""
+"""Relative errors of the finite element results, from `reference/fem/README.md`; not for 2d."""
 FINITE_ELEMENT_ERROR_2D = 0.04
 TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by: python -m benchmarks.accuracy --docs -->

@@ -42,7 +42,7 @@ class Task:
     arguments: dict[str, Any] = field(default_factory=dict)
     """Keyword arguments that can be written as JSON; tasks may differ only in these arguments."""
     reference: str = ""
-    """Reference method: its time divides the times of tasks with this case and equal arguments."""
+    """Method by whose time the times of tasks with equal case and arguments are divided."""
     threads: int = 0
     """Number of threads of this task; 0 for the common number of all tasks."""
     rounds: int = 1
@@ -54,7 +54,7 @@ class Task:
 def peak_memory() -> int:
     """Return the peak memory of this process so far [bytes].
 
-    It is read from /proc if available, because ru_maxrss is inherited from the parent process.
+    The peak is read from /proc if available, because a process inherits ru_maxrss from its parent.
     """
     status = Path("/proc/self/status")
     if status.exists():

@@ -23,7 +23,7 @@ ROLL_OFF = 64  # cells
 HARDNESS = 4.2e9  # Pa; approximate load over contact area
 LOADING = (0.5, 1.0)  # fractions of the load
 BOWL = 3.0  # height of the border over the rms roughness; keeps the contact inside
-SINKS_FROM = 1024  # cells, from where on the border is as much higher as larger surfaces sink
+SINKS_FROM = 1024  # cells; larger surfaces sink deeper and need a higher border
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:

@@ -33,7 +33,7 @@ PERCENT = (1.0, 2.0)
 CELLS_PER_WAVE = (8, 16, 32, 64, 128)  # cells per shortest wave
 QUICK_CELLS_PER_WAVE = (16, 32)
 PARTS = (1, 4, 16)  # increments from load to load
-CELLS_PER_WAVE_OF_PARTS = 32  # cells per shortest wave, for these
+CELLS_PER_WAVE_OF_PARTS = 32  # cells per shortest wave in the runs with these increments
 SERIES = {
     "area": "contact area",
     "pressure": "mean pressure in contact",
@@ -48,8 +48,8 @@ TEXT = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 # Resolution of rough contact
 
 This page shows how errors of rough contact depend on the cell size, and recommends a resolution. A
-rigid rough flat is pressed onto steel (210 GPa, Swift's law). Its roughness is a sum of waves
-from {longest:.0f} to {shortest:.0f} µm, self-affine with Hurst exponent {hurst} and rms slope
+rigid rough flat is pressed onto steel (210 GPa, Swift's law). The roughness of the flat is a sum of
+waves from {longest:.0f} to {shortest:.0f} µm, self-affine with Hurst exponent {hurst} and rms slope
 {slope}; every grid samples the same surface. Layers are as thick as the cells are wide, and
 extend as deep as the plastic zone (`nz` is not given). The finest grid has {cells} x {cells} cells
 and needed {memory:.1f} GB.

@@ -3,7 +3,8 @@
 
 Each part of the gallery is computed again with halved cells, layers and increments and with a grid
 a quarter larger and deeper, one at a time. A number that changes by more than its stated tolerance
-needs a finer mesh, a limit or a remark. --docs writes docs/sensitivity.md from the stored table.
+needs a finer mesh, an extrapolated limit or a remark. --docs writes docs/sensitivity.md from the
+stored table.
 """
 
 from __future__ import annotations
@@ -38,8 +39,8 @@ the mesh is changed. Four changes are made, one at a time: cells of half the siz
 ("increments"), and a grid that is a quarter wider and deeper ("grid size"). Each section states
 which mesh was changed: the mesh of the gallery page, or the coarse mesh of the tests, which is
 about half as fine. A change on the coarse mesh is approximately the improvement from the coarse
-mesh to the mesh of the page. It is also approximately an upper bound of the remaining error of the
-page.
+mesh to the mesh of the page. This change is also approximately an upper bound of the remaining
+error of the page.
 
 If a row of a gallery page contains several numbers, the table gives the largest change, relative to
 the largest of these numbers. Numbers in text are rounded as on the page, so a change of the last

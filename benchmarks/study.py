@@ -172,7 +172,10 @@ def command(study: Study) -> click.Command:
 def chosen(
     points: Sequence[Record], names: Sequence[str], rows: str = "", largest: int | None = None
 ) -> list[Record]:
-    """Return points of the named groups that contain a text; `largest`: last points per group."""
+    """Return the points of the named groups whose arguments contain the text `rows`.
+
+    largest: number of points to return, from the end of each group; None for all.
+    """
     found: dict[str, list[Record]] = {}
     for point in points:
         shown = " ".join(str(value) for key, value in point.items() if key != "of")

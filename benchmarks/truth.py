@@ -23,9 +23,9 @@ FINER_INCREMENTS = {
     "given approach": (3, (16, 32, 64)),
     "V1, rigid tip": (6, (4, 8, 16)),
 }
-"""Number of the grid and numbers of increments, for cases in which more than four increments change
-the results much, or by an amount that depends on the grid. With the rigid tip, the residual stress
-at the rim falls by 5 % on grid 3 and by 1 % on grid 6."""
+"""Number of a grid, and numbers of increments on this grid, for cases whose results change much
+with more than four increments, or by an amount that depends on the grid. With the rigid tip, the
+residual stress at the rim falls by 5 % on grid 3 and by 1 % on grid 6."""
 Values = NDArray[np.float64]
 
 

@@ -31,8 +31,8 @@ TEXTS = {
 
 The smoothing length is 7.2 µm (`smoothing_length`), equivalent to a moving average over 25 µm, half
 a wavelength of the roughness. A Gaussian filter leaves no edges, and running-in ends on every mesh.
-The last cycles remove almost nothing. Their number depends on the thickness of the layers, which
-determines the depth at which the strain is compared with the threshold.
+The last cycles remove almost nothing. The number of these cycles depends on the thickness of the
+layers, which determines the depth at which the strain is compared with the threshold.
 """,
     "cells": """## Running-in with the filter of the thesis
 

@@ -100,7 +100,10 @@ def curve(result: CollisionResult, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def asymmetry(result: CollisionResult, name: str, sign: float) -> float:
-    """Return the maximum asymmetry (sign 1: of an even curve; -1: odd), relative to the peak."""
+    """Return the maximum deviation of a curve from symmetry, relative to the maximum of the curve.
+
+    sign: 1 for the deviation from an even curve, -1 for the deviation from an odd curve.
+    """
     x, f = curve(result, name)
     return float(np.abs(f - sign * np.interp(-x, x, f)).max() / np.abs(f).max())
 
@@ -148,7 +151,7 @@ def forces(results: Results) -> list[Number | Statement]:
 
 
 def at_exit(result: CollisionResult) -> float:
-    """Return the load ratio at the end of contact, extrapolated by a parabola of 4 increments."""
+    """Return the load ratio at the end of contact, extrapolated by a parabola (4 increments)."""
     series = result.series.isel({"pass": 0})
     touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
     end = result.collision.half_distance

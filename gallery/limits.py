@@ -14,7 +14,7 @@ class Limit:
 
     value: float
     error: float
-    """Difference between the extrapolations from the finer and from the coarser pair."""
+    """Difference between the extrapolations from the finest pair and from the next coarser pair."""
     text: str
     """Text that lists the values from which the limit is extrapolated."""
 

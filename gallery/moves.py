@@ -31,7 +31,7 @@ mesh about half as fine; they are approximately upper bounds of the error of thi
 
 @dataclass(frozen=True, order=True)
 class Move:
-    """Change of a value with the mesh [%]; `own`: whether found on the mesh of the page."""
+    """Change of a value with the mesh [%]; `own`: whether the mesh of the page was changed."""
 
     percent: float
     own: bool

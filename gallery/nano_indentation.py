@@ -86,7 +86,7 @@ def curve(states: list[sc.State]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def control_difference(results: Results) -> float:
-    """Return the maximum load difference of both runs at equal approach, divided by peak load."""
+    """Return the maximum difference of the two loads at equal approach, over the maximum load."""
     split = results.top + 1
     found = []
     for part in (slice(0, split), slice(split - 1, None)):

@@ -43,7 +43,7 @@ Key = tuple[str, int]
 @dataclass
 class Results:
     runs: dict[Key, dict[float, Run]]
-    """Results by pair, k and Hertz pressure [GPa]."""
+    """Results by pair of bodies and ellipticity k, then by Hertz pressure [GPa]."""
     again: Run
     """Result of two load cycles without rolling."""
     hardening: dict[float, Run]

@@ -47,7 +47,7 @@ class Mesh:
 
     cells: float
     layers: float
-    """Number of cells per semi-axis along x."""
+    """Number of layers of cells in a depth of one semi-axis along x."""
     length: float = 4.0
     width: float = 1.8
     """Half-width of the grid, along x in units of a_x and along y in units of a_y."""

@@ -43,7 +43,7 @@ COLOURS = {"E_EP": "C0", "EP_EP": "C3", "M50 against 52100": "C2"}
 
 @dataclass
 class Case:
-    """Results of a pair of bodies: maxima at each load, fields at the peak and after unloading."""
+    """Results of a pair of bodies: maxima at each load, fields at maximum load and unloaded."""
 
     load: np.ndarray
     p_max: np.ndarray
@@ -71,7 +71,7 @@ class Results:
     cases: dict[str, Case]
     peak: sc.hertz.PointContact
     beyond: tuple[np.ndarray, np.ndarray]
-    """Hertz pressure and plastic strain of E_EP, around a plastic strain of 2 %."""
+    """Hertz pressures and maximum plastic strains of E_EP, for strains around 2 %."""
     mesh: str
     low_mesh: str
 
@@ -132,7 +132,10 @@ def compute(quick: bool) -> Results:
 
 
 def difference(results: Results, other: str) -> tuple[np.ndarray, np.ndarray]:
-    """Return loads, and the difference of p_max between pair E_EP and another [%], eq. (2.168)."""
+    """Return loads, and the difference of p_max between two pairs, E_EP and `other` [%].
+
+    The difference is defined by equation (2.168) of the thesis.
+    """
     one, two = results.cases["E_EP"], results.cases[other]
     return one.load, 100 * np.abs(one.p_max / two.p_max - 1)
 

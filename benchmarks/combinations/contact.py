@@ -67,7 +67,7 @@ class Contact:
         return sc.Simulation(grid, *self.bodies(), gap, self.law, **settings)
 
     def heating(self) -> sc.Heat:
-        """Return the heating; the displacement due to heat has a reference if it is prescribed."""
+        """Return the heating, with a reference distance if the approach is prescribed."""
         heat = dict(self.heat)
         if self.prescribes_approach:
             heat["reference"] = 1e-2

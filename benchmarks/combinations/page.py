@@ -33,7 +33,7 @@ class Reason:
     is_limit: bool = False
     """Whether physics or mathematics excludes the pairs; otherwise the method is missing."""
     heat: str = ""
-    """Name of the heating to which the reason is limited; empty: all."""
+    """Name of the heating to which the reason applies; empty: any heating."""
 
 
 REASONS = (

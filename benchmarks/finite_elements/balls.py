@@ -214,7 +214,7 @@ def section(found: dict[str, Runs]) -> str:
 
 
 def ours(found: dict[str, Runs]) -> dict[str, Points]:
-    """Return errors and times of samcontact, by the way to choose the grid."""
+    """Return errors and times of samcontact, by the way in which its grid is chosen."""
     return {
         "a grid": points(found["samcontact"], QUANTITIES),
         "an accuracy": points_against(found["truth"]["0"], found["an accuracy"], QUANTITIES),

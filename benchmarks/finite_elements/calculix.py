@@ -50,7 +50,10 @@ def run(folder: Path) -> float:
 
 
 def von_mises(printed: FloatArray) -> FloatArray:
-    """Return von Mises stresses [Pa]; row: element, integration point, six components [MPa]."""
+    """Return the von Mises stress of each printed row [Pa].
+
+    A row contains element, integration point and six stress components [MPa].
+    """
     xx, yy, zz, xy, xz, yz = printed[:, 2:].T
     normal = 0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2)
     return np.asarray(1e6 * np.sqrt(normal + 3 * (xy**2 + xz**2 + yz**2)))

@@ -154,5 +154,5 @@ def section(runs: dict[str, Runs]) -> str:
 
 
 def ours(runs: dict[str, Runs]) -> dict[str, Points]:
-    """Return errors and times of samcontact, by the way to choose the grid."""
+    """Return errors and times of samcontact, by the way in which its grid is chosen."""
     return {"a grid": points(runs["samcontact"], QUANTITIES)}

@@ -124,7 +124,7 @@ def steps(pushed: int) -> list[str]:
 
 
 def write(path: Path, across: int) -> int:
-    """Write a deck with `across` elements per half period; return the number in the lower body."""
+    """Write a deck with `across` elements per half period; return how many the lower body has."""
     x = np.linspace(0.0, 0.5 * PERIOD, across + 1)
     z = -depths(across)[::-1]
     lower = block("LOWER", x, z, False, 1, 1)

@@ -248,7 +248,7 @@ def run_here(task: Task) -> dict[str, Any]:
 
 
 def typical(times: list[float], clock: str) -> float:
-    """Return the minimum wall time, or the mean processor time because its clock may be coarse."""
+    """Return the minimum of wall times, or the mean of processor times (their clock is coarse)."""
     if not times:
         return 0.0
     return min(times) if clock == "perf_counter" else sum(times) / len(times)

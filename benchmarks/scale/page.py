@@ -37,7 +37,7 @@ def of(rows: Rows, job: Job) -> Rows:
 
 
 def growth(rows: Rows) -> float:
-    """Return the exponent of time versus cells over the last decade of cells, or three sizes."""
+    """Return the exponent of time versus cells over the last decade, or the last three sizes."""
     last = [row for row in rows if row["cells"] >= rows[-1]["cells"] / (1.1 * DECADE)]
     chosen = last if len(last) > 2 else rows[-3:]
     return exponent([row["cells"] for row in chosen], [row["cpu_s"] for row in chosen])
@@ -62,8 +62,9 @@ def summary(rows: Rows) -> str:
         memory = [f"{bytes_a_cell(found[-1]):.0f}", f"{job.stated:.0f}"]
         lines.append([job.name, job.unit, " to ".join(ends), *exponents, *memory])
     return table(
-        ["job", "cells of the", "cells", "exponent, all sizes", "limit of this exponent",
-         "exponent, last decade", "bytes per cell, largest size", "limit of the bytes per cell"],
+        ["job", "type of cells", "number of cells", "exponent, all sizes",
+         "limit of this exponent", "exponent, last decade", "bytes per cell, largest size",
+         "limit of the bytes per cell"],
         lines,
     )  # fmt: skip
 

@@ -52,7 +52,7 @@ def long_cells(row: str) -> dict[str, Any]:
 def dent(cells: tuple[int, int, int]) -> tuple[sc.State, np.ndarray]:
     """Return the loaded state, and an array of three results.
 
-    They are the maximum pressure [Pa], the imprint depth [m] and the volume integral of the
+    The results are the maximum pressure [Pa], the imprint depth [m] and the volume integral of the
     equivalent plastic strain [m³].
     """
     nx, ny, nz = cells

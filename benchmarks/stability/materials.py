@@ -82,7 +82,7 @@ def slip_error(found: Any, mu: float) -> float:
 
 
 def hardened(row: str) -> dict[str, Any]:
-    """Load bodies with a given tangent modulus: isotropic, kinematic, and isotropic sliding."""
+    """Load bodies of one tangent modulus: isotropic, kinematic, and isotropic under friction."""
     share = float(row)
     perfect = sc.Material.perfect_plastic(E, 0.3, YIELD)
     isotropic = sc.Material.linear_hardening(E, 0.3, YIELD, share * E) if share else perfect

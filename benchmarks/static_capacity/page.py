@@ -135,8 +135,8 @@ def contact_row(name: str, rows: list[Pressed], iso: Pressed) -> dict[str, str]:
         "contact": name,
         "p₀ of ISO 76 [GPa]": f"{1e-9 * iso.pressure:.1f}" + (" (as in a groove)" * (name == FLAT)),
         "load": load,
-        "model [1e-4 D]": f"{1e4 * iso.deformation:.2f}",
-        "Palmgren [1e-4 D]": "" if line else f"{1e4 * iso.palmgren:.2f}",
+        "deformation by the model [1e-4 D]": f"{1e4 * iso.deformation:.2f}",
+        "deformation by Palmgren [1e-4 D]": "" if line else f"{1e4 * iso.palmgren:.2f}",
         "maximum plastic strain": f"{100 * iso.strain:.2f} %",
         "p₀ for 1e-4 D, model [GPa]": f"{1e-9 * by_model(rows):.2f}",
         "p₀ for 1e-4 D, Palmgren [GPa]": "" if line else f"{1e-9 * formula:.2f}",
@@ -148,7 +148,7 @@ def steel_row(name: str, rows: list[Pressed]) -> dict[str, str]:
     reached = by_model(rows)
     return {
         "steel": name,
-        "at 4.2 GPa [1e-4 D]": f"{1e4 * deformation:.2f}",
+        "deformation at 4.2 GPa [1e-4 D]": f"{1e4 * deformation:.2f}",
         "p₀ for 1e-4 D [GPa]": f"{1e-9 * reached:.2f}" if reached > 0 else "above these pressures",
         "maximum plastic strain at 4.2 GPa": f"{100 * at(rows, 4.2e9).strain:.2f} %",
     }

@@ -43,7 +43,7 @@ class Point:
     top: tuple[float, float]
     """Depths over a_c of the upper and lower end of the plastic zone on the axis."""
     outline: tuple[np.ndarray, np.ndarray, np.ndarray]
-    """x, z over a_c, strain in the plane y = 0, x >= 0."""
+    """Positions x and z divided by a_c, and plastic strain, in the plane y = 0, x >= 0."""
 
 
 @dataclass(frozen=True)
@@ -108,9 +108,10 @@ def simulation(
 
 
 def flatten(above: float, top: float, cells: int, parts: int, tol: float) -> list[Point]:
-    """Solve one range of interferences, with `cells` cells per contact radius at the largest one.
+    """Solve one range of interferences, up to `top`; return the results above `above`.
 
-    Each step between `RATIOS` is divided into `parts` increments.
+    cells: number of cells per contact radius at the interference `top`. Each step between `RATIOS`
+    is divided into `parts` increments.
     """
     model = sc.flattening.kogut_etsion(top * CRITICAL.interference, RADIUS, E_STAR, NU, YIELD)
     radius = float(np.sqrt(model.area_ratio))

@@ -14,7 +14,7 @@ from .setups import CRITICAL, E_STAR, FRICTION, NU, RADIUS, YIELD, Results, mode
 STATED = Stated("flattening")
 COMPARED = (2.0, 4.0, 6.0, 10.0, 20.0, 30.0)
 REACHED = 5.0
-"""Mesh study of the interference at which the zone reaches the surface, see `stated`."""
+"""Interference ratio at which the zone reaches the surface, from a mesh study."""
 
 
 def stated(results: Results) -> list[Number | Statement]:

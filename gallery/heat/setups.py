@@ -63,14 +63,15 @@ class Plastic:
 
 @dataclass
 class Onset:
-    """Hertz pressure and position of first yield, as functions of the heat factor."""
+    """Hertz pressure at first yield and position of first yield, by heat flux per unit pressure."""
 
     factor: np.ndarray
+    """Heat flux per unit pressure Q_f [m/s]."""
     p0: np.ndarray
-    """Hertz pressure."""
+    """Hertz pressure at first yield [Pa]."""
     radius: np.ndarray
     depth: np.ndarray
-    """Position of first yield, over the Hertz radius at this load."""
+    """Depth of first yield; depth and `radius` are relative to the Hertz radius at first yield."""
 
     def load(self, factor: float) -> float:
         p0 = float(np.interp(factor, self.factor, self.p0))
@@ -87,14 +88,14 @@ class Onset:
 class Results:
     elastic: dict[float, Elastic]
     plastic: dict[float, list[Plastic]]
-    """Results by heat factor on increasingly thin layers; the last one of each list is used."""
+    """Results on increasingly thin layers, by Q_f [m/s]; the last result of each list is used."""
     onset: Onset
     curves: dict[str, tuple[float, list[tuple[str, np.ndarray, np.ndarray]]]]
-    """Curves of figure 2.21: heat factor, name, x and pressure."""
+    """Load [N] and curves of each panel of figure 2.21; a curve has a name, x and pressure."""
     strain: tuple[np.ndarray, np.ndarray]
     """Points of figure 2.22: Hertz pressure and maximum plastic strain."""
     small: dict[float, Plastic]
-    """Results for figure 2.26 by heat factor."""
+    """Results for figure 2.26, by Q_f [m/s]."""
     mesh: dict[str, str] = field(default_factory=dict)
 
     def last(self, factor: float) -> Plastic:

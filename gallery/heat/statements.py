@@ -87,7 +87,10 @@ def stated_pressure(results: Results) -> list[Number | Statement]:
 
 
 def slope(curve: Onset, low: float, high: float) -> tuple[float, float]:
-    """Return the slope of a line fitted to part of a curve [MPa s/m], and the curve's deviation."""
+    """Return the slope of a line fitted to part of a curve [MPa s/m], and the largest deviation.
+
+    The deviation is the relative difference between the line and the curve.
+    """
     part = (curve.factor >= low) & (curve.factor <= high)
     fit = np.polyfit(curve.factor[part], curve.p0[part], 1)
     deviation = np.abs(np.polyval(fit, curve.factor[part]) / curve.p0[part] - 1)
@@ -236,7 +239,7 @@ def attenuated(results: Results) -> Statement:
 
 
 def competition(results: Results) -> list[Statement]:
-    """Return the stresses due to pressure and heat on the axis."""
+    """Return the statements on the stress on the axis, with little heat and with much heat."""
     middle = len(results.elastic[0.0].x) // 2
     axis = {f: results.elastic[f].plane[middle] * 1e-6 for f in FACTORS}
     z = results.elastic[0.0].z
