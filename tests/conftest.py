@@ -58,16 +58,21 @@ def steps_alone(monkeypatch):
 
 
 def mark_slow_variants(items, whole_files):
-    """Mark the variants of slow_variants.toml; raise UsageError for a name that no test has."""
+    """Mark the tests of slow_variants.toml; raise UsageError for a name that no test has."""
     listed = tomllib.loads(Path(__file__).with_name("slow_variants.toml").read_text("utf-8"))
-    found = {item.nodeid: item for item in items}
+    found = {}
+    for item in items:
+        found.setdefault(item.nodeid, []).append(item)
+        if "[" in item.nodeid:
+            found.setdefault(item.nodeid.partition("[")[0], []).append(item)
     files = {nodeid.partition("::")[0] for nodeid in found}
     for file, tests in listed.items():
         for test, names in tests.items():
-            for nodeid in (f"tests/{file}::{test}[{name}]" for name in names):
-                if nodeid in found:
-                    found[nodeid].add_marker(pytest.mark.slow)
-                elif whole_files and f"tests/{file}" in files:
+            suffixes = [""] if names is True else [f"[{name}]" for name in names]
+            for nodeid in (f"tests/{file}::{test}{suffix}" for suffix in suffixes):
+                for item in found.get(nodeid, ()):
+                    item.add_marker(pytest.mark.slow)
+                if whole_files and f"tests/{file}" in files and nodeid not in found:
                     raise pytest.UsageError(f"slow_variants.toml: there is no test {nodeid}")
 
 
