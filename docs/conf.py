@@ -10,7 +10,7 @@ from pathlib import Path
 from docutils import nodes
 from PIL import Image
 from pydantic import BaseModel
-from sphinx.addnodes import pending_xref
+from sphinx.addnodes import pending_xref, toctree
 from sphinx.util.inspect import TypeAliasForwardRef
 
 import samcontact
@@ -67,6 +67,38 @@ html_static_path = ["_static", str(_mathjax / mathjax_path)]
 html_css_files = ["site.css"]
 html_title = f"samcontact {release}"
 html_copy_source = False
+
+
+def _titles(toc):
+    """Return a table of contents with the titles of pages alone, as `titles_only` leaves it."""
+    short = toc.deepcopy()
+    for entry in short:
+        if len(entry) > 1:
+            if inner := list(entry.findall(toctree)):
+                entry[1][:] = inner
+            else:
+                entry.pop(1)
+    return short
+
+
+def _short_navigation(app, pagename, templatename, context, doctree):
+    """Make the navigation tree of a page from titles.
+
+    Copies of all headings of the site, which the theme drops again, would take half of a build.
+    """
+    env, tree = app.env, context.get("toctree")
+    if not hasattr(app, "titles"):
+        app.titles = {name: _titles(toc) for name, toc in env.tocs.items()}
+
+    def titles_tree(**options):
+        whole, env.tocs = env.tocs, app.titles if options.get("titles_only") else env.tocs
+        try:
+            return tree(**options)
+        finally:
+            env.tocs = whole
+
+    if tree is not None:
+        context["toctree"] = titles_tree
 
 
 def _link_to_pages(app, relative_path, parent_docname, content):
@@ -132,6 +164,7 @@ def _words_are_no_links(app, doctree):
 
 
 def setup(app):
+    app.connect("html-page-context", _short_navigation, priority=400)  # before the theme
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)
     app.connect("doctree-read", _no_bases)

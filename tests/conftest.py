@@ -2,10 +2,16 @@
 """Fixtures and settings for all tests."""
 
 import signal
+import sys
 from pathlib import Path
 
 import hypothesis
 import pytest
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 # A shell starts background jobs with SIGINT ignored, and children inherit this; tests that send
 # SIGINT would never end.
@@ -51,7 +57,29 @@ def steps_alone(monkeypatch):
     monkeypatch.setattr(increment_errors, "estimated", lambda *_, **__: None)
 
 
-def pytest_collection_modifyitems(items):
+def mark_slow_variants(items, whole_files):
+    """Mark the tests of slow_variants.toml; raise UsageError for a name that no test has."""
+    listed = tomllib.loads(Path(__file__).with_name("slow_variants.toml").read_text("utf-8"))
+    found = {}
+    for item in items:
+        found.setdefault(item.nodeid, []).append(item)
+        if "[" in item.nodeid:
+            found.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    files = {nodeid.partition("::")[0] for nodeid in found}
+    for file, tests in listed.items():
+        for test, names in tests.items():
+            suffixes = [""] if names is True else [f"[{name}]" for name in names]
+            for nodeid in (f"tests/{file}::{test}{suffix}" for suffix in suffixes):
+                for item in found.get(nodeid, ()):
+                    item.add_marker(pytest.mark.slow)
+                if whole_files and f"tests/{file}" in files and nodeid not in found:
+                    raise pytest.UsageError(f"slow_variants.toml: there is no test {nodeid}")
+
+
+@pytest.hookimpl(tryfirst=True)  # before tests are selected by their marks
+def pytest_collection_modifyitems(config, items):
+    mark_slow_variants(items, whole_files=not any("::" in part for part in config.args))
+
     def place(item):
         return next(
             (n for n, name in enumerate(LONG_TESTS) if f"tests/{name}" in item.nodeid),

@@ -2,7 +2,7 @@
 // Smallest balls against the best of all balls through a few of the points.
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,7 +28,7 @@ SmallestBall<D> ball_of(const Points& points) {
   return SmallestBall<D>(rows.data(), n, work.data());
 }
 
-/// Smallest of all circumscribed balls of subsets that contains every point, by least squares.
+/// Smallest of all circumscribed balls of subsets that contains every point.
 double radius_of_subsets(const Points& points) {
   const int n = static_cast<int>(points.size()), dimension = static_cast<int>(points[0].size());
   double best = std::numeric_limits<double>::infinity();
@@ -39,16 +39,21 @@ double radius_of_subsets(const Points& points) {
     }
     const int m = static_cast<int>(members.size());
     if (m > dimension + 1) continue;
-    Eigen::MatrixXd edges(dimension, m - 1);
-    Eigen::VectorXd half(m - 1);
-    for (int k = 1; k < m; ++k) {
-      edges.col(k - 1) = points[members[k]] - points[members[0]];
-      half[k - 1] = edges.col(k - 1).squaredNorm() / 2;
-    }
+    // The circumscribed centre in the flat of the members, by orthogonal directions within it; a
+    // repeated member or one in the flat of the others adds none.
     Eigen::VectorXd centre = points[members[0]];
-    if (m > 1) {
-      // of least norm: in the flat of the points
-      centre += edges.transpose().completeOrthogonalDecomposition().solve(half);
+    Points directions;
+    for (int k = 1; k < m; ++k) {
+      const Eigen::VectorXd edge = points[members[k]] - points[members[0]];
+      Eigen::VectorXd direction = edge;
+      for (int repeat = 0; repeat < 2; ++repeat) {
+        for (const auto& other : directions) direction -= other.dot(direction) * other;
+      }
+      if (direction.norm() <= 1e-9 * edge.norm()) continue;
+      direction.normalize();
+      const double missing = edge.squaredNorm() / 2 - edge.dot(centre - points[members[0]]);
+      centre += missing / edge.dot(direction) * direction;
+      directions.push_back(direction);
     }
     double radius = 0.0;
     for (const auto& point : points) radius = std::max(radius, (point - centre).norm());

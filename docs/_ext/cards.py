@@ -49,11 +49,6 @@ def encoded(picture: Image.Image) -> str:
     return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}"
 
 
-def notebook_picture(file: Path) -> Image.Image:
-    """Most colourful picture of a notebook."""
-    return max(pictures(executed(nbformat.read(file, as_version=4))), key=colour)
-
-
 def card(page: str, title: str, picture: Image.Image, text: str = "") -> str:
     """Table row with the picture and the title, which link to the page, and a line of text."""
     # HTML and a role, because Sphinx follows the link of the folder of notebooks in file paths.
@@ -70,6 +65,12 @@ class _Cards(SphinxDirective):
     def notebooks(self, pattern: str = "*") -> list[Path]:
         return sorted(Path(self.env.srcdir, "notebooks").glob(f"{pattern}.ipynb"))
 
+    def notebook_picture(self, file: Path) -> Image.Image:
+        """Most colourful picture of a notebook; white if the notebook is not executed."""
+        if file.stem in self.config.unexecuted_notebooks:
+            return Image.new("RGB", SIZE, "white")
+        return max(pictures(executed(nbformat.read(file, as_version=4))), key=colour)
+
 
 class NotebookCards(_Cards):
     """Directive that shows all notebooks, each with its most colourful picture."""
@@ -79,7 +80,7 @@ class NotebookCards(_Cards):
         for file in self.notebooks():
             first = nbformat.read(file, as_version=4).cells[0].source
             title = re.search(r"^# (.+)$", first, re.MULTILINE)[1]
-            cards.append(card(f"notebooks/{file.stem}", title, notebook_picture(file)))
+            cards.append(card(f"notebooks/{file.stem}", title, self.notebook_picture(file)))
         return self.show(cards)
 
 
@@ -94,7 +95,7 @@ class PageCards(_Cards):
             source, page, title, text = (part.strip() for part in line.split("|"))
             if source.startswith("notebook "):
                 (file,) = self.notebooks(f"{source.removeprefix('notebook ')}_*")
-                picture = notebook_picture(file)
+                picture = self.notebook_picture(file)
             else:
                 file = Path(self.env.srcdir).parent / source
                 self.env.note_dependency(str(file))

@@ -159,8 +159,10 @@ def _page_of(notebook: Any) -> Any:
 
 def show(app: Any, docname: str, content: list[str]) -> None:
     """Add outputs to the source of a notebook, or of a page listed in `executed_pages`."""
-    if app.env.doc2path(docname).suffix == ".ipynb":
-        run = executed(nbformat.reads(content[0], as_version=4))
+    path = app.env.doc2path(docname)
+    if path.suffix == ".ipynb":
+        notebook = nbformat.reads(content[0], as_version=4)
+        run = notebook if path.stem in app.config.unexecuted_notebooks else executed(notebook)
         content[0] = nbformat.writes(_page_of(run))
     elif docname in app.config.executed_pages:
         content[0] = with_outputs(content[0])
@@ -168,6 +170,7 @@ def show(app: Any, docname: str, content: list[str]) -> None:
 
 def setup(app: Any) -> dict[str, bool]:
     app.add_config_value("executed_pages", [], "env", list)
+    app.add_config_value("unexecuted_notebooks", [], "env", list)  # shown without outputs
     app.add_config_value("executed_by", fingerprint(), "env", str)  # a change rebuilds all pages
     app.connect("source-read", show)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

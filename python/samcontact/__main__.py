@@ -1,7 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command ``samcontact``, started by ``python -m samcontact``."""
+"""Command ``samcontact``, started by ``python -m samcontact`` or its script."""
 
+from .commands import array_libraries
 from .commands.main import main
 
-if __name__ == "__main__":
+
+def start() -> None:
+    """Run the command in a process of its own."""
+    array_libraries.hide()
     main()
+
+
+if __name__ == "__main__":
+    start()

@@ -12,14 +12,14 @@ import pytest
 
 # Trials: in every run of the tests, and with the marker `slow`.
 TRIALS = {
-    "kill: run": (2, 50),
+    "kill: run": (1, 50),
     "kill: wear": (1, 50),
     "kill: asperities": (1, 50),
     "kill: sweep": (1, 50),
     "kill: kinds of runs": (1, 50),
-    "full disk": (5, 200),
-    "interrupt: step": (5, 80),
-    "interrupt: run": (3, 50),
+    "full disk": (3, 200),
+    "interrupt: step": (3, 80),
+    "interrupt: run": (2, 50),
     "stop: command": (1, 25),
     "memory: estimates": (21, 21),
     "memory: refusals": (12, 12),

@@ -18,13 +18,13 @@ def nursery():
         yield made
 
 
-LONG_RUNS = {"periodic zones", "found load"}
-"""Kinds that take seconds. Zones, periodic surfaces and stopped searches have other tests."""
+SLOW_RUNS = {"periodic zones", "found load", "creepage", "periodic", "heat of slip"}
+"""Kinds that take seconds or whose parts other kinds also have; the rest are in every run."""
 
 
 @pytest.fixture(
     scope="module",
-    params=[pytest.param(kind, marks=[pytest.mark.slow] * (kind in LONG_RUNS)) for kind in BODIES],
+    params=[pytest.param(kind, marks=[pytest.mark.slow] * (kind in SLOW_RUNS)) for kind in BODIES],
 )
 def whole(request, nursery, tmp_path_factory):
     """Return a kind of run, its digest, its duration, its largest file and its maximum memory."""

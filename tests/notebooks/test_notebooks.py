@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Notebooks run without a warning, show figures, and are stored without outputs."""
+"""Notebooks run without a warning, show figures, and are stored without outputs.
 
+slow_variants.toml lists the long ones, which only slow tests run.
+"""
+
+import inspect
 import re
 from pathlib import Path
 
@@ -63,6 +67,25 @@ def test_uses_the_public_interface_only(path):
     assert imported
     used = [" ".join(names) for names in imported] + re.findall(r"[\w)\]]\.(_\w+)", code)
     assert [name for name in used if re.search(r"(?<!\w)_\w", name)] == []
+
+
+@notebooks
+def test_names_of_the_package_exist(path):
+    """A quick check of notebooks that only slow tests run."""
+    code = text(read(path), "code")
+    space = {}
+    for line in re.findall(r"^(?:import samcontact.*|from samcontact.*)$", code, re.MULTILINE):
+        exec(line, space)
+    modules = {name for name, value in space.items() if getattr(value, "__spec__", None)}
+    used = set(re.findall(rf"(?<![\w.])(?:{'|'.join(modules)})(?:\.\w+)+", code))
+    assert len(used) > 4
+    for chain in used:
+        first, *parts = chain.split(".")
+        thing = space[first]
+        for part in parts:
+            thing = getattr(thing, part)
+            if not inspect.ismodule(thing):
+                break
 
 
 @notebooks

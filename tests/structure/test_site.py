@@ -9,16 +9,33 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
 import samcontact as sc
 from browser import chromium, served
 
 DOCS = Path(__file__).parents[2] / "docs"
 
 
+VARIANTS = tomllib.loads((Path(__file__).parents[1] / "slow_variants.toml").read_text("utf-8"))
+LONG_NOTEBOOKS = VARIANTS["notebooks/test_notebooks.py"]["test_runs_and_shows_figures"]
+
+
+@pytest.fixture(scope="module", params=[False, pytest.param(True, marks=pytest.mark.slow)])
+def with_long_notebooks(request):
+    return request.param
+
+
 @pytest.fixture(scope="module")
-def site(tmp_path_factory):
+def site(tmp_path_factory, with_long_notebooks):
+    """Return the folder of the built site; without outputs of long notebooks by default."""
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html"]
+    if not with_long_notebooks:
+        command += ["-D", f"unexecuted_notebooks={','.join(LONG_NOTEBOOKS)}"]
     built = subprocess.run(
         [*command, "-d", str(folder / "doctrees"), str(DOCS), str(folder / "html")],
         capture_output=True,
@@ -117,8 +134,10 @@ def test_the_docstring_of_a_property_is_not_parsed_as_its_type(site):
     assert [found for found in types if re.match(r"[A-Z][a-z]+ [a-z]", found)] == []
 
 
-def test_notebooks_and_tutorial_show_their_output_and_figures(site):
+def test_notebooks_and_tutorial_show_their_output_and_figures(site, with_long_notebooks):
     for source in (DOCS.parent / "notebooks").glob("*.ipynb"):
+        if source.stem in LONG_NOTEBOOKS and not with_long_notebooks:
+            continue
         page = (site / "notebooks" / f"{source.stem}.html").read_text()
         assert page.count('<img alt="../_images/') >= 3, source
         assert "output stream" in page, source

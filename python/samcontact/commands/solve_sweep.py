@@ -19,6 +19,7 @@ from ..cases import load_case
 from ..cases.asperities import AsperityCase
 from ..solutions.peak import peak_of_dataset
 from ..sweeps import SweepInterrupted, sweep
+from . import array_libraries
 from .errors import EXIT_FAILED
 from .signals import exit_code
 from .tables import CONTACT_COLUMNS, Sheet, contact_columns, new_console, numbers
@@ -88,6 +89,7 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
     if address is None:
         yield jobs
         return
+    array_libraries.show()
     try:
         distributed = importlib.import_module("distributed")
     except ImportError as error:

@@ -22,6 +22,7 @@ from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 
 __all__ = ["Cycle", "cycle", "steady_cycle"]
 
+_MAX_UNCHECKED_BYTES = 1e6  # fields below this size fit at once; limits ask for thousands of them
 _MAX_MEMORY_FRACTION = 0.4
 """Maximum fraction of the available memory that a block of points, at all instants, may use."""
 _COPIES_OF_BLOCK = 2.5
@@ -86,7 +87,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
     """
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields
-    there = memory.available()
+    there = memory.available() if one * last > _MAX_UNCHECKED_BYTES else None
     fit = last if there is None else int(_MAX_MEMORY_FRACTION * there / (_COPIES_OF_BLOCK * one))
     if fit < 1:
         memory.require(

@@ -76,8 +76,9 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
             ("shakedown, perfectly plastic (lower bound)", "--tab:red",
              lambda m: shakedown.point_lower_bound(m, nu)),
         ]  # fmt: skip
-    for label, colour, function in curves:
-        limits = [function(float(mu)) for mu in _FRICTION]
+    # All limits for one friction in turn: they share the stresses below the contact.
+    table = [[function(float(mu)) for _, _, function in curves] for mu in _FRICTION]
+    for (label, colour, _), limits in zip(curves, zip(*table, strict=True), strict=True):
         ratios = np.array([limit.ratio for limit in limits])
         style = "--" if colour.startswith("--") else "-"
         colour = colour.removeprefix("--")

@@ -6,11 +6,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
 from .._util.checks import FloatArray, choice, non_negative, poisson_ratio, positive
 from .._util.display import HtmlTable, Rows
+from .._util.frozen import read_only
 from .._util.lazy_scipy import scipy
 from ..fatigue import crossland
 from ..hertz.field import field
@@ -122,15 +124,18 @@ def _tresca(deviator: FloatArray) -> float:
     return float(found.fun)
 
 
+# Several limits for one friction, as in a map, share the paths at `_DEPTHS`.
+@lru_cache(maxsize=2 * len(_DEPTHS))
 def _line_path(depth: float, nu: float, friction: float) -> FloatArray:
-    return _deviator(
-        plane_field(_PATH_POSITIONS, np.full_like(_PATH_POSITIONS, depth), nu, friction)
+    return read_only(
+        _deviator(plane_field(_PATH_POSITIONS, np.full_like(_PATH_POSITIONS, depth), nu, friction))
     )
 
 
+@lru_cache(maxsize=2 * len(_DEPTHS))
 def _point_path(depth: float, nu: float, friction: float) -> FloatArray:
     places = np.zeros_like(_PATH_POSITIONS), np.full_like(_PATH_POSITIONS, depth)
-    return _deviator(field(_PATH_POSITIONS, *places, nu, friction))
+    return read_only(_deviator(field(_PATH_POSITIONS, *places, nu, friction)))
 
 
 def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> ShakedownLimit:
