@@ -156,6 +156,7 @@ CONTACT = {
         "1", "fraction of the contact cells that stick in the increment", "%",
         "stick fraction", "stick\nfraction", 4,
     ),
+    "max_shear": Q("Pa", "maximum shear traction", "MPa", "maximum shear"),
     "max_pressure": Q("Pa", "maximum contact pressure", "MPa", "maximum pressure", "p_max"),
     "contact_area": Q("m2", "contact area", "mm²", "contact area", "contact\narea"),
     "max_von_mises": Q(

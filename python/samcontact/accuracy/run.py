@@ -21,9 +21,11 @@ from .estimate import (
     combined,
     extrapolate_grids,
 )
+from .grid_solution import GridSolution
+from .grids import interpolated_surface, slope_between_samples
 from .increments import TRIAL_LEVEL, Correction, correction, trial_runs
 from .outcome import AccuracyResult, largest
-from .refinable_case import GridRun, GridSolution, RefinableCase, marks_of
+from .refinable_case import GridRun, RefinableCase
 from .solves import Solves
 
 _logger = logging.getLogger("samcontact")
@@ -196,7 +198,8 @@ class AccuracySearch:
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
         """Return values with grid and increment errors; arrays (increments, quantities)."""
-        found = extrapolate_grids([run.values for run in grids])
+        found = extrapolate_grids([run.values for run in grids], self.refinable.orders)
+        found = found._replace(errors=found.errors + grids[-1].margins)
         if self.refinable.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
             errors = found.errors + more.errors + self._with_cross_error(found.values, more)
@@ -287,12 +290,17 @@ class AccuracySearch:
             reached=not endless and bool(np.all(self._relative(found) <= self.target_values)),
             series={names[i]: found.values[:, i] for i in kept},
             series_errors={names[i]: found.errors[:, i] for i in kept},
-            increments=tuple(marks_of(last.case)),
+            increments=tuple(self.refinable.study.marks(last)),
             states=last.states,
             simulation=last.simulation,
             case=last.case,
+            repeated=last.repeated,
             runs=tuple((*run.cells, run.increments, run.seconds) for run in self.runs.values()),
             needs=self.needs,
+            surface=interpolated_surface(self.refinable.case),
+            slope_beyond=slope_between_samples(self.refinable.case),
+            _study=self.refinable.study,
+            _solution=last,
         )
 
 

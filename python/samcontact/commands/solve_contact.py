@@ -15,9 +15,9 @@ from rich.console import Console
 
 from .. import hertz, results
 from ..accuracy import AccuracyResult
+from ..accuracy.error_rows import error_rows
 from ..accuracy.grid_errors import (
     GridErrors,
-    error_rows,
     estimate_errors,
     increments_note,
     slope_note,
@@ -168,7 +168,9 @@ class _ContactRun:
             console.print(sheet)
         if text := increments_note(dataset.attrs):
             console.print(text, markup=False, highlight=False)
-        if errors is not None and (text := slope_note(errors.slope_beyond)):
+        if text := dataset.attrs.get("accuracy_surface", ""):
+            console.print(text, markup=False, highlight=False)
+        if text := slope_note(dataset.attrs.get("slope_beyond", math.nan)):
             console.print(text, markup=False, highlight=False)
         if self.accurate is None and (text := self.simulation.engine.enlargement):
             text += "; [grid] specifies the initial grid"
