@@ -10,7 +10,7 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import quantity
-from .._util.quantities import described
+from .._util.quantities import CONTACT, WEAR, Quantity, described
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -54,7 +54,8 @@ def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
     errors = {name: dataset[f"{name}_error"].values for name in names}
     targets = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
     by_increments = {name: dataset[f"{name}_error"].attrs.get("by_increments") for name in names}
-    return rows_of_maxima(values, errors, targets, by_increments)
+    quantities = WEAR if "cycle" in dataset.dims else CONTACT
+    return rows_of_maxima(values, errors, targets, by_increments, quantities)
 
 
 def rows_of_maxima(
@@ -62,6 +63,7 @@ def rows_of_maxima(
     errors: Mapping[str, FloatArray],
     targets: Mapping[str, float | None],
     by_increments: Mapping[str, float | None],
+    quantities: Mapping[str, Quantity] = CONTACT,
 ) -> list[ErrorRow]:
     """Return a row for the maximum of each quantity that is neither prescribed nor zero."""
     rows = []
@@ -69,8 +71,8 @@ def rows_of_maxima(
         known = np.where(error > 0, np.abs(values[name]), -1.0)
         at = int(known.argmax())
         if known[at] > 0:
-            quantity_of, body = described(name)
-            unit = {"m2": "m²", "1": ""}.get(quantity_of.unit, quantity_of.unit)
+            quantity_of, body = described(name, quantities)
+            unit = {"m2": "m²", "m3": "m³", "1": ""}.get(quantity_of.unit, quantity_of.unit)
             label = quantity_of.heading
             label = label if body is None else f"{label}, body {body}"
             shown = quantity(float(values[name][at]), unit, 5)

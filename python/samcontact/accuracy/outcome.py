@@ -11,7 +11,6 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, counts, percent, quantity
-from .._util.quantities import described
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -93,7 +92,7 @@ class AccuracyResult(HtmlTable):
         dimension = self._study.dimension
         length = dataset.sizes[dimension]
         for name, series in self.series.items():
-            known, body = described(name)
+            known, body = self._study.described(name)
             text = known.variable(dimension, [], body).attrs["long_name"]
             found = {"best": series, "error": self.series_errors[name]}
             for suffix, label in (
@@ -118,8 +117,8 @@ class AccuracyResult(HtmlTable):
     def _rows(self) -> Rows:
         rows = []
         for name, relative in self.relative_errors.items():
-            known, body = described(name)
-            unit = "m²" if known.unit == "m2" else "" if known.unit == "1" else known.unit
+            known, body = self._study.described(name)
+            unit = {"m2": "m²", "m3": "m³", "1": ""}.get(known.unit, known.unit)
             label = known.heading if body is None else f"{known.heading}, body {body}"
             error = f"± {percent(relative)}" if np.isfinite(relative) else "(does not converge)"
             rows.append((label, f"{quantity(self.values[name], unit)} {error}"))

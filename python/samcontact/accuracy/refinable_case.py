@@ -174,6 +174,11 @@ class RefinableCase:
 
 def require_refinable(case: Case) -> None:
     """Raise ValueError, with a remedy, for a case whose errors cannot be stated."""
+    if case.wear is not None and case.wear.window is not None:
+        raise ValueError(
+            "wear.window is a number of cells, so that the results depend on the grid: use "
+            "wear.smoothing_length to prescribe accuracy"
+        )
     surface: Any = case.surface
     straight = surface.radii() is not None and not all(map(math.isfinite, surface.radii()))
     endless = surface.shape == "cylinder" or straight

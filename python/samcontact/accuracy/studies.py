@@ -11,12 +11,14 @@ import numpy as np
 
 from .. import results
 from .._util.checks import FloatArray
+from .._util.quantities import Quantity, described
 from ..bodies.layered import Body, Layered
 from ..cases.cross_checks import reason_for_grid
 from ..simulation import error_controlled_quantities
 from .grid_errors import of_outline
 from .grid_solution import GridSolution, marks_of
 from .slip_quantities import SLIP_QUANTITIES, driven, orders_of, values_of
+from .wear_study import WearStudy
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -45,6 +47,10 @@ class Study(Protocol):
 
     def order(self, name: str) -> float:
         """Return the lowest order of convergence of a quantity in the cell size."""
+        ...
+
+    def described(self, name: str) -> tuple[Quantity, int | None]:
+        """Return names and unit of a quantity, and the number of its body."""
         ...
 
     def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
@@ -102,6 +108,9 @@ class PathStudy:
     def order(self, name: str) -> float:
         return self._orders.get(name, SPOTS_ORDER if self._has_spots else DEFAULT_ORDER)
 
+    def described(self, name: str) -> tuple[Quantity, int | None]:
+        return described(name)
+
     def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
         with warnings.catch_warnings(record=True) as issued:
             warnings.simplefilter("always")
@@ -144,4 +153,4 @@ class PathStudy:
 
 def study_of(case: Case, bodies: Sequence[Body]) -> Study:
     """Return what a case solves on each grid."""
-    return PathStudy(case, bodies)
+    return PathStudy(case, bodies) if case.wear is None else WearStudy(case)
