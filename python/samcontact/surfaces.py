@@ -314,3 +314,21 @@ def rough_self_affine(
     heights = scipy.fft.irfft2(noise * filter_, s=(grid.nx, grid.ny))
     heights *= rms_height / np.sqrt(np.mean(heights**2))
     return np.asarray(heights, dtype=np.float64)
+
+
+def interpolated(heights: FloatArray, cells: SurfaceGrid, grid: SurfaceGrid) -> FloatArray:
+    """Evaluate the waves of periodic heights in the cells of another grid.
+
+    heights: heights on the grid `cells` [m], which is one period long and wide. The result equals
+    them at the centres of these cells, and contains no wavelength below two of these cells.
+    """
+    _require_memory(grid)
+    transform = scipy.fft.fft2(heights) / heights.size
+    waves = []
+    for positions, origin, n, d in (
+        (grid.x, cells.x, cells.nx, cells.dx),
+        (grid.y, cells.y, cells.ny, cells.dy),
+    ):
+        distance = np.asarray(positions)[:, None] - np.asarray(origin)[0]
+        waves.append(np.exp(2j * np.pi * distance * scipy.fft.fftfreq(n, d)))
+    return np.asarray((waves[0] @ transform @ waves[1].T).real, dtype=np.float64)

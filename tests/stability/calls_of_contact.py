@@ -372,6 +372,7 @@ CALLS = [
         {
             "case": CASE, "parameters": {"path[0].load": [10.0, 20.0]}, "executor": None,
             "output": None, "progress": False, "mode": "product",
+            "find": None,
         },
     ),
     (

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -156,6 +157,7 @@ CONTACT = {
         "1", "fraction of the contact cells that stick in the increment", "%",
         "stick fraction", "stick\nfraction", 4,
     ),
+    "max_shear": Q("Pa", "maximum shear traction", "MPa", "maximum shear"),
     "max_pressure": Q("Pa", "maximum contact pressure", "MPa", "maximum pressure", "p_max"),
     "contact_area": Q("m2", "contact area", "mm²", "contact area", "contact\narea"),
     "max_von_mises": Q(
@@ -382,13 +384,15 @@ WEAR = {
     ),
     "cells_across_contact": CONTACT["cells_across_contact"],
     "wear_rate": Q("m3", "worn volume per cycle", "µm³", "worn volume per cycle"),
-    "worn_volume": Q("m3", "accumulated worn volume"),
+    "worn_volume": Q("m3", "accumulated worn volume", "µm³", "worn volume"),
     "x": Q("m", "x coordinate on body {body}"),
     "heights": Q("m", "height of body {body}, positive outwards", "µm", "height", kind="height"),
 }  # fmt: skip
 
 
-def described(name: str) -> tuple[Quantity, int | None]:
+def described(
+    name: str, quantities: Mapping[str, Quantity] = CONTACT
+) -> tuple[Quantity, int | None]:
     """Return the quantity and the body number of a variable; without a body the number is None."""
     kind, _, body = name.partition("_body")
-    return CONTACT[kind], int(body) if body else None
+    return quantities[kind], int(body) if body else None

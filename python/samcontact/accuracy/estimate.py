@@ -26,6 +26,8 @@ SAFETY_FACTOR = 1.5
 MIN_RELATIVE_ERROR = 0.002
 """Minimum relative error on the coarsest grid, because a difference between grids may vanish by
 chance. On finer grids the minimum decreases with the square of the cell size."""
+_ROUNDING_ERROR = 1e-12
+"""Relative difference of grids below which a quantity counts as prescribed."""
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
@@ -54,13 +56,16 @@ class Estimate(NamedTuple):
     """Whether each value is extrapolated."""
 
 
-def extrapolate_grids(series: ArrayLike) -> Estimate:
+def extrapolate_grids(series: ArrayLike, lowest: ArrayLike = ASSUMED_ORDER) -> Estimate:
     """Extrapolate values to zero cell size, from grids refined by the factor `REFINEMENT_RATIO`.
 
     Parameters
     ----------
     series : array_like, shape (grids, ...)
         Values from the coarsest to the finest grid. With a single grid, errors are infinite.
+    lowest : array_like, optional
+        Lowest order of convergence of each quantity (last axis). Values with an order below
+        `ASSUMED_ORDER` are not extrapolated, because their differences scatter.
 
     Returns
     -------
@@ -68,8 +73,10 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
         Extrapolated values, if the last three differences have one sign and the ratios of
         successive differences give convergence orders from `MIN_ORDER` to `MAX_ORDER`. Otherwise,
         the values of the finest grid: their error is `SAFETY_FACTOR` times the maximum of the last
-        three differences, each scaled to the finest grid with order 2. This error, divided by the
-        value, is at least `MIN_RELATIVE_ERROR`, scaled with order 2 from the first grid.
+        three differences, each scaled to the finest grid with the lowest order m; for m < 2, the
+        factor is at least 1/(`REFINEMENT_RATIO`^m - 1), the sum of all further differences. This
+        error, divided by the value, is at least `MIN_RELATIVE_ERROR`, scaled with order m from the
+        first grid.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -77,17 +84,23 @@ def extrapolate_grids(series: ArrayLike) -> Estimate:
         return Estimate(f[0], unknown, np.zeros(f[0].shape, dtype=bool))
     steps = np.diff(f, axis=0)
     last = steps[-1]
+    order = np.asarray(lowest, dtype=np.float64)
+    ratio = REFINEMENT_RATIO**-order  # of differences on successive grids
     scaled = [
-        np.abs(step) * REFINEMENT_RATIO ** (-2 * age) for age, step in enumerate(steps[::-1][:3])
+        np.abs(step) * REFINEMENT_RATIO ** (-order * age)
+        for age, step in enumerate(steps[::-1][:3])
     ]
-    floor = MIN_RELATIVE_ERROR * REFINEMENT_RATIO ** (-2 * (len(f) - 1)) * np.abs(f[-1])
+    floor = MIN_RELATIVE_ERROR * REFINEMENT_RATIO ** (-order * (len(f) - 1)) * np.abs(f[-1])
     widest = np.max(scaled, axis=0)  # zero for prescribed quantities
-    careful = np.where(widest > 0, np.maximum(SAFETY_FACTOR * widest, floor), 0.0)
+    left = np.maximum(SAFETY_FACTOR, ratio / (1.0 - ratio))
+    varies = widest > _ROUNDING_ERROR * np.abs(f[-1])
+    careful = np.where(varies, np.maximum(left * widest, floor), 0.0)
     if len(f) < 4:
         return Estimate(f[-1], careful, np.zeros(last.shape, dtype=bool))
     with np.errstate(divide="ignore", invalid="ignore"):
         orders = [np.log(steps[i - 1] / steps[i]) / np.log(REFINEMENT_RATIO) for i in (-1, -2)]
-        clean = np.all([(order >= MIN_ORDER) & (order <= MAX_ORDER) for order in orders], axis=0)
+        clean = np.all([(each >= MIN_ORDER) & (each <= MAX_ORDER) for each in orders], axis=0)
+        clean &= np.asarray(lowest) >= ASSUMED_ORDER
         order = np.where(clean, np.clip(orders[0], MIN_ORDER, ASSUMED_ORDER), ASSUMED_ORDER)
     beyond = last / (REFINEMENT_RATIO**order - 1.0)
     before = f[-2] + steps[-2] / (REFINEMENT_RATIO**order - 1.0)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from ..solutions.contact_area import perimeter_correction
 from ..solutions.peak import peak
 from ..solutions.state import on_common_grid
 from ..solutions.tangential_quantities import ROUNDING_ERROR, along_surface, not_rounding
+from .error_rows import rows_of_maxima
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -85,7 +86,7 @@ class GridErrors(HtmlTable):
     increments: IncrementErrors | None = None
 
     def _rows(self) -> Rows:
-        found = _largest_of(self.values, self.errors, {}, {})
+        found = rows_of_maxima(self.values, self.errors, {}, {})
         rows = [(row.label, row.with_error) for row in found]
         if self.increments is not None:
             rows += [
@@ -280,14 +281,19 @@ def _differences(
         for name in relative:
             found[name] = max(found[name], floor * abs(fine[name]))
     if fine["contact_area"] > 0:
-        share = area_uncertainty(state.repulsion, state.grid.periodic)
-        of_area = _AREA_ERROR_FACTOR * (2 * share / ROUND_SPOT_AREA_ERROR) ** 1.5
-        of_area += perimeter_correction(state.repulsion, state.grid.periodic)
-        cells = np.count_nonzero(state.in_contact)
-        if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
-            of_area *= (cells / open_) ** 0.5  # unresolved: small open spots
-        found["contact_area"] = max(found["contact_area"], of_area * fine["contact_area"])
+        found["contact_area"] = max(found["contact_area"], of_outline(state) * fine["contact_area"])
     return found | dict.fromkeys(endless, np.inf)
+
+
+def of_outline(state: State) -> float:
+    """Return the relative error of the contact area due to the cells along the outline of spots."""
+    share = area_uncertainty(state.repulsion, state.grid.periodic)
+    of_area = _AREA_ERROR_FACTOR * (2 * share / ROUND_SPOT_AREA_ERROR) ** 1.5
+    of_area += perimeter_correction(state.repulsion, state.grid.periodic)
+    cells = np.count_nonzero(state.in_contact)
+    if 0 < (open_ := state.pressure.size - cells) < cells and state.grid.periodic == "xy":
+        of_area *= (cells / open_) ** 0.5  # unresolved: small open spots
+    return float(of_area)
 
 
 def _slip_errors(
@@ -332,69 +338,3 @@ def slope_note(share: float) -> str:
         f"{percent(share)} of the mean-square slope of the surface is at wavelengths below "
         f"four cells: {beyond}"
     )
-
-
-NO_LIMIT = "does not converge"
-"""Text for the infinite error at a sharp edge."""
-
-
-class ErrorRow(NamedTuple):
-    """Maximum of a quantity in a run: label, increment number, value and relative error.
-
-    With a prescribed accuracy, the error is the maximum error divided by the maximum value.
-    """
-
-    label: str
-    increment: int
-    shown: str
-    relative: float
-    target: float | None = None
-    by_increments: float | None = None
-    """Relative change with more increments; None if unknown or already included in `relative`."""
-
-    @property
-    def percent(self) -> str:
-        """Relative error [%] as text; a note if the quantity does not converge with the grid."""
-        return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else NO_LIMIT
-
-    @property
-    def with_error(self) -> str:
-        """Value with its error as text."""
-        if np.isfinite(self.relative):
-            return f"{self.shown} ± {self.percent} %"
-        return f"{self.shown}, {NO_LIMIT}"
-
-
-def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
-    """Return a row for each quantity with an error in the results; empty list without errors."""
-    names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
-    values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
-              for name in names}  # fmt: skip
-    errors = {name: dataset[f"{name}_error"].values for name in names}
-    targets = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
-    by_increments = {name: dataset[f"{name}_error"].attrs.get("by_increments") for name in names}
-    return _largest_of(values, errors, targets, by_increments)
-
-
-def _largest_of(
-    values: Mapping[str, FloatArray],
-    errors: Mapping[str, FloatArray],
-    targets: Mapping[str, float | None],
-    by_increments: Mapping[str, float | None],
-) -> list[ErrorRow]:
-    """Return a row for the maximum of each quantity that is neither prescribed nor zero."""
-    rows = []
-    for name, error in errors.items():
-        known = np.where(error > 0, np.abs(values[name]), -1.0)
-        at = int(known.argmax())
-        if known[at] > 0:
-            quantity_of, body = described(name)
-            unit = {"m2": "m²", "1": ""}.get(quantity_of.unit, quantity_of.unit)
-            label = quantity_of.heading
-            label = label if body is None else f"{label}, body {body}"
-            shown = quantity(float(values[name][at]), unit, 5)
-            target = targets.get(name)  # prescribed relative error of all increments
-            relative = float((error[at] if target is None else np.nanmax(error)) / known[at])
-            row = ErrorRow(label, at + 1, shown, relative, target, by_increments.get(name))
-            rows.append(row)
-    return rows

@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, counts, percent, quantity
-from .._util.quantities import described
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
+    from ..wear import FrettingResult, WearResult
+    from .grid_solution import GridSolution
+    from .studies import Study
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,8 +51,17 @@ class AccuracyResult(HtmlTable):
     """Case with the finest grid and the increments used on this grid."""
     runs: tuple[tuple[int, int, int, float], ...]
     """Cells along x and y, increments per segment and time [s] of each run."""
+    repeated: WearResult | FrettingResult | None = None
+    """Result of repeated cycles on the finest grid; None for a path that is solved once."""
     needs: str = ""
     """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
+    surface: str = ""
+    """Surface to which the errors refer, if its heights are interpolated between samples."""
+    slope_beyond: float = math.nan
+    """Fraction of the mean-square slope of this surface at wavelengths below four samples; NaN for
+    a surface that is given as a function."""
+    _study: Study = field(kw_only=True, repr=False)
+    _solution: GridSolution = field(kw_only=True, repr=False)
 
     @property
     def grid(self) -> Grid:
@@ -76,38 +88,44 @@ class AccuracyResult(HtmlTable):
         volume : {"none", "last", "peak_and_last", "all"}, optional
             Argument of `samcontact.results.to_dataset`.
         """
-        from .. import results
-
-        dataset = results.to_dataset(self.simulation, self.states, self.case, volume=volume)
+        dataset = self._study.to_dataset(self._solution, volume)
+        dimension = self._study.dimension
+        length = dataset.sizes[dimension]
         for name, series in self.series.items():
-            known, body = described(name)
-            text = known.variable("increment", [], body).attrs["long_name"]
+            known, body = self._study.described(name)
+            text = known.variable(dimension, [], body).attrs["long_name"]
             found = {"best": series, "error": self.series_errors[name]}
             for suffix, label in (
                 ("best", "best estimate"),
                 ("error", "estimated absolute error of the best estimate"),
             ):
-                values = np.full(len(self.states), np.nan)
+                values = np.full(length, np.nan)
                 values[list(self.increments)] = found[suffix]
-                variable = known.variable("increment", values, body)
+                variable = known.variable(dimension, values, body)
                 variable.attrs["long_name"] = f"{text}: {label}"
                 dataset[f"{name}_{suffix}"] = variable
             dataset[f"{name}_error"].attrs["accuracy"] = self.accuracy[name]
         dataset.attrs["accuracy_reached"] = int(self.reached)
         if self.needs:
             dataset.attrs["accuracy_needs"] = self.needs
+        if self.surface:
+            dataset.attrs["accuracy_surface"] = self.surface
+        if np.isfinite(self.slope_beyond):
+            dataset.attrs["slope_beyond"] = self.slope_beyond
         return dataset
 
     def _rows(self) -> Rows:
         rows = []
         for name, relative in self.relative_errors.items():
-            known, body = described(name)
-            unit = "m²" if known.unit == "m2" else "" if known.unit == "1" else known.unit
+            known, body = self._study.described(name)
+            unit = {"m2": "m²", "m3": "m³", "1": ""}.get(known.unit, known.unit)
             label = known.heading if body is None else f"{known.heading}, body {body}"
             error = f"± {percent(relative)}" if np.isfinite(relative) else "(does not converge)"
             rows.append((label, f"{quantity(self.values[name], unit)} {error}"))
         rows.append(("finest grid", f"{counts(self.grid.nx, self.grid.ny)} cells"))
         rows.append(("accuracy reached", "yes" if self.reached else f"no: {self.needs}"))
+        if self.surface:
+            rows.append(("surface", self.surface))
         return rows
 
     def __repr__(self) -> str:

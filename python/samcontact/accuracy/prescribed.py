@@ -145,7 +145,8 @@ def _prescribed_accuracy(
                     "quantities"
                 )
     else:
-        targets = dict.fromkeys(refinable.names if chosen is None else chosen, given)
+        defaults = refinable.study.default_names
+        targets = dict.fromkeys(defaults if chosen is None else chosen, given)
     if not targets:
         raise ValueError("quantities must contain at least one name, got none")
     for name, value in targets.items():

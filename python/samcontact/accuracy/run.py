@@ -15,20 +15,25 @@ from .._util.errors import AccuracyWarning, SingularPressureWarning
 from .._util.progress import report_progress
 from ..diagnostics.sharp_edges import is_singular
 from .estimate import (
+    ASSUMED_ORDER,
     MIN_AREA_CORRECTION_CHANGE,
     REFINEMENT_RATIO,
     Estimate,
     combined,
     extrapolate_grids,
 )
+from .grid_solution import GridSolution
+from .grids import interpolated_surface, slope_between_samples
 from .increments import TRIAL_LEVEL, Correction, correction, trial_runs
 from .outcome import AccuracyResult, largest
-from .refinable_case import GridRun, GridSolution, RefinableCase, marks_of
+from .refinable_case import GridRun, RefinableCase
 from .solves import Solves
 
 _logger = logging.getLogger("samcontact")
 
-MIN_GRIDS = 3
+MIN_GRIDS = {False: 3, True: 4}
+"""Minimum number of grids, without and with quantities that may converge with an order below 2:
+two differences of such quantities are often both small by chance."""
 MIN_INCREMENTS, MAX_INCREMENTS = 2, 512
 """Range of the number of increments per segment."""
 INCREMENT_QUANTITIES = ("max_pressure", "contact_area")
@@ -65,6 +70,8 @@ class AccuracySearch:
         self.chosen = [refinable.names.index(name) for name in targets]
         self.target_values = np.array(list(targets.values()))
         self.progress = progress
+        slow = [refinable.study.order(name) < ASSUMED_ORDER for name in targets]
+        self.min_grids = MIN_GRIDS[any(slow)]
         self.solves = Solves(refinable.run_identity)
         self.runs: dict[tuple[int, int], GridRun] = {}
         self.grids: list[GridRun] = []
@@ -105,7 +112,7 @@ class AccuracySearch:
         while True:
             if not np.isfinite(self.target_values).any():  # no quantity converges
                 break
-            enough = len(grids) >= MIN_GRIDS
+            enough = len(grids) >= self.min_grids
             found = self._estimate(grids)
             worst = float(np.max(self._relative(found) / self.target_values))
             report_progress(self._errors_above_target(found), shown=self.progress and enough)
@@ -133,7 +140,7 @@ class AccuracySearch:
 
     def best(self) -> AccuracyResult | None:
         """Return the result of the grids so far; None if there are too few to estimate errors."""
-        return self._outcome(self.grids) if len(self.grids) >= MIN_GRIDS else None
+        return self._outcome(self.grids) if len(self.grids) >= self.min_grids else None
 
     def _errors_above_target(self, found: Estimate) -> str:
         """Return, as text, the errors that exceed the prescribed accuracy."""
@@ -202,7 +209,8 @@ class AccuracySearch:
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
         """Return values with grid and increment errors; arrays (increments, quantities)."""
-        found = extrapolate_grids([run.values for run in grids])
+        found = extrapolate_grids([run.values for run in grids], self.refinable.orders)
+        found = found._replace(errors=found.errors + grids[-1].margins)
         if self.refinable.has_history:
             more = correction(self.runs, self.used, grids[-1].values)
             errors = found.errors + more.errors + self._with_cross_error(found.values, more)
@@ -265,10 +273,10 @@ class AccuracySearch:
         growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3
         seconds = last.seconds * growth
         # an error estimate requires a minimum number of grids
-        spent = self.seconds + seconds if len(grids) >= MIN_GRIDS else 0.0
+        spent = self.seconds + seconds if len(grids) >= self.min_grids else 0.0
         if len(grids) < MAX_GRIDS and size <= self.memory and spent <= self.limit:
             return True
-        more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else MIN_GRIDS
+        more = max(1, math.ceil(math.log2(worst))) if math.isfinite(worst) else self.min_grids
         seconds = self.seconds + sum(last.seconds * growth**n for n in range(1, more + 1))
         memory = last.memory * REFINEMENT_RATIO ** (3 * more)
         self.needs = (
@@ -297,12 +305,17 @@ class AccuracySearch:
             reached=not endless and bool(np.all(self._relative(found) <= self.target_values)),
             series={names[i]: found.values[:, i] for i in kept},
             series_errors={names[i]: found.errors[:, i] for i in kept},
-            increments=tuple(marks_of(last.case)),
+            increments=tuple(self.refinable.study.marks(last)),
             states=last.states,
             simulation=last.simulation,
             case=last.case,
+            repeated=last.repeated,
             runs=tuple((*run.cells, run.increments, run.seconds) for run in self.runs.values()),
             needs=self.needs,
+            surface=interpolated_surface(self.refinable.case),
+            slope_beyond=slope_between_samples(self.refinable.case),
+            _study=self.refinable.study,
+            _solution=last,
         )
 
 

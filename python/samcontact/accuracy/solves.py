@@ -94,6 +94,14 @@ class Solves:
         run_into(solve.states, engine, monitor, step, path, progress, folder, leave=False)
         return on_common_grid(solve.states)
 
+    def file(self, name: str, file: str) -> Path | None:
+        """Return the path of a checkpoint file of the solution `name`; None if nothing is kept."""
+        if self._folder is None:
+            return None
+        folder = self._folder / name
+        folder.mkdir(exist_ok=True)
+        return folder / file
+
     def add(self, name: str, given: Tree) -> None:
         """Store the results (numbers, texts, arrays) of the solution `name`."""
         self.given[name] = given

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from .. import hertz as _hertz
 from .. import paths
@@ -19,6 +19,7 @@ from .._util.checks import file_path
 from .._util.short_text import in_short
 from ..bodies.layered import softest
 from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating
 from .asperities import AsperityCase
 from .base import CaseError, CaseFile, Positive, in_unit
@@ -46,7 +47,6 @@ else:
     import tomli as tomllib
 
 if TYPE_CHECKING:
-    from ..problem.grid import Grid
     from ..simulation.simulation import Simulation
 
 
@@ -94,6 +94,18 @@ class Case(CaseFile):
     fatigue: FatigueSection | None = None
     shakedown: ShakedownSection | None = None
     output: OutputSection = OutputSection()
+
+    _cells: Grid | None = PrivateAttr(default=None)
+
+    def on_grid(self, grid: GridSection, **changes: Any) -> Case:
+        """Return the case on another grid; heights given in each cell of [grid] are interpolated.
+
+        changes: new values of further fields.
+        """
+        case = self.model_copy(update={"grid": grid, **changes})
+        if self._cells is None and self.grid is not None:
+            case._cells = self.grid.build()
+        return case
 
     @model_validator(mode="after")
     def _consistent(self) -> Case:
@@ -225,7 +237,7 @@ class Case(CaseFile):
 
         If the surface is defined on every grid, a function of the grid is returned.
         """
-        build = partial(section.build, folder=self._source.parent)
+        build = partial(section.build, folder=self._source.parent, cells=self._cells)
         built = build(grid)
         return build if section.is_known else built
 

@@ -140,13 +140,29 @@ def _require_accuracy(case: Any) -> None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add the field accuracy, or omit {name}")
         return
-    if case.grid is not None:
+    if case.grid is not None and not reason_for_grid(case):
         raise ValueError("grid cannot be combined with accuracy: omit one of them")
-    if case.wear is not None:
-        raise ValueError("wear cannot be combined with accuracy: specify [grid] instead")
     for index, segment in enumerate(case.path):
         if changed(segment, ("increments",)):
             raise ValueError(f"path[{index}].increments cannot be combined with accuracy: omit it")
+
+
+def reason_for_grid(case: Any) -> str:
+    """Return why a case to an accuracy requires [grid]; "" if its grid is chosen automatically."""
+    if case.grid is not None and case.grid.periodic:
+        return "grid.periodic prescribes the period"
+    if case.wear is not None:
+        return "wear changes the size of the contact"
+    if not case.surface.is_known:
+        return "the heights of the surface are given at samples"
+    for name in ("relief1", "relief2"):
+        relief = getattr(case, name)
+        if relief is not None and not relief.is_known:
+            return f"the heights of {name} are given at samples"
+    radii = case.surface.radii()
+    if radii is None or not all(map(math.isfinite, radii)):
+        return f"surface.shape = {case.surface.shape!r} gives a contact of infinite length"
+    return ""
 
 
 def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:

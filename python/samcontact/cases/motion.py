@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, model_validator
 
-from .. import dents, paths
+from .. import dents, measured, paths
 from ..paths.ramps import fractions
 from ..problem.moving_topography import Relief
 from .base import (
@@ -218,13 +218,25 @@ class FileRelief(HeightsFile):
     x: Position = 0.0
     periodic: bool = False
 
-    def build(self, grid: Grid, folder: Path) -> Relief:
-        heights = self.plain(grid, folder)
+    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
+        """Return the relief for a grid.
+
+        cells: grid of heights that are given in each cell, if they are evaluated on another one.
+        """
+        heights = self.plain(grid if cells is None else cells, folder)
         if heights is None:
             surface = self.surface(folder)
             return surface.relief(grid, self.x, periodic=self.periodic, **self.placement())
+        if cells is not None:
+            surface = measured.MeasuredSurface(heights, cells.dx, cells.dy)
+            return surface.relief(grid, self.x, periodic=self.periodic)
         first = round(self.x / grid.dx + 0.5 * (grid.nx - heights.shape[0]))
         return Relief(heights, first, self.periodic)
+
+    def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
+        """Return the distances of the heights in the file along x and y [m]."""
+        given = self.plain(grid, folder) is not None
+        return (grid.dx, grid.dy) if given else self.surface(folder).steps
 
 
 class DentRelief(Section):
@@ -237,7 +249,7 @@ class DentRelief(Section):
     x: Position = 0.0
     y: Position = 0.0
 
-    def build(self, grid: Grid, folder: Path) -> Relief:
+    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
         return dents.spherical(grid, self.depth, self.radius, self.x, self.y)
 
 
@@ -251,7 +263,7 @@ class FurrowRelief(Section):
     along: Literal["y", "x"] = "y"
     position: Position = 0.0
 
-    def build(self, grid: Grid, folder: Path) -> Relief:
+    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
         return dents.furrow(grid, self.depth, self.half_width, self.along, self.position)
 
 
@@ -267,9 +279,16 @@ class RoughRelief(Section):
     roll_off: Length | None = None
     seed: Annotated[int, Field(ge=0)]
 
-    def build(self, grid: Grid, folder: Path) -> Relief:
-        roughness = SelfAffineRoughness.model_validate(self.model_dump())
-        return Relief(roughness.build(grid), periodic=True)
+    @property
+    def _roughness(self) -> SelfAffineRoughness:
+        return SelfAffineRoughness.model_validate(self.model_dump())
+
+    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
+        return Relief(self._roughness.build(grid, cells), periodic=True)
+
+    def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
+        """Return half the shortest wavelengths along x and y [m]."""
+        return self._roughness.sample_steps(grid, folder)
 
 
 ReliefSection = Annotated[

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import Field, create_model, model_validator
 
-from .. import surfaces
+from .. import measured, surfaces
 from .._util.checks import FloatArray
 from ..heat import Heat
 from ..problem.contact_law import LAWS, ContactLaw, HardContact, law_of
@@ -86,7 +86,7 @@ class SinusoidalRoughness(Section):
     wavelength_x: Length
     wavelength_y: Length
 
-    def build(self, grid: Grid) -> FloatArray:
+    def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
         return surfaces.sinusoidal(grid, self.amplitude, self.wavelength_x, self.wavelength_y)
 
 
@@ -101,8 +101,20 @@ class SelfAffineRoughness(Section):
     roll_off: Length | None = None
     seed: Annotated[int, Field(ge=0)]
 
-    def build(self, grid: Grid) -> FloatArray:
-        return surfaces.rough_self_affine(grid, **self.model_dump(exclude={"kind"}))
+    def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
+        """Return the heights in the cells of a grid.
+
+        cells: grid on which the roughness is generated, if its waves are evaluated on another one.
+        """
+        heights = surfaces.rough_self_affine(
+            grid if cells is None else cells, **self.model_dump(exclude={"kind"})
+        )
+        return heights if cells is None else surfaces.interpolated(heights, cells, grid)
+
+    def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
+        """Return half the shortest wavelengths along x and y [m]."""
+        shortest = self.wavelength_min
+        return (max(grid.dx, grid.dy) if shortest is None else 0.5 * shortest,) * 2
 
 
 class _Surface(Section):
@@ -119,12 +131,16 @@ class _Surface(Section):
         """Whether the surface is defined on every grid."""
         return self.roughness is None or self.roughness.kind == "sinusoidal"
 
-    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         raise NotImplementedError
 
-    def build(self, grid: Grid, folder: Path) -> FloatArray:
-        gap = self.shape_gap(grid, folder)
-        return gap if self.roughness is None else gap + self.roughness.build(grid)
+    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        """Return the gap on a grid.
+
+        cells: grid of heights that are given in each cell, if they are evaluated on another one.
+        """
+        gap = self.shape_gap(grid, folder, cells)
+        return gap if self.roughness is None else gap + self.roughness.build(grid, cells)
 
 
 class ParaboloidSurface(_Surface):
@@ -137,7 +153,7 @@ class ParaboloidSurface(_Surface):
     def radii(self) -> tuple[float, float] | None:
         return self.Rx, self.Rx if self.Ry is None else self.Ry
 
-    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         return surfaces.paraboloid(grid, self.Rx, self.Ry)
 
 
@@ -150,7 +166,7 @@ class SphereSurface(_Surface):
     def radii(self) -> tuple[float, float] | None:
         return self.R, self.R
 
-    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         return surfaces.sphere(grid, self.R)
 
 
@@ -161,7 +177,7 @@ class CylinderSurface(_Surface):
     R: Length
     axis: Literal["x", "y"] = "y"
 
-    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         return surfaces.cylinder(grid, self.R, self.axis)
 
 
@@ -187,16 +203,25 @@ class FileSurface(_Surface, HeightsFile):
     def is_known(self) -> bool:
         return False
 
-    def shape_gap(self, grid: Grid, folder: Path) -> FloatArray:
-        heights = None
-        if self.x is None and not self.periodic:
-            heights = self.plain(grid, folder)
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        heights = self._of_cells(grid if cells is None else cells, folder)
         if heights is None:
             x = 0.0 if self.x is None else self.x
             surface = self.surface(folder)
             heights = surface.on(grid, x, periodic=self.periodic, **self.placement())
+        elif cells is not None:
+            surface = measured.MeasuredSurface(heights, cells.dx, cells.dy)
+            heights = surface.on(grid, periodic=cells.periodic)
         upper = None if self.Rx is None else surfaces.paraboloid(grid, self.Rx, self.Ry)
         return surfaces.from_heights(grid, heights, upper)
+
+    def _of_cells(self, grid: Grid, folder: Path) -> FloatArray | None:
+        return None if self.x is not None or self.periodic else self.plain(grid, folder)
+
+    def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
+        """Return the distances of the heights in the file along x and y [m]."""
+        given = self._of_cells(grid, folder) is not None
+        return (grid.dx, grid.dy) if given else self.surface(folder).steps
 
 
 SurfaceSection = Annotated[

@@ -47,7 +47,7 @@ def find(
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)
-        name, value = _parse_target(target)
+        name, value = parse_target(target)
         search = prepare_search(
             case, name, value, tolerance=tolerance, largest_load=largest_load,
             progress=not quiet,
@@ -86,7 +86,7 @@ def _run_search(case: Case, search: LoadSearch) -> FoundLoad:
     return found
 
 
-def _parse_target(target: str) -> tuple[str, float]:
+def parse_target(target: str) -> tuple[str, float]:
     """Split QUANTITY=VALUE into the name of the quantity and its value in SI units."""
     from ..accuracy.load_search_cases import YIELD, require_known
 

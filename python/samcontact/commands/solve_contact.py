@@ -17,7 +17,6 @@ from .. import hertz, results
 from ..accuracy import AccuracyResult
 from ..accuracy.grid_errors import (
     GridErrors,
-    error_rows,
     estimate_errors,
     increments_note,
     slope_note,
@@ -32,6 +31,7 @@ from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
 from ..solutions.peak import peak_of_dataset
 from ..solutions.state import on_common_grid
+from .error_sheet import errors_sheet
 from .errors import StoppedEarlyError, with_resume_hint, write_partial_results
 from .fatigue import write_fatigue
 from .folder import publish, written_names
@@ -164,11 +164,13 @@ class _ContactRun:
         written = [publish(dataset, self.directory / "results.nc")]
         body = case.output.body
         console.print(_summary(dataset, body))
-        if (sheet := _errors_sheet(dataset)) is not None:
+        if (sheet := errors_sheet(dataset)) is not None:
             console.print(sheet)
         if text := increments_note(dataset.attrs):
             console.print(text, markup=False, highlight=False)
-        if errors is not None and (text := slope_note(errors.slope_beyond)):
+        if text := dataset.attrs.get("accuracy_surface", ""):
+            console.print(text, markup=False, highlight=False)
+        if text := slope_note(dataset.attrs.get("slope_beyond", math.nan)):
             console.print(text, markup=False, highlight=False)
         if self.accurate is None and (text := self.simulation.engine.enlargement):
             text += "; [grid] specifies the initial grid"
@@ -255,26 +257,6 @@ def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     ]  # fmt: skip
     finest = " (finest grid)" if "accuracy_reached" in dataset.attrs else ""
     return values_sheet(f"Increments{finest}", dataset["increment"].values, columns)
-
-
-def _errors_sheet(dataset: xr.Dataset) -> Sheet | None:
-    """Return the table of maximum values and their errors; None without error estimates."""
-    rows = error_rows(dataset)
-    if not rows:
-        return None
-    targets = [row.target for row in rows if row.target is not None]
-    title = "Estimated errors" if targets else "Estimated grid errors (from a grid coarsened by 2)"
-    sheet = Sheet(title)
-    sheet.add("", [row.label for row in rows])
-    sheet.add("increment", [str(row.increment) for row in rows])
-    sheet.add("value", [row.shown for row in rows])
-    sheet.add("error\n[%]" if targets else "grid error\n[%]", [row.percent for row in rows])
-    if any(row.by_increments is not None for row in rows):
-        shares = ["" if r.by_increments is None else f"{100 * r.by_increments:.2g}" for r in rows]
-        sheet.add("increment\nerror [%]", shares)
-    if targets:
-        sheet.add("target\n[%]", [f"{100 * accuracy:.3g}" for accuracy in targets])
-    return sheet
 
 
 def _comparison(

@@ -15,12 +15,15 @@ from matplotlib.figure import Figure
 from rich.console import Console
 
 from .._util.quantities import ASPERITIES, WEAR
+from ..accuracy import AccuracyResult, to_accuracy
+from ..accuracy.prescribed import prepare_search
 from ..asperities.series import pass_results
 from ..files.atomic import replacing
 from ..plotting import asperities, wear
 from ..plotting.parts import journal_column
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
+from .error_sheet import errors_sheet
 from .errors import StoppedEarlyError, with_resume_hint, write_partial_results
 from .folder import publish, written_names
 from .interrupted import checkpoints_of
@@ -83,19 +86,31 @@ def solve_asperities(
 def solve_wear(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case of wear, write wear.nc, wear.csv and figures, and return the files."""
-    simulation, cycle = case.build()
-    settings = case.wear
+    """Solve a case of wear, write wear.nc, wear.csv and figures, and return the files.
+
+    A case with an accuracy is solved on finer and finer grids; the files describe the finest one.
+    """
+    settings, progress = case.wear, not console.quiet
     assert settings is not None
 
+    def solved(folder: Path) -> AccuracyResult | WearResult | FrettingResult:
+        if case.accuracy is not None:
+            return to_accuracy(case, progress=progress, checkpoint=folder)
+        return settings.solve(*case.build(), folder / "cycle.h5", progress)
+
+    def amount(result: Any) -> str:
+        if isinstance(result, AccuracyResult):
+            return f"values of {len(result.runs)} grids"
+        return f"{len(result.cycles)} of up to {settings.cycles} cycles"
+
+    def draw(result: Any, dataset: xr.Dataset) -> dict[str, Figure]:
+        accurate = isinstance(result, AccuracyResult)
+        return _draw_wear(result.repeated if accurate else result, dataset)
+
+    # errors of the case are raised before its folder is written
+    _ = case.build() if case.accuracy is None else prepare_search(case)
     kind = _StudyKind(
-        "wear",
-        lambda folder: settings.solve(simulation, cycle, folder / "cycle.h5", not console.quiet),
-        lambda result: result.to_dataset(),
-        lambda result: f"{len(result.cycles)} of up to {settings.cycles} cycles",
-        _cycles_sheet,
-        _cycles,
-        _draw_wear,
+        "wear", solved, lambda result: result.to_dataset(), amount, _cycles_sheet, _cycles, draw
     )
     return _solve(case, kind, directory, console, figures=figures, resume=resume)
 
@@ -114,6 +129,8 @@ def _solve(
         dataset = kind.dataset(result).assign_attrs(attributes)
         written = [publish(dataset, directory / f"{kind.file}.nc"), directory / f"{kind.file}.csv"]
         console.print(kind.sheet(dataset))
+        if (errors := errors_sheet(dataset)) is not None:
+            console.print(errors)
         if dataset.attrs.get("stopped", 1) == 0 and not stopped_by:
             cycles = dataset.sizes["cycle"]
             console.print(f"wear has not ceased after {cycles} cycles", highlight=False)

@@ -6,21 +6,24 @@ from __future__ import annotations
 import importlib
 import math
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import click
 import numpy as np
 
-from .._util.quantities import ASPERITIES
+from .._util.checks import FloatArray
+from .._util.quantities import ASPERITIES, WEAR, Quantity
+from .._util.sweep_quantities import SWEEP
 from ..cases import load_case
 from ..cases.asperities import AsperityCase
 from ..solutions.peak import peak_of_dataset
 from ..sweeps import SweepInterrupted, sweep
 from . import array_libraries
 from .errors import EXIT_FAILED
+from .find import parse_target
 from .signals import exit_code
 from .tables import CONTACT_COLUMNS, Sheet, contact_columns, new_console, numbers
 
@@ -53,6 +56,7 @@ def run_sweep(
     zipped: bool,
     jobs: int | None,
     address: str | None,
+    find: str | None,
     output: Path | None,
     quiet: bool,
 ) -> int:
@@ -65,10 +69,19 @@ def run_sweep(
     console = new_console(quiet)
     console.print(case.title, style="bold", markup=False, highlight=False)
     mode, code = "zip" if zipped else "product", 0
+    search = (
+        None if find is None else dict(zip(("quantity", "value"), parse_target(find), strict=True))
+    )
     with _executor(jobs, address) as executor:
         try:
             dataset = sweep(
-                case, parameters, executor=executor, output=folder, progress=not quiet, mode=mode
+                case,
+                parameters,
+                executor=executor,
+                output=folder,
+                progress=not quiet,
+                mode=mode,
+                find=search,
             )
         except SweepInterrupted as stop:
             dataset, code = stop.dataset, exit_code(stop.__cause__ or stop)
@@ -143,37 +156,59 @@ def _errors(dataset: xr.Dataset) -> list[str]:
     return texts
 
 
+class _Table(NamedTuple):
+    """Title and columns of the table of a sweep, and the choice among the values of a case."""
+
+    title: str
+    columns: dict[str, Quantity]
+    chosen: Callable[[FloatArray, xr.Dataset], float]
+
+
+def _contents(dataset: xr.Dataset, case: Case | AsperityCase) -> _Table:
+    if isinstance(case, AsperityCase):
+        columns = {n: quantity for n, quantity in _ASPERITY_COLUMNS.items() if n in dataset}
+        return _Table("Maxima", columns, lambda values, _: float(np.nanmax(values)))
+    of_case = {name: SWEEP[name] for name in SWEEP if name in dataset and SWEEP[name].short}
+    if "increment" in dataset.dims:
+        columns = contact_columns(dataset, CONTACT_COLUMNS, case.output.body)
+        return _Table(
+            "At maximum von Mises stress",
+            columns | of_case,
+            lambda values, one: float(values[peak_of_dataset(one)]),
+        )
+    of_wear = {name: WEAR[name] for name in WEAR if name in dataset and WEAR[name].short}
+    return _Table(
+        "Load search" if of_case else "Last cycle",
+        of_wear | of_case,
+        lambda values, _: float(values[np.flatnonzero(~np.isnan(values))[-1]]),
+    )
+
+
 def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase) -> Sheet:
     """Return the table of a sweep: one row for each case.
 
     The table shows the values at the increment of maximum von Mises stress; for asperity
-    collisions, it shows the maxima of all increments.
+    collisions, the maxima of all increments; for wear, the values of the last cycle.
     """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
     cases = [dataset.isel(place) for place in places]
-    is_collision = isinstance(case, AsperityCase)
-    sheet = Sheet("Maxima" if is_collision else "At maximum von Mises stress")
+    title, columns, chosen = _contents(dataset, case)
+    sheet = Sheet(title)
     sheet.add("case", [str(number) for number in range(1, len(cases) + 1)])
     for name in names:
         sheet.add(name.replace(".", ".\n"), [str(one[name].item()) for one in cases])
-    if isinstance(case, AsperityCase):
-        columns = {
-            name: quantity for name, quantity in _ASPERITY_COLUMNS.items() if name in dataset
-        }
-    else:
-        columns = contact_columns(dataset, CONTACT_COLUMNS, case.output.body)
     for name, quantity in columns.items():
-        values = [_table_value(one, name, case) * quantity.factor for one in cases]
+        values = [_table_value(one, name, chosen) * quantity.factor for one in cases]
         sheet.add(quantity.column(), numbers(values, quantity.digits))
     sheet.add("status", [one["status"].item() for one in cases])
     return sheet
 
 
-def _table_value(one: xr.Dataset, name: str, case: Case | AsperityCase) -> float:
+def _table_value(
+    one: xr.Dataset, name: str, chosen: Callable[[FloatArray, xr.Dataset], float]
+) -> float:
     values = one[name].values
     if np.all(np.isnan(values)):
         return math.nan
-    if isinstance(case, AsperityCase):
-        return float(np.nanmax(values))
-    return float(values[peak_of_dataset(one)])
+    return chosen(values, one) if values.ndim else float(values)

@@ -31,6 +31,11 @@ from .errors import short_errors
 @click.option(
     "--dask", "address", metavar="ADDRESS", help="Address of the scheduler of a Dask cluster."
 )
+@click.option(
+    "--find",
+    metavar="QUANTITY=VALUE",
+    help="For each case, find the load at which a quantity reaches a value, as samcontact find.",
+)
 @click.option("--output", type=FilePath(), help="Folder of the results.")
 @click.option("--quiet", is_flag=True, help="Print only the path of the results.")
 def sweep(case_file: Path, **options: Any) -> None:

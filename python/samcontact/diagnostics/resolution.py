@@ -353,9 +353,10 @@ def warn_of_sweep(dataset: xr.Dataset, *, stacklevel: int) -> None:
             f"fewer than {RECOMMENDED_CELLS} layers across the plastic zone of body 2",
         ),
     ):
-        if name in dataset and (
-            count := int((dataset[name].max("increment") < RECOMMENDED_CELLS).sum())
-        ):
+        if name not in dataset:
+            continue
+        within = [dim for dim in dataset[name].dims if dim not in dataset["status"].dims]
+        if count := int((dataset[name].max(within) < RECOMMENDED_CELLS).sum()):
             found.append(f"{count} with {what}")
     if found:
         text = (

@@ -37,6 +37,8 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     values += tables.slipping_tables(dataset)
     answers = tables.errors_table(dataset)
     title = "Results with estimated errors"
+    if text := dataset.attrs.get("accuracy_surface"):
+        title += f" ({text})"
     if not answers.rows:
         answers, title = tables.results_table(dataset), "Results"
     return {

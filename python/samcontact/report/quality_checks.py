@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike
 
 from .._util.check import Check
 from .._util.checks import FloatArray
-from ..accuracy.grid_errors import MAX_RELATIVE_ERROR, MAX_SLOPE_FRACTION, error_rows
+from ..accuracy.error_rows import error_rows
+from ..accuracy.grid_errors import MAX_RELATIVE_ERROR, MAX_SLOPE_FRACTION
 from ..diagnostics.expected_contact import ExpectedContact
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..diagnostics.plausibility import ExpectedExtent, plausibility_checks

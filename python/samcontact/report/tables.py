@@ -13,7 +13,8 @@ import numpy as np
 from .._util.checks import FloatArray
 from .._util.display import counts, lengths, quantity
 from .._util.quantities import CONTACT, Quantity
-from ..accuracy.grid_errors import error_rows, increments_note
+from ..accuracy.error_rows import error_rows
+from ..accuracy.grid_errors import increments_note
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..cases.field_units import field_unit
 from ..problem.friction import law_of_attributes

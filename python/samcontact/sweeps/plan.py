@@ -158,21 +158,6 @@ def _validated(
         except _UnknownField as error:
             lines = [str(error)]
         else:
-            if getattr(made, "wear", None) is not None:
-                raise CaseError(
-                    f"{case.source}: a sweep solves each path only once, so [wear] is not "
-                    "supported: remove [wear], or call samcontact.wear.run for each value"
-                )
-            if getattr(made, "fatigue", None) is not None:
-                raise CaseError(
-                    f"{case.source}: a sweep stores no states, so [fatigue] is not supported: "
-                    "remove [fatigue], or call samcontact.fatigue for each value"
-                )
-            if getattr(made, "shakedown", None) is not None:
-                raise CaseError(
-                    f"{case.source}: a sweep solves each path only once, so [shakedown] is not "
-                    "supported: remove [shakedown], or call samcontact.shakedown.run for each value"
-                )
             cases.append(made.written_in(case.source, case.text))
             continue
         where = ", ".join(f"{n} = {in_short(v)}" for n, v in zip(keys, values, strict=True))

@@ -33,7 +33,8 @@ if TYPE_CHECKING:
     from ..cases.base import CaseFile
     from .store import Store
 
-Tasks = dict[str, tuple[dict[str, Any], str]]
+Tasks = dict[str, tuple[Any, ...]]
+"""Arguments of `worker.solve_case` for each case."""
 Take = Callable[[str, Outcome], None]
 
 
@@ -53,6 +54,7 @@ def sweep(
     output: str | os.PathLike[str] | None = None,
     progress: bool = True,
     mode: str = "product",
+    find: Mapping[str, Any] | None = None,
 ) -> xr.Dataset:
     """Solve a case for many values of its fields, and return one dataset.
 
@@ -78,13 +80,18 @@ def sweep(
     mode : {"product", "zip"}, optional
         "product": all combinations of values, with one dimension per parameter. "zip": the values
         of all parameters are combined pairwise, along a dimension "case".
+    find : mapping, optional
+        Arguments of `find_load`, e.g. ``{"quantity": "yield"}``: for each case, the load is found
+        at which the quantity reaches its value.
 
     Returns
     -------
     xarray.Dataset
         All quantities with one value per increment (see `results.scalars`; for asperity collisions,
-        see `asperities.collide`). Values are NaN after the end of shorter paths and for failed
-        cases. Each case has a status, "done" or "failed", and an error text.
+        see `asperities.collide`) or, for wear, per cycle. For each case with fatigue or shakedown,
+        the maximum of each criterion and the response to repeated cycles; with `find`, the load
+        found and its error. Values are NaN after the end of shorter paths and for failed cases.
+        Each case has a status, "done" or "failed", and an error text.
 
     Raises
     ------
@@ -109,17 +116,19 @@ def sweep(
     from ..results import save
     from .plan import make_plan
     from .store import Store, assemble
+    from .tasks import checked_search
 
     boolean("progress", progress)
     base = case if isinstance(case, CaseFile) else load_case(file_path("case", case))
     plan = make_plan(base, parameters, mode)
     digests: dict[Path, str] = {}
-    keys = [case_key(made, digests) for made in plan.cases]
+    search = checked_search(find, plan.cases)
+    keys = [case_key(made, digests, search) for made in plan.cases]
     cases = dict(zip(keys, plan.cases, strict=True))
     interrupted: KeyboardInterrupt | None = None
     folder = None if output is None else file_path("output", output)
     with nullcontext() if folder is None else locked(folder):
-        run = _SweepRun(cases, None if folder is None else Store(folder))
+        run = _SweepRun(cases, None if folder is None else Store(folder), search)
         with _resolved(executor) as chosen:
             try:
                 run.solve(chosen, progress)
@@ -139,8 +148,10 @@ def sweep(
 class _SweepRun:
     """Cases of a sweep to be solved, without repetitions, and their outcomes so far."""
 
-    def __init__(self, cases: dict[str, CaseFile], store: Store | None) -> None:
-        self.cases, self.store = cases, store
+    def __init__(
+        self, cases: dict[str, CaseFile], store: Store | None, search: dict[str, Any] | None
+    ) -> None:
+        self.cases, self.store, self.search = cases, store, search
         self.outcomes: dict[str, Outcome] = {}
 
     def solve(self, executor: Any, progress: bool) -> None:
@@ -161,7 +172,8 @@ class _SweepRun:
                     bar.update()
                 else:
                     content = case.model_dump(exclude_unset=True)
-                    tasks[key] = content, str(case.source.resolve())
+                    searched = () if self.search is None else (self.search,)
+                    tasks[key] = content, str(case.source.resolve()), *searched
             _solve(executor, tasks, take)
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .._util.quantities import ASPERITIES, CONTACT, Quantity
+from .._util.quantities import ASPERITIES, CONTACT, WEAR, Quantity
 from .._util.version import version
 from ..files.ownership import require_marked
 from ..restart.file import READ_ERRORS, read, require_same, write
@@ -24,10 +24,11 @@ if TYPE_CHECKING:
 
 CANCELLED = "cancelled"
 _CHECKPOINT_KIND = "case"
-_CASE_DIMENSIONS = ("pass", "increment", "body")  # dimensions of a case, in order
+_CASE_DIMENSIONS = ("pass", "increment", "cycle", "body")  # dimensions of a case, in order
 _COUNT_QUANTITIES = {
     "increment": CONTACT["increment"],
     "pass": ASPERITIES["pass"],
+    "cycle": WEAR["cycle"],
     "body": CONTACT["body"],
     "case": Quantity("1", "case number"),
 }
@@ -65,7 +66,11 @@ class Store:
             tree = read(self.file(key), _CHECKPOINT_KIND)
             require_same(self.file(key), {"key": key}, tree)
             return {
-                name: (tuple(part["dims"].split()), part["values"], part["attributes"])
+                name: (
+                    dims := tuple(part["dims"].split()),
+                    part["values"] if dims else part["values"].reshape(()),
+                    part["attributes"],
+                )
                 for name, part in tree["variables"].items()
             }
         except READ_ERRORS:
@@ -76,7 +81,8 @@ class Store:
         parts = {
             name: {
                 "dims": " ".join(dims),
-                "values": np.asarray(values, dtype=np.float64),
+                # a file cannot compress a single number
+                "values": np.atleast_1d(np.asarray(values, dtype=np.float64)),
                 "attributes": attributes,
             }
             for name, (dims, values, attributes) in variables.items()
@@ -139,9 +145,10 @@ def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr
     """Combine the values of a variable in all cases in one array; missing values are NaN."""
     dims, _, attributes = next(field for field in fields if field is not None)
     table = np.full((len(fields), *(inner[dim] for dim in dims)), np.nan)
-    for row, field in zip(table, fields, strict=True):
+    for row, field in enumerate(fields):
         if field is not None:
-            row[tuple(slice(size) for size in field[1].shape)] = field[1]
+            own = (slice(row, row + 1), *(slice(size) for size in field[1].shape))
+            table[own] = field[1]
     shape = (*plan.dims.values(), *table.shape[1:])
     return xr.Variable((*plan.dims, *dims), table.reshape(shape), attributes)
 

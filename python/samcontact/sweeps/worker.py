@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from .._util.errors import ResolutionWarning
 from .._util.version import version
 from ..restart.identity import digest, identity
+from .tasks import search_results, solved
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -24,8 +25,10 @@ Outcome = dict[str, Any]
 """Outcome of a case: {"variables": Variables} or {"error": text}."""
 
 
-def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
-    """Solve a case and return the quantities with one value per increment.
+def solve_case(
+    content: Mapping[str, Any], source: str, search: Mapping[str, Any] | None = None
+) -> Outcome:
+    """Solve a case and return the quantities with one value per increment or cycle, or per case.
 
     Parameters
     ----------
@@ -33,6 +36,9 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
         Fields of a case file.
     source : str
         Path of the case file; paths of height files are relative to the folder of this file.
+    search : mapping, optional
+        Arguments of `samcontact.find_load`: the case is not solved at its own load, but the load is
+        found at which a quantity reaches a value.
 
     Returns
     -------
@@ -48,7 +54,10 @@ def solve_case(content: Mapping[str, Any], source: str) -> Outcome:
         case = kind.model_validate(content).written_in(Path(source))
         if isinstance(case, AsperityCase):
             return {"variables": _plain(case.solve(progress=False).series)}
-        return {"variables": _solve(case)}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ResolutionWarning)  # the sweep warns once for all cases
+            found = solved(case) if search is None else search_results(case, search)
+        return {"variables": _plain(found)}
     except Exception as error:
         return failure(error)
 
@@ -58,22 +67,6 @@ def failure(error: BaseException) -> Outcome:
     return {"error": f"{type(error).__name__}: {error}"}
 
 
-def _solve(case: Any) -> Variables:
-    from .. import results
-    from ..accuracy import to_accuracy
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", ResolutionWarning)  # the sweep warns once for all cases
-        if case.accuracy is not None:
-            dataset = to_accuracy(case, progress=False).to_dataset(volume="none")
-        else:
-            simulation, path = case.build()
-            states = simulation.run(path, progress=False)
-            dataset = results.to_dataset(simulation, states, case, volume="none")
-    names = [name for name, field in dataset.data_vars.items() if field.dims == ("increment",)]
-    return _plain(dataset[names])
-
-
 def _plain(dataset: xr.Dataset) -> Variables:
     return {
         str(name): (tuple(map(str, field.dims)), field.values, dict(field.attrs))
@@ -81,7 +74,9 @@ def _plain(dataset: xr.Dataset) -> Variables:
     }
 
 
-def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
+def case_key(
+    case: CaseFile, digests: dict[Path, str], search: Mapping[str, Any] | None = None
+) -> str:
     """Return a hash of all that affects the results: fields, height files and package version.
 
     The title and the output folder do not affect the hash.
@@ -92,6 +87,8 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
         Validated case.
     digests : dict
         Hashes of files read before, by path; hashes of new files are added.
+    search : mapping, optional
+        Argument of `solve_case`.
 
     Raises
     ------
@@ -106,7 +103,8 @@ def case_key(case: CaseFile, digests: dict[Path, str]) -> str:
     }
     fields = case.model_dump(exclude=unimportant)
     heights = [_digest(case, name, digests) for name in ("surface", "relief1", "relief2")]
-    return digest(identity(version=version, heights=heights, **fields))
+    searched = {} if search is None else {"search": dict(search)}
+    return digest(identity(version=version, heights=heights, **searched, **fields))
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:

@@ -267,9 +267,12 @@ def test_a_zero_time_limit_still_gives_errors_from_three_grids():
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        ({"surface": {"shape": "file", "path": "h.npy"}}, "surface.shape = 'file'.*specify .grid."),
-        ({"surface": BALL | {"roughness": ROUGH}}, "surface.roughness.kind = 'self_affine'"),
-        ({"relief2": ROUGH}, "relief2.kind = 'self_affine'"),
+        (
+            {"surface": {"shape": "file", "path": "h.npy"}},
+            "surface are given at samples.*add .grid.",
+        ),
+        ({"surface": BALL | {"roughness": ROUGH}}, "surface are given at samples"),
+        ({"relief2": ROUGH}, "heights of relief2 are given at samples.*requires .grid."),
         ({"surface": {"shape": "cylinder", "R": 1e-3}}, "surface.shape = 'cylinder'.*periodic"),
         ({"path": [{"approach": -1e-6}]}, "path: at least one load"),
         ({"path": [{"load": 1.0, "increments": 3}]}, r"path\[0\].increments cannot be"),

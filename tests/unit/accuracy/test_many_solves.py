@@ -12,7 +12,7 @@ import pytest
 import samcontact as sc
 from command import check_failure, fields, invoke
 from samcontact import report
-from samcontact.accuracy import refinable_case
+from samcontact.accuracy import grids, refinable_case
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -103,9 +103,7 @@ def test_an_interrupted_run_to_an_accuracy_resumes_with_identical_bits(
 
 
 def test_increments_of_error_estimates_are_not_repeated(steps, tmp_path, monkeypatch):
-    monkeypatch.setattr(
-        refinable_case, "CELLS_OF_FIRST_GRID", 2.5
-    )  # few cells are sufficient for a resume
+    monkeypatch.setattr(grids, "CELLS_OF_FIRST_GRID", 2.5)  # few cells are sufficient for a resume
     whole = solved(YIELDING)
     total = steps.made
     steps.stop(4 + 4 + 6)  # in the second of the runs on the second grid

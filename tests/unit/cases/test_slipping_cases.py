@@ -11,7 +11,6 @@ from rich.console import Console
 import samcontact as sc
 from case_texts import BODIES, GRID
 from samcontact import paths
-from samcontact.accuracy.refinable_case import require_refinable
 from samcontact.cases import CaseError, load_case, parse_case
 from samcontact.commands.folder import is_own
 from samcontact.commands.solve_contact import solve_contact
@@ -251,8 +250,6 @@ def test_fields_unused_in_full_sliding_are_refused():
         CaseError, match=r"wear\.threshold requires full sliding: set contact\.friction"
     ):
         case("load = 0.0", more=wear)
-    with pytest.raises(ValueError, match="accuracy does not support partial slip"):
-        require_refinable(case())
 
 
 @pytest.mark.parametrize("name", sorted(path.name for path in CASES.glob("s*.toml")))

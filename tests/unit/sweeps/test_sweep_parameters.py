@@ -24,7 +24,6 @@ def none_solved(monkeypatch):
             r"body2\.yeild_stress: unknown field; did you mean body2\.yield_stress\?; allowed here",
         ),
         ({"boddy2.E": [1e9]}, "product", r"boddy2\.E: unknown field; did you mean body2\.E\?"),
-        ({"wear.threshold": [2e-3]}, "product", r"so \[wear\] is not supported"),
         ({"friction": [0.1]}, "product", r"did you mean contact\.friction\?"),
         ({"path[1].load": [1.0]}, "product", r"path\[1\]\.load: unknown.*mean path\[0\]\.load\?"),
         ({"title.x": [1.0]}, "product", r"title\.x: unknown field; did you mean title\?"),

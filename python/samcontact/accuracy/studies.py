@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a case solves on each grid (a path, cycles of wear), and the values that are compared."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from .. import results
+from .._util.checks import FloatArray
+from .._util.quantities import Quantity, described
+from ..bodies.layered import Body, Layered
+from ..cases.cross_checks import reason_for_grid
+from ..simulation import error_controlled_quantities
+from .grid_errors import of_outline
+from .grid_solution import GridSolution, marks_of
+from .slip_quantities import SLIP_QUANTITIES, driven, orders_of, values_of
+from .wear_study import WearStudy
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..cases import Case
+    from .solves import Solves
+
+DEFAULT_ORDER = 2.0
+SPOTS_ORDER = 1.0
+"""Lowest order on surfaces that may touch in many spots, which appear and merge on finer grids."""
+
+
+class Study(Protocol):
+    """Task that is solved on each grid."""
+
+    dimension: str
+    """Dimension of the values in results files: "increment" or "cycle"."""
+    names: list[str]
+    """Quantities whose errors can be controlled, by their names in results files."""
+    default_names: list[str]
+    """Quantities whose errors are controlled if none are named."""
+
+    def parts(self, name: str) -> int:
+        """Return the number of values whose maximum is a quantity."""
+        ...
+
+    def order(self, name: str) -> float:
+        """Return the lowest order of convergence of a quantity in the cell size."""
+        ...
+
+    def described(self, name: str) -> tuple[Quantity, int | None]:
+        """Return names and unit of a quantity, and the number of its body."""
+        ...
+
+    def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
+        """Solve the case on its grid, continuing from what is stored under a name."""
+        ...
+
+    def marks(self, solution: GridSolution) -> list[int]:
+        """Return the indices, along the dimension, of the values that are compared."""
+        ...
+
+    def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
+        """Return the compared values, shape (marks, parts of all quantities)."""
+        ...
+
+    def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
+        """Return errors of the compared values that a comparison of grids may miss."""
+        ...
+
+    def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
+        """Return the results of a grid as in a results file."""
+        ...
+
+
+class PathStudy:
+    """Path that is solved once."""
+
+    dimension = "increment"
+
+    def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
+        self.bodies = bodies
+        self._has_spots = bool(reason_for_grid(case))
+        steps = case.steps()
+        drives = {name for step in steps for name in ("load", "approach") if name in step}
+        given = drives if len(drives) == 1 else set()
+        layered = any(isinstance(body, Layered) for body in bodies)
+        crossed = layered and not any(body.is_plastic for body in bodies)
+        names = error_controlled_quantities.names(
+            bodies, case.output.body, volume=case.has_volume and not crossed
+        )
+        self.default_names = [name for name in names if name not in given]
+        self.names = list(self.default_names)
+        self._orders: dict[str, float] = {}
+        if case.sticks:
+            self._orders = orders_of(self.names, moves=case.moves)
+            yields = any(body.is_plastic for body in bodies)
+            # the stress of elastic bodies has a cusp that converges slowly
+            self.default_names = [
+                name for name in self.names if yields or name not in self._orders
+            ] + driven(steps)
+            self.names += SLIP_QUANTITIES
+
+    def parts(self, name: str) -> int:
+        return error_controlled_quantities.has_parts(name, self.bodies)
+
+    def order(self, name: str) -> float:
+        return self._orders.get(name, SPOTS_ORDER if self._has_spots else DEFAULT_ORDER)
+
+    def described(self, name: str) -> tuple[Quantity, int | None]:
+        return described(name)
+
+    def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
+        with warnings.catch_warnings(record=True) as issued:
+            warnings.simplefilter("always")
+            simulation, path = case.build()
+            states = solves.run(name, simulation, path, progress=progress)
+        return GridSolution(case, simulation, states, issued)
+
+    def marks(self, solution: GridSolution) -> list[int]:
+        return marks_of(solution.case)
+
+    def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
+        states = [solution.states[mark] for mark in self.marks(solution)]
+        tol: Any = solution.case.contact
+        columns: list[list[tuple[float, ...]]] = []
+        for name in names:
+            if name in SLIP_QUANTITIES:
+                columns.append([(value,) for value in values_of(states, name, tol.tol)])
+            else:
+                columns.append([error_controlled_quantities.parts(s, name) for s in states])
+        return np.array([[v for parts in row for v in parts] for row in zip(*columns, strict=True)])
+
+    def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
+        """Return errors of contact areas of many spots, whose outlines change by whole cells."""
+        columns: list[FloatArray] = []
+        for name in names:
+            of_spots = self._has_spots and name == "contact_area"
+            found = [
+                of_outline(state) * state.contact_area
+                if of_spots and state.in_contact.any() else 0.0
+                for state in (solution.states[mark] for mark in self.marks(solution))
+            ]  # fmt: skip
+            columns += [np.array(found)] * self.parts(name)
+        return np.stack(columns, axis=-1)
+
+    def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
+        return results.to_dataset(
+            solution.simulation, solution.states, solution.case, volume=volume
+        )
+
+
+def study_of(case: Case, bodies: Sequence[Body]) -> Study:
+    """Return what a case solves on each grid."""
+    return PathStudy(case, bodies) if case.wear is None else WearStudy(case)

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a sweep computes for a case: path, wear, shakedown, fatigue, or a load search."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from .._util.checks import require_type
+from .._util.short_text import in_short
+from .._util.sweep_quantities import SWEEP
+from ..shakedown.results import ELASTIC, PLASTIC, RATCHETING, SHAKEDOWN, UNDECIDED
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..cases import Case
+    from ..solutions.state import State
+
+RESPONSES = (ELASTIC, SHAKEDOWN, PLASTIC, RATCHETING, UNDECIDED)
+"""Responses to repeated cycles; a sweep stores the index in this tuple."""
+_SEARCH_ARGUMENTS = ("quantity", "value", "tolerance", "largest_load")
+
+
+def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
+    """Return the arguments of a load search after checks for all cases of a sweep."""
+    from ..accuracy.load_search_cases import max_load, require_known
+    from ..cases import Case
+
+    if search is None:
+        return None
+    require_type("find", search, Mapping)
+    unknown = [name for name in search if name not in _SEARCH_ARGUMENTS]
+    if unknown or "quantity" not in search:
+        raise ValueError(
+            "find must have the entry quantity, and may have value, tolerance and largest_load, "
+            f"got {in_short(dict(search))}"
+        )
+    require_known(search["quantity"])
+    for case in cases:
+        if not isinstance(case, Case):
+            raise ValueError("find requires a case of one contact, got an asperity collision")
+        max_load(case)
+    return dict(search)
+
+
+def search_results(case: Case, search: Mapping[str, Any]) -> xr.Dataset:
+    """Return the load at which a quantity reaches a value, and the errors of both."""
+    from ..accuracy.load_search import find_load
+
+    found = find_load(case, **search, progress=False)
+    return _of_case(
+        {
+            "found_load": found.load,
+            "found_load_error": found.load_error,
+            "found_value": found.value,
+            "found_value_error": found.error,
+        }
+    )
+
+
+def solved(case: Case) -> xr.Dataset:
+    """Return the results of a case with one value per increment or cycle, or per case."""
+    from .. import results
+    from ..accuracy import to_accuracy
+
+    if case.wear is not None:
+        return _of_wear(case)
+    if case.accuracy is not None:
+        accurate = to_accuracy(case, progress=False)
+        states, dataset = accurate.states, accurate.to_dataset(volume="none")
+    else:
+        simulation, path = case.build()
+        states = simulation.run(path, progress=False)
+        dataset = results.to_dataset(simulation, states, case, volume="none")
+    names = [name for name, field in dataset.data_vars.items() if field.dims == ("increment",)]
+    found: xr.Dataset = dataset[names]
+    found.update(_of_case(_of_fatigue(case, states) | _of_shakedown(case)))
+    return found
+
+
+def _of_case(values: Mapping[str, float]) -> xr.Dataset:
+    import xarray as xr
+
+    return xr.Dataset({name: SWEEP[name].variable((), value) for name, value in values.items()})
+
+
+def _of_wear(case: Case) -> xr.Dataset:
+    """Return the results of all cycles of wear; the values of each body are own variables."""
+    from ..accuracy import to_accuracy
+
+    assert case.wear is not None
+    if case.accuracy is not None:
+        dataset = to_accuracy(case, progress=False).to_dataset()
+    else:
+        dataset = case.wear.solve(*case.build(), None, False).to_dataset()
+    found: xr.Dataset = dataset[[n for n, f in dataset.data_vars.items() if f.dims == ("cycle",)]]
+    for name, field in dataset.data_vars.items():
+        if field.dims == ("cycle", "body"):
+            for body in dataset["body"].values.tolist():
+                found[f"{name}_body{body}"] = field.sel(body=body, drop=True).variable
+                found[f"{name}_body{body}"].attrs["long_name"] += f", body {body}"
+    own: xr.Dataset = found.drop_vars([n for n in found.coords if n != "cycle"])
+    return own
+
+
+def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
+    """Return the maximum of each criterion of [fatigue], and its margin if there is a limit."""
+    if case.fatigue is None:
+        return {}
+    found = {}
+    for field in case.fatigue.fields(states, case.output.body):
+        found[f"fatigue_{field.criterion}"] = field.max_value
+        limit = getattr(case.fatigue.limit, field.criterion)
+        if limit is not None:
+            found[f"fatigue_margin_{field.criterion}"] = field.margin(limit)
+    return found
+
+
+def _of_shakedown(case: Case) -> dict[str, float]:
+    """Return the response to the repeated path of [shakedown]."""
+    if case.shakedown is None:
+        return {}
+    found = case.shakedown.solve(*case.build(), False)
+    return {
+        "shakedown_response": float(RESPONSES.index(found.response)),
+        "shakedown_rate": found.rate,
+        "shakedown_flow": found.flow,
+        "shakedown_cycles": float(found.cycles[-1].number),
+        "shakedown_yield_strain": found.yield_strain,
+    }

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Sweeps of wear, fatigue, shakedown and of load searches: each case as solved alone."""
+
+import numpy as np
+import pytest
+from sweep_cases import BASE
+
+import samcontact as sc
+from command import invoke
+from samcontact.cases import Case
+from samcontact.results import open_results
+from samcontact.sweeps.tasks import RESPONSES
+
+STEEL = {"law": "elastic", "E": 210e9, "nu": 0.3}
+FRETTED = {
+    "title": "scar",
+    "grid": {"nx": 15, "ny": 15, "dx": 4e-5, "dy": 4e-5},
+    "body1": STEEL,
+    "body2": STEEL,
+    "surface": {"shape": "paraboloid", "Rx": 0.01},
+    "contact": {"friction": {"coulomb": 0.4}},
+    "path": [
+        {"load": 100.0, "increments": 1},
+        {"load": 100.0, "increments": 2, "fret": {"shift_x": 2e-6}},
+    ],
+    "wear": {"energy": [1e-14, 3e-14], "cycles": 2},
+}
+
+
+def test_a_sweep_of_wear_has_the_cycles_of_each_case(tmp_path):
+    case = Case.model_validate(FRETTED)
+    cycles = [1, 2]
+    found = sc.sweep(case, {"wear.cycles": cycles}, output=tmp_path, progress=False)
+    assert list(found["status"].values) == ["done", "done"]
+    alone = case.wear.solve(*case.build(), None, False).to_dataset()
+    longer = found.isel({"wear.cycles": 1})
+    for body in (1, 2):
+        volume = longer[f"volume_body{body}"]
+        assert np.array_equal(volume, alone["volume"].sel(body=body))
+        assert volume.attrs["units"] == "m3"
+    assert np.array_equal(longer["worn_volume"], alone["worn_volume"])
+    assert longer["volume_body2"][0] == pytest.approx(3 * float(longer["volume_body1"][0]))
+    # a shorter case has no value after its last cycle, and stored cases are not solved again
+    assert np.isnan(found["worn_volume"].isel({"wear.cycles": 0})[1])
+    again = sc.sweep(case, {"wear.cycles": cycles}, output=tmp_path, progress=False)
+    assert again.identical(found)
+
+
+def test_a_sweep_judges_fatigue_and_shakedown_of_each_case():
+    closed = [{"load": 500.0, "increments": 1}, {"load": 0.0, "increments": 1}]
+    case = Case.model_validate(
+        BASE
+        | {
+            "path": closed,
+            "fatigue": {"dang_van": 0.3, "limit": {"dang_van": 5e8}},
+            "shakedown": {"cycles": 4, "tol": 0.01},
+        }
+    )
+    found = sc.sweep(case, {"body2.yield_stress": [1e9, 9e9]}, progress=False)
+    assert list(found["status"].values) == ["done", "done"]
+    responses = [RESPONSES[int(number)] for number in found["shakedown_response"].values]
+    assert responses == ["elastic shakedown", "elastic"]
+    assert found["shakedown_yield_strain"].values[0] == pytest.approx(1e9 / 210e9)
+    soft = case.model_copy(update={"body2": case.body2.model_copy(update={"yield_stress": 1e9})})
+    simulation, path = soft.build()
+    (field,) = case.fatigue.fields(simulation.run(path, progress=False), 2)
+    assert found["fatigue_dang_van"].values[0] == field.max_value
+    assert found["fatigue_margin_dang_van"].values[0] == field.margin(5e8)
+    assert found["load"].sizes["increment"] == 2
+
+
+def test_a_sweep_of_load_searches_scales_as_hertz(tmp_path):
+    """The load at a maximum pressure grows as the square of the radius."""
+    text = f"""title = "ball"
+[grid]
+nx = 24
+ny = 24
+dx = 2e-5
+dy = 2e-5
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = {STEEL["E"]}
+nu = {STEEL["nu"]}
+[surface]
+shape = "paraboloid"
+Rx = 5e-3
+[[path]]
+load = 50.0
+increments = 1
+"""
+    file = tmp_path / "ball.toml"
+    file.write_text(text)
+    outcome = invoke(
+        "sweep", file, "--set", "surface.Rx=5e-3,1e-2", "--find", "max_pressure=2 GPa",
+        "--output", tmp_path / "out",
+    )  # fmt: skip
+    assert outcome.exit_code == 0, outcome.output
+    assert "Load search" in outcome.stdout
+    found = open_results(tmp_path / "out" / "sweep.nc")
+    loads, errors = found["found_load"].values, found["found_load_error"].values
+    assert loads[1] / loads[0] == pytest.approx(4.0, rel=float(np.sum(errors / loads)))
+    assert np.all(errors < 0.3 * loads)
+    alone = sc.find_load(file, "max_pressure", 2e9, progress=False)
+    assert alone.load == loads[0]
+    outcome = invoke("sweep", file, "--set", "path[0].approach=1e-6", "--find", "yield")
+    assert outcome.exit_code == 2
+
+
+@pytest.mark.parametrize(
+    ("find", "message"),
+    [
+        ({"value": 1e9}, "find must have the entry quantity"),
+        ({"quantity": "max_presure"}, "did you mean max_pressure"),
+        ({"quantity": "yield", "load": 3.0}, "find must have the entry quantity, and may have"),
+    ],
+)
+def test_searches_are_checked_before_any_case_is_solved(find, message):
+    with pytest.raises(ValueError, match=message):
+        sc.sweep(Case.model_validate(BASE), {"body2.E": [2e11]}, find=find, progress=False)
+
+
+def test_results_of_the_path_are_those_of_a_sweep_without_shakedown():
+    path = [{"load": 500.0, "increments": 1}, {"load": 0.0, "increments": 1}]
+    plain = BASE | {"path": path}
+    values = {"path[0].load": [400.0]}
+    both = [
+        sc.sweep(Case.model_validate(one), values, progress=False)
+        for one in (plain, plain | {"shakedown": {"cycles": 2, "tol": 0.05}})
+    ]
+    for name in both[0].data_vars:
+        assert both[0][name].equals(both[1][name])
