@@ -362,12 +362,20 @@ WEAR = {
     "layers_across_plastic_zone": CONTACT["layers_across_plastic_zone"]._replace(
         long_name="thickness of the plastic zone before material is removed, in layers"
     ),
+    "coating_worn_share": Q(
+        "1", "maximum worn depth so far, relative to the thickness of the top layer", "%",
+        "worn share of the top layer", "worn share of\ntop layer",
+    ),
     # scalars of each cycle
     "parts": Q("1", "number of parts into which the repeats of the cycle were divided"),
     "friction_work": Q("J", "frictional work in the cycle", "J", "frictional work"),
     "slip_distance": Q(
         "m", "maximum sliding distance in one repeat", "µm", "maximum sliding distance per repeat",
         "sliding\ndistance",
+    ),
+    "plastic_flow": Q(
+        "1", "maximum equivalent plastic strain added by the last computed loop", "%",
+        "plastic strain per loop",
     ),
     "stick_area": Q(
         "m2", "contact area that sticks during a whole repeat", "µm²", "stick area",

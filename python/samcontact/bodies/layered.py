@@ -228,6 +228,14 @@ def require_homogeneous(reason: str, *bodies: Any) -> None:
         require_type(f"body{n}", body, Material)
 
 
+def elastic(body: Body) -> Body:
+    """Return a body with the elastic constants of `body`, which cannot yield."""
+    if isinstance(body, Layered):
+        layers = [(elastic(material), h) for material, h in body.layers]
+        return Layered(layers, elastic(body.substrate))  # type: ignore[arg-type]
+    return body if body.is_rigid else Material.elastic(body.E, body.nu)
+
+
 def materials_of(body: Body) -> list[Material]:
     """All materials of a body, from the surface down."""
     if isinstance(body, Material):

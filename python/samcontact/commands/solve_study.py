@@ -40,7 +40,7 @@ _PASS_COLUMNS = (
 )  # fmt: skip
 _CYCLE_COLUMNS = (
     "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
-    "slip_distance", "stick_area",
+    "slip_distance", "stick_area", "coating_worn_share",
 )  # fmt: skip
 
 

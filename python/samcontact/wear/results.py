@@ -51,11 +51,16 @@ class Cycle:
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
     layers_across_plastic_zone: tuple[float, ...]
     """Thickness of the plastic zone before removal [layers]; 0 without plastic zone."""
+    coating_worn_share: tuple[float, ...]
+    """Maximum worn depth so far, relative to the thickness of the top layer [-]; 0 without layers.
+    """
 
     PER_BODY: ClassVar = (
         "volume", "lost_volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
-        "layers_across_plastic_zone",
+        "layers_across_plastic_zone", "coating_worn_share",
     )  # fmt: skip
+    OPTIONAL: ClassVar = ("coating_worn_share",)
+    """Quantities that a dataset contains only if they differ from 0."""
 
 
 @dataclass(frozen=True)
@@ -87,8 +92,19 @@ class FrettingCycle:
     """Area in contact that does not slip during a whole repeat [m^2]."""
     cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
+    max_equivalent_plastic_strain: tuple[float, ...]
+    """Maximum equivalent plastic strain after removal [-]; 0 in elastic bodies."""
+    plastic_flow: float
+    """Maximum equivalent plastic strain that the last computed loop added [-]."""
+    coating_worn_share: tuple[float, ...]
+    """Maximum worn depth so far, relative to the thickness of the top layer [-]; 0 without layers.
+    """
 
-    PER_BODY: ClassVar = ("volume", "lost_volume", "depth")
+    PER_BODY: ClassVar = (
+        "volume", "lost_volume", "depth", "max_equivalent_plastic_strain", "coating_worn_share",
+    )  # fmt: skip
+    OPTIONAL: ClassVar = ("max_equivalent_plastic_strain", "plastic_flow", "coating_worn_share")
+    """Quantities that a dataset contains only if they differ from 0."""
 
 
 AnyCycle: TypeAlias = Cycle | FrettingCycle
@@ -167,6 +183,8 @@ class BaseWearResult(ShortRepr):
         for name in (item.name for item in fields(record) if item.name != "number"):
             dims = ("cycle", "body") if name in record.PER_BODY else "cycle"
             values = np.array([getattr(cycle, name) for cycle in self.cycles])
+            if name in record.OPTIONAL and not values.any():
+                continue
             dataset[name] = WEAR[name].variable(dims, values)
         dataset["wear_rate"] = WEAR["wear_rate"].variable("cycle", self.rate)
         dataset["worn_volume"] = WEAR["worn_volume"].variable("cycle", np.cumsum(self.rate))
@@ -195,4 +213,4 @@ class FrettingResult(BaseWearResult):
 
     cycles: list[FrettingCycle]
     last: tuple[State, ...] = field(repr=False)
-    """States of the first repeat of the last cycle."""
+    """States of the first repeat of the last cycle; their grid may be smaller than `grid`."""
