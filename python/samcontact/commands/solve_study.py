@@ -14,7 +14,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
 
-from .._util.quantities import ASPERITIES, WEAR
+from .._util.quantities import ASPERITIES
+from .._util.wear_quantities import WEAR
 from ..asperities.series import pass_results
 from ..files.atomic import replacing
 from ..plotting import asperities, wear

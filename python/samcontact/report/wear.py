@@ -10,7 +10,7 @@ import numpy as np
 
 from .. import plotting
 from .._util.check import Check
-from .._util.quantities import WEAR
+from .._util.wear_quantities import WEAR
 from ..plotting.parts import new_figure
 from ..wear.coating import MAX_WORN_SHARE
 from .figures import ReportFigure, embedded

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from .. import hertz
 from .._util.checks import FloatArray, boolean, integer
 from .._util.errors import IncrementWarning
-from ..bodies.layered import Body, materials_of
+from ..bodies.layered import Body, homogeneous_for_wave, materials_of
 from ..diagnostics import resolution
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
@@ -26,7 +26,7 @@ from ..simulation.simulation import Simulation
 from ..solutions.state import State, on_common_grid
 from .by_slip_checks import FrettingSetup, closing, make_setup
 from .checkpoint import require_own
-from .coating import homogeneous_for_wave, worn_shares
+from .coating import worn_shares
 from .plastic import flow_between, largest, moved_up, strains_of
 from .problem import WearProgress, centred, simulation_of
 from .repeating import repeat

@@ -8,8 +8,7 @@ from collections.abc import Mapping, Sequence
 
 from .._util.checks import FloatArray
 from .._util.errors import WornCoatingWarning
-from ..bodies.layered import Body, Layered
-from ..bodies.material import Material
+from ..bodies.layered import Body, top_thickness
 from .problem import WearProgress
 
 MAX_WORN_SHARE = 0.2
@@ -25,11 +24,7 @@ def worn_shares(
     """
     shares = []
     for number, rows in heights.items():
-        body = bodies[number - 1]
-        if not isinstance(body, Layered):
-            shares.append(0.0)
-            continue
-        thickness = body.layers[0][1]
+        thickness = top_thickness(bodies[number - 1])
         share = float((rows[0] - rows[-1]).max()) / thickness
         if share >= 1.0:
             raise ValueError(
@@ -56,12 +51,3 @@ def warn_of_worn_coating(standing: WearProgress, *, stacklevel: int) -> bool:
             stacklevel=stacklevel + 1,
         )
     return bool(worn)
-
-
-def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
-    """Return a homogeneous body with the compliance of `body` for a pressure wave [1/m]."""
-    if isinstance(body, Material):
-        return body
-    nu = body.layers[0][0].nu
-    compliance = float(body.wave_compliance(wavenumber))
-    return Material.elastic(2 * (1 - nu**2) / (wavenumber * compliance), nu)

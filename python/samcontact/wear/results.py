@@ -12,8 +12,8 @@ import numpy as np
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice, integer
 from .._util.display import ShortRepr
-from .._util.quantities import WEAR
 from .._util.version import version
+from .._util.wear_quantities import WEAR
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
 from ..solutions.state import State

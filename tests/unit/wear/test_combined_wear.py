@@ -77,7 +77,7 @@ def test_a_body_that_does_not_yield_frets_as_an_elastic_one(elastic):
 
 
 def test_scars_of_yielding_bodies_do_not_depend_on_their_numbers(yielding):
-    """With exchanged bodies, the shear on body 2 has the opposite sign."""
+    """The shear on body 2 has the opposite sign if the bodies are exchanged."""
     swapped = frets_softly(body1=SOFT, body2=STEEL, energy=(3e-14, 1e-14), cycle=loop(-0.1 * LOAD))
     scale = np.abs(yielding.profile(body=2)).max()
     for body in (1, 2):
