@@ -44,6 +44,7 @@ from ._util.errors import (
     ResolutionWarning,
     SingularPressureWarning,
     UnitWarning,
+    WornCoatingWarning,
 )
 from .accuracy import AccuracyResult, AccuracyWarning, to_accuracy
 from .accuracy.grid_errors import GridErrors, estimate_errors
@@ -98,6 +99,7 @@ __all__ = [
     "TensileLimit",
     "Track",
     "UnitWarning",
+    "WornCoatingWarning",
     "Zone",
     "__version__",
     "asperities",

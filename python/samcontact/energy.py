@@ -149,6 +149,9 @@ class EnergyBalance(HtmlTable):
         Energy dissipated by friction, and by plastic flow [J].
     eigenstrain_energy : float
         Elastic energy of prescribed eigenstrain alone [J]; not part of the external work.
+    expansion_work : float
+        Work of thermal expansion [J]: against the pressure, which heated surfaces push back, and of
+        the thermal stress on the plastic strain. Heat supplies it.
     """
 
     work_input: float
@@ -158,12 +161,14 @@ class EnergyBalance(HtmlTable):
     friction_work: float
     plastic_work: float
     eigenstrain_energy: float = 0.0
+    expansion_work: float = 0.0
 
     @property
     def imbalance(self) -> float:
-        """(Net external work - stored energy - dissipated energy)/(work input) [-]."""
+        """(Net work of forces and expansion - stored - dissipated energy)/(work input) [-]."""
         found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
-        return (self.net_external_work - found) / self.work_input if self.work_input > 0 else 0.0
+        supplied = self.net_external_work + self.expansion_work
+        return (supplied - found) / self.work_input if self.work_input > 0 else 0.0
 
     def _rows(self) -> Rows:
         parts = [
@@ -171,6 +176,7 @@ class EnergyBalance(HtmlTable):
             "friction_work", "plastic_work",
         ]  # fmt: skip
         parts += ["eigenstrain_energy"] if self.eigenstrain_energy > 0 else []
+        parts += ["expansion_work"] if self.expansion_work != 0 else []
         rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
         return [*rows, ("imbalance", percent(self.imbalance))]
 
@@ -181,7 +187,9 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     The work of an increment is the mean force times the motion. The mean load is computed for a
     load proportional to the power 3/2 of the approach, which is exact for elastic balls under
     normal load. `EnergyBalance.imbalance` decreases with the size of the increments. The energy of
-    the first state is part of the work input.
+    the first state is part of the work input. Bodies may be heated; the work of their expansion is
+    the mean pressure of an increment times the change of the thermal displacement, plus the mean
+    thermal stress times the plastic strain increment.
 
     Parameters
     ----------
@@ -197,8 +205,8 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        The friction is a number (full sliding); the contact rolls, is heated or is adhesive; a body
-        has thermal softening; the eigenstrain changes; tractions are prescribed; or there are no
+        The friction is a number (full sliding); the contact rolls or is adhesive; a body has
+        thermal softening; the eigenstrain changes; tractions are prescribed; or there are no
         states.
     """
     from .simulation.simulation import Simulation
@@ -213,7 +221,10 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     before, work = sum(first.values()) - first["eigenstrain_energy"], _work(states)
     given_back = float(work[work < 0].sum())
     net = before + float(work.sum())
-    return EnergyBalance(work_input=net - given_back, net_external_work=net, **last)
+    expansion = float(_expansion_work(simulation, states))
+    return EnergyBalance(
+        work_input=net - given_back, net_external_work=net, expansion_work=expansion, **last
+    )
 
 
 def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, float]:
@@ -274,12 +285,7 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         )
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be from load or approach control, got prescribed tractions"
-    for number, body in enumerate((simulation.body1, simulation.body2), 1):
-        if body.thermal is not None and any(np.any(s.surface_temperature(number)) for s in states):
-            return (
-                f"states must have no heating, but body {number} is heated: the work of thermal "
-                "expansion is not included in the balance"
-            )
+    for body in (simulation.body1, simulation.body2):
         if body.softening is not None:
             return f"bodies must have no thermal softening, got {body!r}"
     return ""
@@ -314,10 +320,51 @@ def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
     return np.where(nearly_equal, 0.5 * (first + second), 0.4 * (b**2.5 - a**2.5) / change)
 
 
+def _expansion_work(simulation: Simulation, states: Sequence[State]) -> float:
+    """Return the work of thermal expansion on the pressure and on the plastic strain [J]."""
+    total = 0.0
+    for number, body in enumerate((simulation.body1, simulation.body2), 1):
+        if body.thermal is None or not any(np.any(s.surface_temperature(number)) for s in states):
+            continue
+        grid = states[-1].grid
+        layers = max(state.layers for state in states) if body.is_plastic else 0
+        before = None
+        for state in states:
+            now = _expansion(simulation, state, number, layers)
+            if before is not None:
+                mean = [0.5 * (a + b) for a, b in zip(before, now, strict=True)]
+                change = [b - a for a, b in zip(before, now, strict=True)]
+                total -= grid.cell_area * float(np.sum(mean[0] * change[1]))
+                total += grid.cell_area * (grid.dz or 0.0) * _product(mean[2], change[3])
+            before = now
+    return total
+
+
+def _expansion(
+    simulation: Simulation, state: State, body: int, layers: int
+) -> tuple[FloatArray, ...]:
+    """Return pressure, thermal displacement, thermal stress and plastic strain of a body.
+
+    layers: number of layers of stress and strain; 0 for an elastic body, which needs neither.
+    """
+    solver, pressure, shear = _elastic_solver(simulation, state), state.pressure, state.shear
+    cold = solver.displacement(pressure, shear, body)[2] + state.residual_displacement(body)
+    risen = state.surface_displacement(body) - cold
+    if layers == 0:
+        return pressure, risen, np.zeros(6), np.zeros(6)
+    deep = state.at_layers(layers)
+    stress = solver.stress(pressure, deep.depths, body, shear=shear) + deep.residual_stress(body)
+    return pressure, risen, deep.stress(body) - stress, deep.plastic_strain(body)
+
+
+def _elastic_solver(simulation: Simulation, state: State) -> ContactSolver:
+    bodies = simulation.body1, simulation.body2
+    return ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
+
+
 def _elastic_energy(simulation: Simulation, state: State) -> float:
     """Return half the work [J] of the tractions on the elastic displacement that they cause."""
-    bodies = simulation.body1, simulation.body2
-    solver = ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
+    solver = _elastic_solver(simulation, state)
     pressure, shear = state.pressure, state.shear
     first, second = (solver.displacement(pressure, shear, body) for body in (1, 2))
     done = np.sum(pressure * (first[2] + second[2])) + np.sum(shear * (second - first)[:2])

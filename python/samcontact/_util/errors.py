@@ -42,6 +42,10 @@ class IncrementWarning(UserWarning):
     """Warning that the increments are too large: more increments would change the results."""
 
 
+class WornCoatingWarning(UserWarning):
+    """Warning that the top layer of a layered body has lost more than 20 % of its thickness."""
+
+
 class AccuracyWarning(UserWarning):
     """Warning that a prescribed accuracy is not reached."""
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
@@ -226,6 +227,28 @@ def require_homogeneous(reason: str, *bodies: Any) -> None:
                 f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
             )
         require_type(f"body{n}", body, Material)
+
+
+def top_thickness(body: Body) -> float:
+    """Thickness of the top layer [m]; infinite for a body without layers."""
+    return body.layers[0][1] if isinstance(body, Layered) else math.inf
+
+
+def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
+    """Return a homogeneous body with the compliance of `body` for a pressure wave [1/m]."""
+    if isinstance(body, Material):
+        return body
+    nu = body.layers[0][0].nu
+    compliance = float(body.wave_compliance(wavenumber))
+    return Material.elastic(2 * (1 - nu**2) / (wavenumber * compliance), nu)
+
+
+def elastic(body: Body) -> Body:
+    """Return a body with the elastic constants of `body`, which cannot yield."""
+    if isinstance(body, Layered):
+        layers = [(elastic(material), h) for material, h in body.layers]
+        return Layered(layers, elastic(body.substrate))  # type: ignore[arg-type]
+    return body if body.is_rigid else Material.elastic(body.E, body.nu)
 
 
 def materials_of(body: Body) -> list[Material]:

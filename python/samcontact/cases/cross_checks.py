@@ -22,8 +22,6 @@ def require_all_used(case: Any) -> None:
     # [[path]] heat_factor: 0 switches the heat source off on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
         require_cold(bodies, "add [heat]")
-    if case.wear is not None:
-        require_no_layers(bodies, "[wear]")
     require_image_tol(case.contact)
     _require_zones(case)
     _require_law_of_friction(case)
@@ -91,15 +89,9 @@ def _require_repeatable(case: Any) -> None:
 
 def _require_law_of_friction(case: Any) -> None:
     """Raise ValueError if wear, or a tangential motion or force, does not suit the friction law."""
-    by_slip = case.wear is not None and case.wear.law != "threshold"
     if case.sticks:
-        if case.wear is not None and not by_slip:
-            raise ValueError(
-                "wear.threshold requires full sliding: set contact.friction to a number, or use "
-                "wear.energy instead"
-            )
         return
-    if case.wear is not None and by_slip:
+    if case.wear is not None and case.wear.law != "threshold":
         raise ValueError(
             f"wear.{case.wear.law} requires Coulomb friction: set [contact] friction = "
             "{coulomb = 0.3}, or use wear.threshold instead"

@@ -4,15 +4,13 @@
 from __future__ import annotations
 
 import os
-from inspect import signature
-from typing import TYPE_CHECKING, Annotated, Any, Literal, cast
+from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field, model_validator
 
 from .base import BodyNumber, Count, Length, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
-    from ..bodies.material import Material
     from ..simulation.simulation import Simulation
     from ..wear import FrettingResult, WearResult
 
@@ -69,23 +67,18 @@ class WearSection(Section):
         from .. import wear
 
         # all settings of the case file, so that none is ignored
-        arguments = signature(type(simulation)).parameters.values()
-        names = [argument.name for argument in arguments if argument.kind is argument.KEYWORD_ONLY]
-        common: dict[str, Any] = {name: getattr(simulation, name) for name in names}
-        common |= {"friction": simulation.friction, "cycle": cycle, "cycles": self.cycles}
-        common |= {"checkpoint": checkpoint, "progress": progress}
-        bodies = cast("Material", simulation.body1), cast("Material", simulation.body2)
-        given = simulation.grid, *bodies, simulation.initial_gap
+        given = simulation.engine.setup.on_grid(simulation.grid, simulation.heat)
+        given |= {"cycle": cycle, "cycles": self.cycles}
+        given |= {"checkpoint": checkpoint, "progress": progress}
         if self.threshold is None:
-            common |= {self.law: getattr(self, self.law), "repeats": self.repeats}
-            return wear.fretting(*given, **common)
+            given |= {self.law: getattr(self, self.law), "repeats": self.repeats}
+            return wear.fretting(**given)
         return wear.run(
-            *given,
             threshold=self.threshold,
             worn=tuple(self.worn),
             smoothing_length=self.smoothing_length,
             window=tuple(self.window) if isinstance(self.window, list) else self.window,
             order=self.order,
             strain_depth=self.strain_depth,
-            **common,
+            **given,
         )

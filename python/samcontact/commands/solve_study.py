@@ -14,7 +14,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
 
-from .._util.quantities import ASPERITIES, WEAR
+from .._util.quantities import ASPERITIES
+from .._util.wear_quantities import WEAR
 from ..accuracy import AccuracyResult, to_accuracy
 from ..accuracy.prescribed import prepare_search
 from ..asperities.series import pass_results
@@ -43,7 +44,7 @@ _PASS_COLUMNS = (
 )  # fmt: skip
 _CYCLE_COLUMNS = (
     "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
-    "slip_distance", "stick_area",
+    "slip_distance", "stick_area", "coating_worn_share",
 )  # fmt: skip
 
 

@@ -15,7 +15,8 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite, integer
-from .._util.quantities import CONTACT, WEAR
+from .._util.quantities import CONTACT
+from .._util.wear_quantities import WEAR
 from ..results.reading import cell_size
 from .fields import Plane, show_section, show_surface
 from .parts import (

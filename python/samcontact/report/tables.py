@@ -217,6 +217,8 @@ def _energy_table(balance: EnergyBalance) -> Table:
         "plastic dissipation": balance.plastic_work,
         "unaccounted for": balance.imbalance * balance.work_input,
     }
+    if balance.expansion_work != 0:
+        parts = {"work of thermal expansion": balance.expansion_work} | parts
     reference = balance.work_input or 1.0
     rows = [
         (name, [cell(value, 1.0), _percent(value / reference)]) for name, value in parts.items()

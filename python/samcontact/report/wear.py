@@ -10,8 +10,9 @@ import numpy as np
 
 from .. import plotting
 from .._util.check import Check
-from .._util.quantities import WEAR
+from .._util.wear_quantities import WEAR
 from ..plotting.parts import new_figure
+from ..wear.coating import MAX_WORN_SHARE
 from .figures import ReportFigure, embedded
 from .quality_checks import cells_across_contact, layers_across_plastic_zone
 from .tables import maxima_table, values_table
@@ -27,7 +28,7 @@ MAX_PROFILES = 10  # maximum number of profiles in a figure
 _CYCLE_VARIABLES = (
     "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",
     "max_von_mises", "contact_area", "cells_across_contact", "layers_across_plastic_zone",
-    "friction_work", "slip_distance", "stick_area",
+    "friction_work", "slip_distance", "stick_area", "plastic_flow", "coating_worn_share",
 )  # fmt: skip
 
 
@@ -48,6 +49,9 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     yield Check(name, difference / removed if removed > 0 else difference, MAX_VOLUME_DIFFERENCE)
     # of the initial surface: a worn surface touches at its edges
     yield cells_across_contact(float(dataset["cells_across_contact"][0]), " of the first cycle")
+    if "coating_worn_share" in dataset:
+        share = float(dataset["coating_worn_share"].max())
+        yield Check("maximum worn share of a top layer", share, MAX_WORN_SHARE)
     for body in dataset["body"].values.tolist() if "layers_across_plastic_zone" in dataset else ():
         yield from layers_across_plastic_zone(
             dataset["layers_across_plastic_zone"].sel(body=body), body

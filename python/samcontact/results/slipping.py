@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 _BALANCE = (
     "work_input", "net_external_work", "elastic_energy", "residual_energy", "plastic_work",
 )  # fmt: skip
+_EXPANSION = "expansion_work"
 _SURFACE = ("increment", "x", "y")
 _FLAGS = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no_stick stick"}
 """Attributes of `sticking` by the CF conventions, section 3.5."""
@@ -60,7 +61,7 @@ def add_slipping(
 
 
 def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
-    for name in _BALANCE:
+    for name in _BALANCE if found.expansion_work == 0 else (*_BALANCE, _EXPANSION):
         dataset[name] = CONTACT[name].variable((), getattr(found, name))
 
 
@@ -68,7 +69,7 @@ def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
     """Return the energy balance stored in a results dataset; None if there is none."""
     if "work_input" not in dataset:
         return None
-    given = {name: float(dataset[name]) for name in _BALANCE}
+    given = {n: float(dataset[n]) for n in (*_BALANCE, _EXPANSION) if n in dataset}
     return energy.EnergyBalance(**given, friction_work=float(dataset["friction_work"][-1]))
 
 

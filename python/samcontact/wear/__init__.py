@@ -3,9 +3,8 @@
 
 `run` simulates wear as in Boucly (2008), part 5: after each load cycle, material with too much
 accumulated plastic strain is removed at the surface, and the next cycle starts from the worn
-surface with the remaining plastic strain. `fretting` simulates wear of elastic bodies under
-oscillating slip, in proportion to the frictional work or to pressure times slip distance. See
-docs/theory/wear.md.
+surface with the remaining plastic strain. `fretting` simulates wear under oscillating slip, in
+proportion to the frictional work or to pressure times slip distance. See docs/theory/wear.md.
 """
 
 from .by_slip import fretting

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import math
 import os
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -14,17 +15,21 @@ from numpy.typing import ArrayLike
 
 from .. import hertz
 from .._util.checks import FloatArray, boolean, integer
-from ..bodies.material import Material
+from .._util.errors import IncrementWarning
+from ..bodies.layered import Body, homogeneous_for_wave, materials_of
 from ..diagnostics import resolution
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
 from ..simulation.simulation import Simulation
-from ..solutions.state import State
+from ..solutions.state import State, on_common_grid
 from .by_slip_checks import FrettingSetup, closing, make_setup
-from .checkpoint import WearProgress, require_own
-from .repeating import reliefs_of, repeat
+from .checkpoint import require_own
+from .coating import worn_shares
+from .plastic import flow_between, largest, moved_up, strains_of
+from .problem import WearProgress, centred, simulation_of
+from .repeating import repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
@@ -40,12 +45,14 @@ The limit is not smaller because, at the edge of the stick zone, slip directions
 over many repeats. This rotation does not noticeably affect the frictional work.
 """
 _MAX_REPEATS = 20
+_SMALL_FLOW = 0.01
+"""Equivalent plastic strain in a repeat, relative to the yield strain, that is neglected."""
 
 
 def fretting(
     grid: Grid,
-    body1: Material,
-    body2: Material,
+    body1: Body,
+    body2: Body,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     cycle: Iterable[Mapping[str, Any]],
@@ -60,18 +67,20 @@ def fretting(
     progress: bool = True,
     **settings: Any,
 ) -> FrettingResult:
-    """Simulate fretting wear of elastic bodies, by dissipated energy or by Archard's law.
+    """Simulate fretting wear by dissipated energy or by Archard's law.
 
     Parameters
     ----------
     grid, body1, body2, gap, relief1, relief2
-        As for `Simulation`; the bodies cannot yield, and do not move except for slip. Surfaces
-        given as functions are evaluated on this grid, which is not enlarged.
+        As for `Simulation`; the bodies do not move except for slip. If all surfaces are given as
+        functions, the grid is enlarged when the contact reaches its edge. Plastic strain, and the
+        layers of a layered body, are treated as in `run`.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``, with load or
-        approach, shift or tangential_load, twist or torque. The last step must repeat an earlier
-        step. The steps up to this earlier step are a lead-in, which causes no wear. The first
-        repetitions, until the shear is periodic, cause no wear either.
+        approach, shift or tangential_load, twist or torque; with ``heat=Heat(partition=...)``, each
+        step has a duration. The last step must repeat an earlier step. The steps up to this earlier
+        step are a lead-in, which causes no wear. The first repetitions, until the shear is
+        periodic, cause no wear either.
     friction : Coulomb
         Friction law with a finite coefficient > 0.
     energy : float or pair of floats
@@ -86,6 +95,9 @@ def fretting(
     repeats : int, optional
         Number of repeats of the loop per cycle, >= 1. The contact is solved again before the wear
         since the last solution changes the shortest pressure wave on the grid by more than 100 %.
+        Each solution starts with unloaded, unheated bodies that have the plastic strain of the
+        previous solution, and adds the plastic flow of the loops that it computes: usually one or
+        two.
     checkpoint, progress
         As for `run`.
     **settings
@@ -102,6 +114,14 @@ def fretting(
         contact solutions, or does not become periodic; a contact reaches the edge of the grid; a
         checkpoint was written by a run with different arguments. The exception of a later cycle
         holds the result of the completed cycles in its attribute `result`.
+
+    Warns
+    -----
+    WornCoatingWarning
+        As in `run`.
+    IncrementWarning
+        Plastic strain still grows in the last computed loop, by more than 1 % of the yield strain:
+        the bodies do not shake down, and flow in loops that are not computed is missing.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -117,7 +137,24 @@ def fretting(
         integer("repeats", repeats, 1),
         settings,
     )
-    return repeat(FrettingResult, setup, _advance, count, checkpoint, progress)
+    result = repeat(FrettingResult, setup, _advance, count, checkpoint, progress)
+    _warn_of_flow(setup, result.cycles[-1])
+    return result
+
+
+def _warn_of_flow(setup: FrettingSetup, last: FrettingCycle) -> None:
+    """Warn if plastic strain would grow in repeats that are not computed."""
+    weak = [m for body in setup.bodies for m in materials_of(body) if m.is_plastic]
+    small = min((_SMALL_FLOW * m.min_yield_stress / m.E for m in weak), default=math.inf)
+    if setup.repeats > 1 and last.plastic_flow > small:
+        warnings.warn(
+            f"the bodies have not shaken down: the last computed loop of cycle {last.number} adds "
+            f"an equivalent plastic strain of {last.plastic_flow:.3g}, and the plastic flow of "
+            "loops that are not computed is missing; use fewer repeats and more cycles, or apply "
+            "samcontact.shakedown.run to the unworn bodies",
+            IncrementWarning,
+            stacklevel=3,
+        )
 
 
 @dataclass(frozen=True)
@@ -133,45 +170,36 @@ class _Repeat:
     """Wear depth divided by the wear coefficient [m Pa]."""
     per_pressure: FloatArray
     """Wear depth divided by the wear coefficient and by the pressure [m]."""
+    flow: float
+    """Maximum equivalent plastic strain added in the repeat [-]."""
 
 
-def _solve_repeat(setup: FrettingSetup, heights: Mapping[int, list[FloatArray]]) -> _Repeat:
+def _solve_repeat(setup: FrettingSetup, standing: WearProgress) -> _Repeat:
     """Solve one repeat on the current surfaces, after a lead-in from unloaded bodies."""
-    relief1, relief2 = reliefs_of(setup, WearProgress(dict(heights)))
-    simulation = Simulation(
-        setup.grid,
-        *setup.bodies,
-        setup.gap,
-        setup.friction,
-        relief1=relief1,
-        relief2=relief2,
-        **setup.settings,
-    )
-    simulation.monitor.checks_steps = False
-    simulation.monitor.checks_increments = False  # not for each of many repeats
-    states = _closed(simulation, setup)
+    states, flow = _closed(simulation_of(setup, standing), setup)
     slips = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)
     slip_distance = slips.sum(axis=0)
     if setup.law == "archard":
         swept = np.sum([state.pressure for state in states] * slips, axis=0)
-        return _Repeat(states, work, slip_distance, swept, slip_distance)
+        return _Repeat(states, work, slip_distance, swept, slip_distance, flow)
     pressures = np.concatenate([state.pressure[state.in_contact] for state in states])
     ratio = setup.friction.ratio(float(pressures.mean())) if pressures.size else 0.0
-    return _Repeat(states, work, slip_distance, work, ratio * slip_distance)
+    return _Repeat(states, work, slip_distance, work, ratio * slip_distance, flow)
 
 
-def _closed(simulation: Simulation, setup: FrettingSetup) -> tuple[State, ...]:
-    """Repeat the loop until the shear is periodic, and return the states of the last repeat."""
+def _closed(simulation: Simulation, setup: FrettingSetup) -> tuple[tuple[State, ...], float]:
+    """Repeat the loop until the shear is periodic; return states and flow of the last repeat."""
     lead = closing(setup.cycle)
     for step in setup.cycle[:lead]:
         simulation.step(**step)
     for _ in range(_MAX_REPEATS):
         start = simulation.state
-        states = tuple(simulation.step(**step) for step in setup.cycle[lead:])
+        states = [simulation.step(**step) for step in setup.cycle[lead:]]
+        start, *states = on_common_grid([start, *states])
         bound = float(setup.friction.bound(max(s.pressure.max() for s in states)))
         if np.abs(states[-1].shear - start.shear).max() <= _MAX_SHEAR_MISMATCH * bound:
-            return states
+            return tuple(states), flow_between(setup, start, states[-1])
     raise ValueError(
         "cycle must give a periodic response, but the shear at its end still changes "
         f"after {_MAX_REPEATS} repetitions: use a closed cycle"
@@ -183,16 +211,20 @@ def _advance(
 ) -> tuple[tuple[State, ...], WearProgress]:
     """Advance by one cycle, divided into as many contact solutions as stability requires."""
     heights = {body: [*before, before[-1]] for body, before in standing.heights.items()}
+    now = replace(standing, heights=heights)
+    setup = setup.over(now.grid)
     left, parts, work, removed = float(setup.repeats), 0, 0.0, np.zeros(setup.grid.surface_shape)
-    first = _solve_repeat(setup, heights)
+    first = _solve_repeat(setup, now)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
         raise ValueError(
             "cycle must bring the bodies into contact when it is repeated, "
             "got no contact: increase the load"
         )
     while left > 0:
-        now = _solve_repeat(setup, heights) if parts else first
-        max_repeats = _max_repeats(setup, now)
+        solved = _solve_repeat(setup, now) if parts else first
+        setup = setup.over(solved.states[-1].grid)
+        now, removed = now.over(setup), centred(removed, setup.grid.surface_shape)
+        max_repeats = _max_repeats(setup, solved)
         if left > (_MAX_PARTS - parts) * max_repeats:
             raise ValueError(
                 f"{setup.law} and repeats are too large: a cycle may be divided into at "
@@ -201,18 +233,34 @@ def _advance(
                 "repeats: use fewer repeats, or check the unit of the coefficient"
             )
         count = min(left, max_repeats)
-        removed += count * now.worn
-        work += count * _integral(setup.grid, now.work)
-        for body in setup.worn:
-            lost = setup.coefficients[body - 1] * removed
-            heights[body][-1] = standing.heights[body][-1] - lost
+        removed = removed + count * solved.worn
+        work += count * _integral(setup.grid, solved.work)
+        now = _worn(setup, now, solved, count, removed)
         left, parts = left - count, parts + 1
     volumes = tuple(setup.coefficients[b - 1] * _integral(setup.grid, removed) for b in setup.worn)
-    cycle = _record(first, heights, volumes, len(standing.cycles) + 1, parts, work)
-    return first.states, WearProgress(heights, {}, [*standing.cycles, cycle])
+    cycle = _record(setup, (first, solved), now, volumes, parts, work)
+    return first.states, replace(now, cycles=[*standing.cycles, cycle])
 
 
-def _max_repeats(setup: FrettingSetup, now: _Repeat) -> float:
+def _worn(
+    setup: FrettingSetup, now: WearProgress, solved: _Repeat, count: float, removed: FloatArray
+) -> WearProgress:
+    """Return the state after `count` repeats, with plastic strain moved up to the worn surface.
+
+    removed: wear depth of the cycle so far, for a coefficient of 1 [m Pa].
+    """
+    heights = dict(now.heights)
+    strains = strains_of(setup, solved.states[-1])
+    for body in setup.worn:
+        coefficient, before = setup.coefficients[body - 1], heights[body]
+        heights[body] = [*before[:-1], before[-2] - coefficient * removed]
+        if body in strains:
+            part = coefficient * count * solved.worn
+            strains[body] = moved_up(setup, body, strains[body], part)
+    return replace(now, heights=heights, strains=strains)
+
+
+def _max_repeats(setup: FrettingSetup, solved: _Repeat) -> float:
     """Return the number of repeats after which the contact must be solved again.
 
     Wear of depth c p changes a pressure wave of wavenumber k by the fraction -c E* k/2.
@@ -220,22 +268,25 @@ def _max_repeats(setup: FrettingSetup, now: _Repeat) -> float:
     grid = setup.grid
     steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]
     shortest = math.pi * math.hypot(*steps)
-    stiffness = 0.5 * hertz.effective_modulus(*setup.bodies) * shortest
-    change = sum(setup.coefficients) * float(now.per_pressure.max()) * stiffness
+    bodies = (homogeneous_for_wave(body, shortest) for body in setup.bodies)
+    stiffness = 0.5 * hertz.effective_modulus(*bodies) * shortest
+    change = sum(setup.coefficients) * float(solved.per_pressure.max()) * stiffness
     return _MAX_PRESSURE_CHANGE / change if change > 0 else math.inf
 
 
 def _record(
-    first: _Repeat,
-    heights: Mapping[int, list[FloatArray]],
+    setup: FrettingSetup,
+    solved: tuple[_Repeat, _Repeat],
+    after: WearProgress,
     volumes: tuple[float, ...],
-    number: int,
     parts: int,
     work: float,
 ) -> FrettingCycle:
-    losses = [rows[-2] - rows[-1] for rows in heights.values()]
+    first, last = solved
+    losses = [rows[-2] - rows[-1] for rows in after.heights.values()]
     loaded = max(first.states, key=lambda state: state.load)
     grid, sticking = loaded.grid, loaded.in_contact & (first.slip_distance == 0)
+    number = len(after.cycles) + 1
     return FrettingCycle(
         number=number,
         parts=parts,
@@ -248,6 +299,11 @@ def _record(
         contact_area=loaded.contact_area,
         stick_area=int(np.count_nonzero(sticking)) * grid.cell_area,
         cells_across_contact=resolution.cells_across(loaded.repulsion),
+        max_equivalent_plastic_strain=tuple(
+            largest(after.strains.get(body), slice(None)) for body in setup.worn
+        ),
+        plastic_flow=last.flow,
+        coating_worn_share=worn_shares(setup.bodies, after.heights, number),
     )
 
 

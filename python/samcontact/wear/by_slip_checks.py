@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._util.checks import (
-    FloatArray,
     exactly_one,
     finite_array,
     number,
@@ -17,40 +16,30 @@ from .._util.checks import (
     value_per_body,
 )
 from .._util.short_text import in_short
-from ..bodies.layered import require_homogeneous
-from ..bodies.material import Material
+from ..bodies.layered import Body, require_bodies
 from ..contact.tangential_drive import TangentialInput
 from ..diagnostics.plausibility import warn_if_implausible, wear_coefficient
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw, sticking_law
 from ..problem.grid import Grid
-from ..problem.moving_topography import Relief
-from .checks import NO_LAYERED_WEAR
+from .problem import WearProblem
 from .results import FrettingCycle
 
-_ALLOWED_ARGUMENTS = ("load", "approach", "shift", "tangential_load", "twist", "torque")
+_ALLOWED_ARGUMENTS = (
+    "load", "approach", "shift", "tangential_load", "twist", "torque", "duration",
+)  # fmt: skip
 _ROUNDING_ERROR = 1e-9
 """Difference, relative to the maximum of a cycle, below which loads or motions count as equal."""
 
 
 @dataclass(frozen=True)
-class FrettingSetup:
+class FrettingSetup(WearProblem):
     """Checked arguments of `samcontact.wear.fretting`, constant over all cycles."""
 
-    grid: Grid
-    bodies: tuple[Material, Material]
-    gap: FloatArray
-    cycle: list[dict[str, Any]]
     friction: FrictionLaw
     law: str
     coefficients: tuple[float, float]
     repeats: int
-    reliefs: tuple[Relief | None, Relief | None]
-    settings: dict[str, Any]
-
-    @property
-    def worn(self) -> tuple[int, ...]:
-        return tuple(body for body in (1, 2) if self.coefficients[body - 1] > 0)
 
     @property
     def record(self) -> type[FrettingCycle]:
@@ -63,7 +52,7 @@ class FrettingSetup:
 
 def make_setup(
     grid: Grid,
-    bodies: tuple[Material, Material],
+    bodies: tuple[Body, Body],
     given: SurfaceGeometry,
     cycle: Iterable[Mapping[str, Any]],
     friction: FrictionLaw,
@@ -74,13 +63,7 @@ def make_setup(
 ) -> FrettingSetup:
     """Check all arguments that `Simulation` does not check, and return them."""
     require_type("grid", grid, Grid)
-    require_homogeneous(NO_LAYERED_WEAR, *bodies)
-    for n, body in enumerate(bodies, 1):
-        if body.is_plastic:
-            raise ValueError(
-                f"body{n} must be elastic for fretting wear, got law {body.law}: use "
-                "samcontact.wear.run for wear by plastic strain"
-            )
+    require_bodies(*bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(
@@ -96,16 +79,18 @@ def make_setup(
     path = step_list("cycle", cycle, _ALLOWED_ARGUMENTS)
     closing(path)
     return FrettingSetup(
-        grid,
-        bodies,
-        surfaces.initial_gap,
-        path,
-        friction,
-        law,
-        coefficients,
-        repeats,
-        surfaces.reliefs,
-        settings,
+        surfaces=given,
+        grid=grid,
+        bodies=bodies,
+        gap=surfaces.initial_gap,
+        reliefs=surfaces.reliefs,
+        cycle=path,
+        friction=friction,
+        worn=tuple(body for body in (1, 2) if coefficients[body - 1] > 0),
+        settings=settings,
+        law=law,
+        coefficients=coefficients,
+        repeats=repeats,
     )
 
 

@@ -8,73 +8,30 @@ import os
 import shutil
 import warnings
 from contextlib import AbstractContextManager
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
-from .._util.checks import FloatArray, file_path
-from ..bodies.material import Material
+from .._util.checks import file_path
+from ..bodies.layered import backstresses_of
 from ..files.atomic import replacing
 from ..files.checksum import check_seal
 from ..files.ownership import require_marked
-from ..problem.grid import Grid
-from ..problem.moving_topography import Relief
 from ..restart.file import READ_ERRORS, DamagedCheckpointError, damaged, require_same
 from ..restart.file import read as read_file
 from ..restart.file import write as write_file
 from ..restart.identity import Identity, identity, require_identified
 from ..restart.lock import locked
 from ..restart.tree import Tree, array
+from .problem import BodyStrain, WearProblem, WearProgress
 from .results import AnyCycle
 
 _KIND = "wear"
 
 
-class WearProblem(Protocol):
-    """Checked arguments of a wear computation, constant over all cycles."""
-
-    @property
-    def grid(self) -> Grid: ...
-    @property
-    def bodies(self) -> tuple[Material, Material]: ...
-    @property
-    def gap(self) -> FloatArray: ...
-    @property
-    def reliefs(self) -> tuple[Relief | None, Relief | None]: ...
-    @property
-    def worn(self) -> tuple[int, ...]: ...
-    @property
-    def record(self) -> type[AnyCycle]:
-        """Class of the results of a cycle."""
-
-    def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row and the number of rows of a body that can wear."""
-
-
-@dataclass
-class BodyStrain:
-    """Plastic state of a body; row 0 of the fields is row `first` of the grid."""
-
-    first: int
-    strain: FloatArray
-    equivalent: FloatArray
-    backstress: FloatArray | None = None
-
-
-@dataclass
-class WearProgress:
-    """Initial state of the next cycle, and results of the preceding cycles."""
-
-    heights: dict[int, list[FloatArray]]
-    """Heights of each worn body, at the start and after each cycle."""
-    strains: dict[int, BodyStrain] = field(default_factory=dict)
-    cycles: list[AnyCycle] = field(default_factory=list)
-
-
 def _identity(problem: WearProblem) -> Identity:
-    return identity(**vars(problem))
+    return identity(**problem.arguments)
 
 
 def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
@@ -105,6 +62,7 @@ def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProg
         for item in dataclasses.fields(problem.record)
     }
     tree: Tree = {f"heights{body}": np.stack(rows) for body, rows in standing.heights.items()}
+    tree["cells"] = np.array(standing.grid.surface_shape)
     tree |= {f"strain{body}": vars(kept) for body, kept in standing.strains.items()}
     write_file(path, _KIND, {"run": _identity(problem), **tree, "cycles": records})
 
@@ -150,7 +108,9 @@ def read(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | N
 
 def _standing(tree: Tree, problem: WearProblem) -> WearProgress:
     cycles = _cycles(tree["cycles"], problem)
-    standing = WearProgress({}, {}, cycles)
+    nx, ny = tree["cells"].tolist()
+    problem = problem.over(dataclasses.replace(problem.grid, nx=nx, ny=ny))
+    standing = WearProgress(problem.grid, {}, {}, cycles)
     for body in problem.worn:
         _, rows = problem.rows(body)
         shape = (len(cycles) + 1, rows, problem.grid.ny)
@@ -162,7 +122,7 @@ def _standing(tree: Tree, problem: WearProblem) -> WearProgress:
             equivalent = array(part, "equivalent", (None, ny, layers))
             strain = array(part, "strain", (6, *equivalent.shape))
             if "backstress" in part:
-                terms = len(problem.bodies[body - 1].kinematic)
+                terms = backstresses_of(problem.bodies[body - 1])
                 back = array(part, "backstress", (terms, *strain.shape))
             standing.strains[body] = BodyStrain(int(part["first"]), strain, equivalent, back)
     return standing

@@ -22,15 +22,16 @@ from .._util.checks import (
 )
 from .._util.errors import ElasticStrainWarning
 from .._util.short_text import in_short
-from ..bodies.layered import require_homogeneous
-from ..bodies.material import Material
+from ..bodies.layered import Body, elastic, require_bodies
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..problem.contact_law import in_contact
 from ..problem.domain import SurfaceGeometry
+from ..problem.friction import FrictionLaw, friction_law, is_law
 from ..problem.grid import Grid
-from ..problem.moving_topography import Relief, heights_over
+from ..problem.moving_topography import heights_over
 from ..simulation.steps import STEP_ARGUMENTS
+from .problem import WearProblem
 from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, window_and_order
 
@@ -40,7 +41,6 @@ YIELD_STRAIN = 20e-6
 The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
 strain alone and is far beyond yield.
 """
-NO_LAYERED_WEAR = "layered bodies are not supported, because a worn layer has no uniform thickness"
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
 """Width of a moving mean divided by the standard deviation of a Gaussian with equal variance."""
 _MARGIN_ROWS = 4
@@ -48,20 +48,12 @@ _MARGIN_ROWS = 4
 
 
 @dataclass(frozen=True)
-class WearSetup:
+class WearSetup(WearProblem):
     """Checked arguments of `samcontact.wear.run`, constant over all cycles."""
 
-    grid: Grid
-    bodies: tuple[Material, Material]
-    gap: FloatArray
-    cycle: list[dict[str, Any]]
     threshold: float
-    worn: tuple[int, ...]
     filter: Gaussian | Polynomials
     strain_depth: str
-    friction: float
-    reliefs: tuple[Relief | None, Relief | None]
-    settings: dict[str, Any]
 
     @property
     def record(self) -> type[Cycle]:
@@ -78,21 +70,21 @@ class WearSetup:
 
 def make_setup(
     grid: Grid,
-    bodies: tuple[Material, Material],
+    bodies: tuple[Body, Body],
     given: SurfaceGeometry,
     cycle: Iterable[Mapping[str, Any]],
     threshold: float,
     worn: Sequence[int],
     smoothing: Gaussian | Polynomials,
     strain_depth: str,
-    friction: float,
+    friction: float | FrictionLaw,
     settings: dict[str, Any],
 ) -> WearSetup:
     """Check all arguments and return them; one elastic solution gives the size of the contact."""
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
-    require_homogeneous(NO_LAYERED_WEAR, *bodies)
+    require_bodies(*bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)
@@ -113,17 +105,18 @@ def make_setup(
     path = step_list("cycle", cycle, STEP_ARGUMENTS)
     _check_cycle(path, grid)
     setup = WearSetup(
-        grid,
-        bodies,
-        surfaces.initial_gap,
-        path,
-        limit,
-        tuple(sorted(numbers)),
-        smoothing,
-        choice("strain_depth", strain_depth, ("exact", "smoothed")),
-        number("friction", friction),
-        surfaces.reliefs,
-        settings,
+        surfaces=given,
+        grid=grid,
+        bodies=bodies,
+        gap=surfaces.initial_gap,
+        reliefs=surfaces.reliefs,
+        cycle=path,
+        friction=friction if is_law(friction) else number("friction", friction),
+        worn=tuple(sorted(numbers)),
+        settings=settings,
+        threshold=limit,
+        filter=smoothing,
+        strain_depth=choice("strain_depth", strain_depth, ("exact", "smoothed")),
     )
     _check_filter(setup)
     return setup
@@ -215,15 +208,20 @@ def _elastic_pressure(setup: WearSetup) -> FloatArray:
     if given:
         fields = [finite_array("pressure", field, grid.surface_shape) for field in given]
         return max(fields, key=lambda field: float(field.sum()))
-    gap = setup.gap.copy()
-    for relief in setup.reliefs:
-        if relief is not None:
-            gap -= heights_over(relief, 0, grid.nx)
-    body1, body2 = (
-        Material.elastic(body.E, body.nu) if body.is_plastic else body for body in setup.bodies
-    )
+
+    def gap_over(larger: Grid) -> FloatArray:
+        at = setup.over(larger)
+        gap: FloatArray = at.gap.copy()
+        for relief in at.reliefs:
+            if relief is not None:
+                gap -= heights_over(relief, 0, larger.nx)
+        return gap
+
+    gap = gap_over if setup.surfaces.are_known else gap_over(grid)
+    body1, body2 = (elastic(body) if body.is_plastic else body for body in setup.bodies)
+    friction = friction_law(setup.friction).sliding_ratio
     solver = ContactSolver(
-        grid, body1, body2, setup.friction, on_border=setup.settings.get("on_border", "error")
+        grid, body1, body2, friction, on_border=setup.settings.get("on_border", "error")
     )
     loads = [number("load", step["load"]) for step in path if step.get("load") is not None]
     if max(loads) > 0:

@@ -6,24 +6,29 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, boolean, integer
-from ..bodies.material import Material
+from ..bodies.layered import Body
+from ..contact.enlargement import enlarged_evenly
 from ..diagnostics import resolution
 from ..problem.domain import SurfaceGeometry
+from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
-from ..simulation.simulation import Simulation
-from ..solutions.state import State
-from .checkpoint import BodyStrain, WearProgress, require_own
+from ..solutions.state import State, on_common_grid
+from .checkpoint import require_own
 from .checks import WearSetup, make_filter, make_setup
-from .repeating import reliefs_of, repeat
+from .coating import worn_shares
+from .plastic import largest, moved_up, rows_of, strains_of
+from .problem import BodyStrain, WearProgress, simulation_of
+from .repeating import repeat
 from .results import Cycle, Moments, WearResult
-from .steps import Window, below_worn_surface, depth, deviator_below_worn_surface
+from .steps import Window, depth
 
 LOAD_TOLERANCE = 1e-9
 """Relative difference below which loads count as equal, in view of rounding errors."""
@@ -31,8 +36,8 @@ LOAD_TOLERANCE = 1e-9
 
 def run(
     grid: Grid,
-    body1: Material,
-    body2: Material,
+    body1: Body,
+    body2: Body,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     cycle: Iterable[Mapping[str, Any]],
@@ -43,7 +48,7 @@ def run(
     window: Window = None,
     order: int | None = None,
     strain_depth: str = "exact",
-    friction: float = 0.0,
+    friction: float | FrictionLaw = 0.0,
     relief1: Relief | Callable[[Grid], Relief] | None = None,
     relief2: Relief | Callable[[Grid], Relief] | None = None,
     checkpoint: str | os.PathLike[str] | None = None,
@@ -57,8 +62,8 @@ def run(
     Parameters
     ----------
     grid, body1, body2, gap, friction, relief1, relief2
-        As for `Simulation`; the grid must have dz. Surfaces given as functions are evaluated on
-        this grid, which is not enlarged.
+        As for `Simulation`; the grid must have dz. If all surfaces are given as functions, the grid
+        is enlarged when the contact or the filter reaches its edge. For layered bodies see Notes.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step must
         have zero load, and the advances of each body must add up to 0.
@@ -102,9 +107,20 @@ def run(
     ------
     ValueError, TypeError
         An argument is outside its range (before the first cycle); the plastic strain exceeds the
-        threshold at the bottom of the grid, or material wears at the sides of the grid; a
-        checkpoint was written by a run with different arguments. The exception of a later cycle
-        holds the result of the completed cycles in its attribute `result`.
+        threshold at the bottom of the grid, or material wears at the sides of the grid; a coating
+        is worn through; a checkpoint was written by a run with different arguments. The exception
+        of a later cycle holds the result of the completed cycles in its attribute `result`.
+
+    Warns
+    -----
+    WornCoatingWarning
+        A layered body has lost more than 20 % of its top layer somewhere; issued once.
+
+    Notes
+    -----
+    The yield stress, initial stress and plastic strain of each material move up with the worn
+    surface. The elastic constants of a layered body do not move; the resulting error is
+    proportional to the worn share of the top layer, `Cycle.coating_worn_share`.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -126,7 +142,25 @@ def run(
 
 def _advance(setup: WearSetup, standing: WearProgress) -> tuple[Moments, WearProgress]:
     moments = _solve(setup, standing)
-    return moments, _wear(setup, standing, moments)
+    setup = setup.over(moments[-1].grid)
+    standing = replace(standing.over(setup), strains=strains_of(setup, moments[-1]))
+    setup = _with_room_for_filter(setup, standing.strains)
+    return moments, _wear(setup, standing.over(setup), moments[0])
+
+
+def _with_room_for_filter(setup: WearSetup, strains: Mapping[int, BodyStrain]) -> WearSetup:
+    """Return the setup on a grid wide enough for the smoothed wear, if the grid may grow."""
+    side, grid = setup.filter.sides[1] // 2, setup.grid
+    lacking = 0
+    for body in setup.worn:
+        if body in strains:
+            worn = strains[body].equivalent[:, :, 0] > setup.threshold
+            columns = np.flatnonzero(worn.any(axis=0))
+            room = min(columns[0], grid.ny - 1 - columns[-1]) if columns.size else side
+            lacking = max(lacking, int(side - room))
+    if lacking == 0 or not setup.may_grow:
+        return setup
+    return setup.over(replace(grid, ny=enlarged_evenly(grid.ny, grid.ny + 2 * lacking)))
 
 
 def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
@@ -135,62 +169,24 @@ def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
     Among several states at maximum load (e.g. in rolling), the state with the maximum pressure is
     returned.
     """
-    body1, body2 = setup.bodies
-    relief1, relief2 = reliefs_of(setup, standing)
-    simulation = Simulation(
-        setup.grid,
-        body1,
-        body2,
-        setup.gap,
-        setup.friction,
-        relief1=relief1,
-        relief2=relief2,
-        **setup.settings,
-    )
-    simulation.monitor.checks_steps = False
-    simulation.monitor.checks_increments = False  # not for each of many cycles
-    for body, kept in standing.strains.items():
-        simulation.set_plastic_strain(
-            body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
-        )
+    simulation = simulation_of(setup, standing)
     peak = state = simulation.step(**setup.cycle[0])
     for step in setup.cycle[1:]:
         state = simulation.step(**step)
         if state.load >= (1.0 - LOAD_TOLERANCE) * peak.load:
             more = state.load > (1.0 + LOAD_TOLERANCE) * peak.load
             peak = state if more or state.pressure.max() > peak.pressure.max() else peak
+    peak, state = on_common_grid([peak, state])
     return peak, state
 
 
-def _strain_of(state: State, body: int) -> BodyStrain | None:
-    """Return the plastic strain of a body along its whole track; None if there is none."""
-    if state._core.strain_beyond(body - 1) is not None:
-        raise ValueError(
-            f"plastic strain of body {body} must lie within the grid, but extends below "
-            "its deepest layer or beyond its sides: omit nz, or enlarge nz, nx or ny"
-        )
-    track = state.track(body, margin=0)
-    fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]
-    if state.grid.nz == 0:  # no plastic strain below the grid
-        fields = [np.pad(field, [*[(0, 0)] * (field.ndim - 1), (0, 1)]) for field in fields]
-    equivalent, strain, back = fields
-    rows = np.flatnonzero(strain.any(axis=(0, 2, 3)) | equivalent.any(axis=(1, 2)))
-    if not rows.size:
-        return None
-    part = slice(int(rows[0]), int(rows[-1]) + 1)
-    return BodyStrain(
-        track.first + part.start,
-        strain[:, part],
-        equivalent[part],
-        back[:, :, part] if len(back) else None,
-    )
+def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress:
+    """Remove overstrained material after a cycle, and move the remaining plastic strain up.
 
-
-def _wear(setup: WearSetup, standing: WearProgress, moments: Moments) -> WearProgress:
-    """Remove overstrained material after a cycle, and move the remaining plastic strain up."""
-    peak, end = moments
-    found = {body: _strain_of(end, body) for body in (1, 2) if setup.bodies[body - 1].is_plastic}
-    strains = {body: kept for body, kept in found.items() if kept is not None}
+    standing: state before the cycle, but with the plastic strain after the cycle.
+    """
+    strains = dict(standing.strains)
+    bodies = [strains.get(body) for body in setup.worn]
     heights = {body: list(before) for body, before in standing.heights.items()}
     sums: list[tuple[float, float, float]] = []
     for body in setup.worn:
@@ -202,16 +198,16 @@ def _wear(setup: WearSetup, standing: WearProgress, moments: Moments) -> WearPro
         sums.append((volume, lost, float(worn.max())))
         if body in strains and volume > 0:
             moved = exact if setup.strain_depth == "exact" else worn
-            strains[body] = _moved_up(setup, body, strains[body], moved)
+            strains[body] = moved_up(setup, body, strains[body], moved)
     volumes, losts, depths = zip(*sums, strict=True)
-    bodies = [found[body] for body in setup.worn]
+    number = len(standing.cycles) + 1
     record = Cycle(
-        number=len(standing.cycles) + 1,
+        number=number,
         volume=volumes,
         lost_volume=losts,
         depth=depths,
-        surface_strain=tuple(_largest(b, slice(0, 1)) for b in bodies),
-        max_equivalent_plastic_strain=tuple(_largest(b, slice(None)) for b in bodies),
+        surface_strain=tuple(largest(b, slice(0, 1)) for b in bodies),
+        max_equivalent_plastic_strain=tuple(largest(b, slice(None)) for b in bodies),
         max_pressure=float(peak.pressure.max()),
         max_von_mises=max(float(peak.von_mises(body=body).max()) for body in setup.worn),
         contact_area=peak.contact_area,
@@ -219,24 +215,19 @@ def _wear(setup: WearSetup, standing: WearProgress, moments: Moments) -> WearPro
         layers_across_plastic_zone=tuple(
             0.0 if b is None else resolution.layers_across(b.equivalent) for b in bodies
         ),
+        coating_worn_share=worn_shares(setup.bodies, heights, number),
     )
-    return WearProgress(heights, strains, [*standing.cycles, record])
-
-
-def _largest(kept: BodyStrain | None, layers: slice) -> float:
-    return 0.0 if kept is None else float(kept.equivalent[:, :, layers].max())
+    return WearProgress(setup.grid, heights, strains, [*standing.cycles, record])
 
 
 def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
     """Return the wear depth before smoothing [m], in the rows of `WearProgress.heights`."""
     grid = setup.grid
     assert grid.dz is not None
-    first, rows = setup.rows(body)
-    found = np.zeros((rows, grid.ny))
+    found = np.zeros((setup.rows(body)[1], grid.ny))
     if kept is None:
         return found
-    place = slice(kept.first - first, kept.first - first + len(kept.equivalent))
-    found[place] = depth(kept.equivalent, grid.dz, setup.threshold)
+    found[rows_of(setup, body, kept)] = depth(kept.equivalent, grid.dz, setup.threshold)
     side = setup.filter.sides[1] // 2
     if side and (found[:, :side].any() or found[:, -side:].any()):
         raise ValueError(
@@ -245,22 +236,3 @@ def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatAr
             "less"
         )
     return found
-
-
-def _moved_up(setup: WearSetup, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
-    """Return the remaining plastic strain at depths below the worn surface."""
-    assert setup.grid.dz is not None
-    first, _ = setup.rows(body)
-    removed = worn[kept.first - first : kept.first - first + len(kept.equivalent)]
-    dz = setup.grid.dz
-    back = (
-        None
-        if kept.backstress is None
-        else deviator_below_worn_surface(kept.backstress, removed, dz)
-    )
-    return BodyStrain(
-        kept.first,
-        deviator_below_worn_surface(kept.strain, removed, dz),
-        np.maximum(below_worn_surface(kept.equivalent, removed, dz), 0.0),
-        back,
-    )

@@ -14,9 +14,10 @@ import numpy as np
 from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..diagnostics import hertz_estimate, resolution
-from ..problem.moving_topography import Relief, heights_over
 from ..solutions.state import State
-from .checkpoint import WearProblem, WearProgress, alone, latest, write
+from .checkpoint import alone, latest, write
+from .coating import warn_of_worn_coating
+from .problem import WearProblem, WearProgress, reliefs_of
 from .results import BaseWearResult
 
 S = TypeVar("S", bound=WearProblem)
@@ -38,7 +39,7 @@ def repeat(
     with nullcontext() if checkpoint is None else alone(checkpoint):
         standing = None if checkpoint is None else latest(checkpoint, problem)
         if standing is None:
-            standing = _start(problem)
+            standing = WearProgress.start(problem)
         if len(standing.cycles) >= count:
             done = len(standing.cycles)
             raise ValueError(
@@ -58,7 +59,7 @@ def _repeat(
     progress: bool,
 ) -> R:
     first = last = None
-    stopped = coarse = False
+    stopped = coarse = thin = False
     with progress_bar(count, "cycle", shown=progress, initial=len(standing.cycles)) as bar:
         while not stopped and len(standing.cycles) < count:
             try:
@@ -70,10 +71,10 @@ def _repeat(
                     )
                 raise
             first = moments if not standing.cycles else first
-            surface = hertz_estimate.ContactSetup(
-                problem.grid, problem.gap, problem.bodies, relieved=True
-            )
+            now = problem.over(moments[0].grid)
+            surface = hertz_estimate.ContactSetup(now.grid, now.gap, now.bodies, relieved=True)
             coarse = coarse or resolution.warn_of_run(moments, surface, stacklevel=4)
+            thin = thin or warn_of_worn_coating(after, stacklevel=4)
             standing, last = after, moments
             stopped = not any(standing.cycles[-1].volume)
             bar.update()
@@ -85,28 +86,8 @@ def _repeat(
     return _result(kind, problem, advance, standing, stopped, first, last)
 
 
-def _start(problem: WearProblem) -> WearProgress:
-    heights = {}
-    for body in problem.worn:
-        first, rows = problem.rows(body)
-        relief, blank = problem.reliefs[body - 1], np.zeros((rows, problem.grid.ny))
-        heights[body] = [blank if relief is None else heights_over(relief, first, rows)]
-    return WearProgress(heights)
-
-
-def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | None]:
-    """Return the current surfaces of both bodies; None for a smooth surface without wear."""
-    reliefs = list(problem.reliefs)
-    for body in problem.worn:
-        first, _ = problem.rows(body)
-        heights = standing.heights[body]
-        worn = np.maximum(heights[0] - heights[-1], 0.0)
-        reliefs[body - 1] = Relief(heights[-1], first, worn=worn)
-    return reliefs
-
-
 def _solved_first(first: Moments | None, advance: Advance[S], problem: S) -> Moments:
-    return first if first is not None else advance(problem, _start(problem))[0]
+    return first if first is not None else advance(problem, WearProgress.start(problem))[0]
 
 
 def _result(
@@ -118,6 +99,8 @@ def _result(
     first: Moments | None,
     last: Moments,
 ) -> R:
+    solve_first = partial(_solved_first, first, advance, problem)
+    problem = problem.over(standing.grid)
     relief1, relief2 = reliefs_of(problem, standing)
     return kind(
         grid=problem.grid,
@@ -127,7 +110,7 @@ def _result(
         heights={body: np.stack(heights) for body, heights in standing.heights.items()},
         first_row={body: problem.rows(body)[0] for body in problem.worn},
         last=last,
-        _solve_first=partial(_solved_first, first, advance, problem),
+        _solve_first=solve_first,
         relief1=relief1,
         relief2=relief2,
     )

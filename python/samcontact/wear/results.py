@@ -12,8 +12,8 @@ import numpy as np
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, choice, integer
 from .._util.display import ShortRepr
-from .._util.quantities import WEAR
 from .._util.version import version
+from .._util.wear_quantities import WEAR
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
 from ..solutions.state import State
@@ -52,11 +52,16 @@ class Cycle:
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
     layers_across_plastic_zone: tuple[float, ...]
     """Thickness of the plastic zone before removal [layers]; 0 without plastic zone."""
+    coating_worn_share: tuple[float, ...]
+    """Maximum worn depth so far, relative to the thickness of the top layer [-]; 0 without layers.
+    """
 
     PER_BODY: ClassVar = (
         "volume", "lost_volume", "depth", "surface_strain", "max_equivalent_plastic_strain",
-        "layers_across_plastic_zone",
+        "layers_across_plastic_zone", "coating_worn_share",
     )  # fmt: skip
+    OPTIONAL: ClassVar = ("coating_worn_share",)
+    """Quantities that a dataset contains only if they differ from 0."""
 
 
 @dataclass(frozen=True)
@@ -88,8 +93,19 @@ class FrettingCycle:
     """Contact area that sticks during a whole repeat [m^2]."""
     cells_across_contact: float
     """Cells across the contact at maximum load, see `resolution.cells_across`."""
+    max_equivalent_plastic_strain: tuple[float, ...]
+    """Maximum equivalent plastic strain after removal [-]; 0 in elastic bodies."""
+    plastic_flow: float
+    """Maximum equivalent plastic strain that the last computed loop added [-]."""
+    coating_worn_share: tuple[float, ...]
+    """Maximum worn depth so far, relative to the thickness of the top layer [-]; 0 without layers.
+    """
 
-    PER_BODY: ClassVar = ("volume", "lost_volume", "depth")
+    PER_BODY: ClassVar = (
+        "volume", "lost_volume", "depth", "max_equivalent_plastic_strain", "coating_worn_share",
+    )  # fmt: skip
+    OPTIONAL: ClassVar = ("max_equivalent_plastic_strain", "plastic_flow", "coating_worn_share")
+    """Quantities that a dataset contains only if they differ from 0."""
 
 
 AnyCycle: TypeAlias = Cycle | FrettingCycle
@@ -169,6 +185,8 @@ class BaseWearResult(ShortRepr):
         for name in (item.name for item in fields(record) if item.name != "number"):
             dims = ("cycle", "body") if name in record.PER_BODY else "cycle"
             values = np.array([getattr(cycle, name) for cycle in self.cycles])
+            if name in record.OPTIONAL and not values.any():
+                continue
             dataset[name] = WEAR[name].variable(dims, values)
         dataset["wear_rate"] = WEAR["wear_rate"].variable("cycle", self.rate)
         dataset["worn_volume"] = WEAR["worn_volume"].variable("cycle", np.cumsum(self.rate))
@@ -197,4 +215,4 @@ class FrettingResult(BaseWearResult):
 
     cycles: list[FrettingCycle]
     last: tuple[State, ...] = field(repr=False)
-    """States of the first repeat of the last cycle."""
+    """States of the first repeat of the last cycle; their grid may be smaller than `grid`."""

@@ -252,8 +252,11 @@ def public_objects():
     state = simulation.step(load=10.0)
     solver = sc.ContactSolver(grid, steel, steel, 0.1, heat=heat)
     collision = sc.asperities.Collision(1e-3, 1e-3, 1e-6)
-    cycle = sc.wear.Cycle(1, (0.1,), (0.1,), (0.1,), (0.1,), (0.1,), 1.0, 1.0, 1.0, 9.0, (9.0,))
-    scar = sc.wear.FrettingCycle(1, 2, 0.1, (0.1,), (0.1,), (0.1,), 0.1, 1.0, 1.0, 1.0, 9.0)
+    values = ((0.1,),) * 5, (1.0, 1.0, 1.0, 9.0), ((9.0,), (0.0,))
+    cycle = sc.wear.Cycle(1, *values[0], *values[1], *values[2])
+    scar = sc.wear.FrettingCycle(
+        1, 2, 0.1, (0.1,), (0.1,), (0.1,), 0.1, 1.0, 1.0, 1.0, 9.0, (0.0,), 0.0, (0.0,)
+    )
     worn = {2: np.stack([gap] * 5)}
     pass_ = sc.shakedown.Cycle(1, 1e-3 / 3, 1e-3 / 7)
     bent = sc.Simulation(grid, steel, steel, gap)

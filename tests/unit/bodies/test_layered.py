@@ -51,12 +51,6 @@ def test_options_unsupported_for_layers_are_refused_by_name():
     coated = sc.Layered([(NITRIDE, 2e-6)], STEEL)
     with pytest.raises(ValueError, match=r"heat.factor must be 0 for layered body2"):
         sc.ContactSolver(sc.Grid(8, 8, 1e-6, 1e-6), RIGID, coated, 0.1, heat=sc.Heat((0.0, 0.1)))
-    grid = sc.Grid(8, 8, 1e-6, 1e-6, dz=1e-6)
-    with pytest.raises(ValueError, match=r"body2 must be a Material, got 1 .*uniform thickness"):
-        sc.wear.run(
-            grid, RIGID, coated, np.zeros((8, 8)),
-            cycle=[{"load": 1.0}], threshold=1e-3, smoothing_length=2e-6,
-        )  # fmt: skip
     with pytest.raises(TypeError, match="body1 must be homogeneous, with E and nu"):
         sc.hertz.effective_modulus(coated, STEEL)
 

@@ -245,11 +245,6 @@ def test_fields_unused_in_full_sliding_are_refused():
         )  # fmt: skip
     with pytest.raises(CaseError, match=r"path\[1\]: fret requires Coulomb friction"):
         case("load = 600.0\nfret = {shift_x = 1e-6}", friction="friction = 0.3")
-    wear = "[wear]\nthreshold = 0.002\nwindow = 3"
-    with pytest.raises(
-        CaseError, match=r"wear\.threshold requires full sliding: set contact\.friction"
-    ):
-        case("load = 0.0", more=wear)
 
 
 @pytest.mark.parametrize("name", sorted(path.name for path in CASES.glob("s*.toml")))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Energy balance in partial slip, and its section in a report."""
 
+import itertools
 import math
 import re
-from unittest.mock import Mock
 
 import numpy as np
 import pytest
@@ -12,6 +12,7 @@ import samcontact as sc
 from case_texts import BODIES, GRID
 from samcontact import energy, report, results
 from samcontact.cases import parse_case
+from samcontact.results.slipping import balance_of
 
 CASE = f"""title = "Fretting"
 {GRID}
@@ -140,19 +141,56 @@ def test_unknown_balances_are_refused():
     with pytest.raises(ValueError, match="states must have no travel"):
         energy.balance(rolls, states)
     assert "work_input" not in results.to_dataset(rolls, states)
-    heated = Mock(
-        spec=sc.Simulation,
-        friction=sc.Coulomb(0.3),
-        contact_law=sc.HardContact(),
-        body1=body.with_thermal(50.0, 1e-5, 1e-5),
-        body2=body,
+
+
+@pytest.mark.parametrize("cells", [11, pytest.param(19, marks=pytest.mark.slow)])
+def test_the_energy_balance_of_hot_bodies_includes_the_work_of_expansion(cells):
+    size = 714e-6 / cells
+    grid = sc.Grid(cells, cells, size, size, dz=size)
+    thermal = 50.0, 12e-6, 1.4e-5
+    bodies = (
+        sc.Material.elastic(210e9, 0.3).with_thermal(*thermal),
+        HARDENING.with_thermal(*thermal),
     )
-    warm = Mock(
-        spec=sc.State, travel=(0.0, 0.0), approach=1e-6, surface_temperature=lambda body: 1.0,
-        has_eigenstrain=lambda body: False,
-    )  # fmt: skip
-    with pytest.raises(ValueError, match="states must have no heating, but body 1 is heated"):
-        energy.balance(heated, [warm])
+    found = []
+    for count in (1, 3):
+        simulation = sc.Simulation(
+            grid, *bodies, sc.surfaces.paraboloid(grid, 7.5e-3), sc.Coulomb(0.3), tol=1e-4,
+            heat=sc.Heat(partition=0.4),
+        )  # fmt: skip
+        path = sc.paths.ramp(load=300.0, increments=count)
+        path += sc.paths.fretting_loop(load=300.0, force=(80.0, 0.0), increments=count)
+        timed = [step | {"duration": 1e-5 / count} for step in path]
+        states = simulation.run(timed, progress=False)
+        found.append(energy.balance(simulation, states))
+    few, many = found
+    assert many.expansion_work > 0.02 * many.work_input
+    assert abs(many.imbalance) < 0.1 * many.expansion_work / many.work_input
+    assert abs(many.imbalance) < 0.5 * abs(few.imbalance)
+    data = results.to_dataset(simulation, states)
+    assert balance_of(data).imbalance == pytest.approx(many.imbalance)
+
+
+def test_the_work_of_gross_slip_is_dissipated():
+    """In a closed cycle of reversed sliding, friction dissipates the work of the force."""
+    grid, body = sc.Grid(13, 13, 55e-6, 55e-6), sc.Material.elastic(210e9, 0.3)
+    gap = sc.surfaces.paraboloid(grid, 7.5e-3)
+    simulation = sc.Simulation(grid, body, body, gap, sc.Coulomb(0.3))
+    distance = 40e-6
+    signs = [*[1] * 8, *[-1] * 16, *[1] * 16]
+    path = [{"load": 300.0, "shift": (sign * distance / 16, 0.0)} for sign in signs]
+    states = simulation.run([{"load": 300.0}, *path], progress=False)
+    start, end = states[8], states[-1]
+    for state in (start, end):
+        assert not state.sticking.any()
+    done = np.diff([s.shift[0] for s in states[8:]]) * [
+        0.5 * (a.tangential_load[0] + b.tangential_load[0])
+        for a, b in itertools.pairwise(states[8:])
+    ]
+    work = end.friction_work - start.friction_work
+    assert 0.8 < work / (2 * 0.3 * 300.0 * distance) < 1
+    assert done.sum() == pytest.approx(work, rel=0.01)
+    assert abs(energy.balance(simulation, states).imbalance) < 0.01
 
 
 def named(checks_found, start):

@@ -65,14 +65,45 @@ def test_the_command_computes_a_scar(case_file, tmp_path, undrawn):
     with xr.open_dataset(tmp_path / "out" / "wear.nc", engine="h5netcdf") as dataset:
         np.testing.assert_array_equal(dataset.heights_body2.values, expected.heights[2])
     assert "stick" in outcome.stdout
-    case_file.write_text(
-        SCAR.replace("nu = 0.3", "nu = 0.3\nyield_stress = 1e9")
-        .replace('"elastic"', '"perfect_plastic"')
-        .replace("dy = 8e-6", "dy = 8e-6\ndz = 8e-6\nnz = 8")
+
+
+def test_a_case_of_a_coated_yielding_body_in_partial_slip(case_file, tmp_path):
+    layer = """
+[[body2.layers]]
+thickness = 96e-6
+law = "perfect_plastic"
+E = 210e9
+nu = 0.3
+yield_stress = 1000e6
+"""
+    text = WEAR.replace("friction = 0.4", "friction = {coulomb = 0.4}").replace("1700.0", "300.0")
+    case_file.write_text(text.replace("[surface]", layer + "[surface]"))
+    outcome = invoke("run", case_file, "--output", tmp_path / "out")
+    assert outcome.exit_code == 0, outcome.output
+    simulation, cycle = load_case(case_file).build()
+    expected = wear.run(
+        simulation.grid, simulation.body1, simulation.body2, simulation.initial_gap, cycle=cycle,
+        threshold=0.002, cycles=1, window=(3, 5), order=1, friction=simulation.friction,
+        progress=False,
+    )  # fmt: skip
+    with xr.open_dataset(tmp_path / "out" / "wear.nc", engine="h5netcdf") as dataset:
+        found = dataset["max_equivalent_plastic_strain"].values.ravel()
+    assert found == [cycle.max_equivalent_plastic_strain for cycle in expected.cycles]
+    assert found[0] > 0
+
+
+def test_a_case_of_a_hot_scar_on_a_small_grid(case_file, tmp_path):
+    thermal = "nu = 0.3\nthermal = {conductivity = 50.0, expansion = 12e-6, diffusivity = 1e-5}"
+    text = SCAR.replace("nu = 0.3", thermal).replace(
+        "increments = 1", "increments = 1\nduration = 1e-4"
     )
-    check_failure(
-        invoke("run", case_file, "--output", tmp_path / "o", "--quiet"), 2, "must be elastic"
-    )
+    text = text.replace("nx = 24", "nx = 14").replace("ny = 24", "ny = 14")
+    case_file.write_text(text + "[heat]\npartition = 0.5\n")
+    outcome = invoke("run", case_file, "--output", tmp_path / "out", "--no-figures")
+    assert outcome.exit_code == 0, outcome.output
+    with xr.open_dataset(tmp_path / "out" / "wear.nc", engine="h5netcdf") as dataset:
+        assert dataset.sizes["y"] > 14
+        assert dataset["friction_work"].values[0] > 0
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Problem of a wear computation, its state between two cycles, and the simulation of a cycle."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Any, TypeVar
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from ..bodies.layered import Body
+from ..problem.domain import SurfaceGeometry
+from ..problem.friction import FrictionLaw
+from ..problem.grid import Grid
+from ..problem.moving_topography import Relief, heights_over
+from ..simulation.simulation import Simulation
+from .results import AnyCycle
+
+P = TypeVar("P", bound="WearProblem")
+
+
+@dataclass(frozen=True)
+class WearProblem:
+    """Checked arguments of a wear computation, constant over all cycles, on one grid."""
+
+    surfaces: SurfaceGeometry
+    """Surfaces as given; if they are functions, the grid may grow."""
+    grid: Grid
+    bodies: tuple[Body, Body]
+    gap: FloatArray
+    reliefs: tuple[Relief | None, Relief | None]
+    cycle: list[dict[str, Any]]
+    friction: float | FrictionLaw
+    worn: tuple[int, ...]
+    settings: dict[str, Any]
+
+    @property
+    def record(self) -> type[AnyCycle]:
+        """Class of the results of a cycle."""
+        raise NotImplementedError
+
+    def rows(self, body: int) -> tuple[int, int]:
+        """Return the first row and the number of rows of a body that can wear."""
+        raise NotImplementedError
+
+    @property
+    def arguments(self) -> dict[str, Any]:
+        """Arguments that identify the computation; the surfaces are those on the first grid."""
+        names = (item.name for item in dataclasses.fields(self) if item.name != "surfaces")
+        return {name: getattr(self, name) for name in names}
+
+    @property
+    def may_grow(self) -> bool:
+        """Whether the grid may be enlarged."""
+        fixed = self.settings.get("on_border") == "warn" or self.grid.periodic
+        return self.surfaces.are_known and not fixed
+
+    def over(self: P, grid: Grid) -> P:
+        """Return the problem on another grid."""
+        if grid == self.grid:
+            return self
+        domain = self.surfaces.over(grid)
+        return replace(self, grid=grid, gap=domain.initial_gap, reliefs=domain.reliefs)
+
+    def initial_heights(self, body: int) -> FloatArray:
+        """Return the heights of a body before any wear [m], on its rows that can wear."""
+        first, rows = self.rows(body)
+        relief = self.reliefs[body - 1]
+        return (
+            np.zeros((rows, self.grid.ny)) if relief is None else heights_over(relief, first, rows)
+        )
+
+
+@dataclass
+class BodyStrain:
+    """Plastic state of a body; row 0 of the fields is row `first` of the grid."""
+
+    first: int
+    strain: FloatArray
+    equivalent: FloatArray
+    backstress: FloatArray | None = None
+
+
+@dataclass
+class WearProgress:
+    """Initial state of the next cycle, and results of the preceding cycles."""
+
+    grid: Grid
+    """Current grid, which may have been enlarged."""
+    heights: dict[int, list[FloatArray]]
+    """Heights of each worn body, at the start and after each cycle."""
+    strains: dict[int, BodyStrain] = field(default_factory=dict)
+    cycles: list[AnyCycle] = field(default_factory=list)
+
+    @staticmethod
+    def start(problem: WearProblem) -> WearProgress:
+        """Return the state before the first cycle."""
+        heights = {body: [problem.initial_heights(body)] for body in problem.worn}
+        return WearProgress(problem.grid, heights)
+
+    def over(self, problem: WearProblem) -> WearProgress:
+        """Return the state on the grid of `problem`, which is equal or larger, without more wear.
+
+        `problem` may be on any grid; its surfaces describe the new cells.
+        """
+        grid, old = problem.grid, self.grid
+        if grid == old:
+            return self
+        i, j = (grid.nx - old.nx) // 2, (grid.ny - old.ny) // 2
+        before = problem.over(old)
+        heights = {}
+        for body, rows in self.heights.items():
+            around = problem.initial_heights(body)
+            top = i + before.rows(body)[0] - problem.rows(body)[0]
+            place = slice(top, top + len(rows[0])), slice(j, j + old.ny)
+            heights[body] = [_placed(around, place, one) for one in rows]
+        sides = (j, grid.ny - old.ny - j)
+        strains = {body: _widened(kept, i, sides) for body, kept in self.strains.items()}
+        return WearProgress(grid, heights, strains, self.cycles)
+
+
+def centred(field: FloatArray, shape: tuple[int, int]) -> FloatArray:
+    """Return a surface field in the middle of a larger grid, with zeros around it."""
+    before = [(n - m) // 2 for n, m in zip(shape, field.shape, strict=True)]
+    after = [n - m - b for n, m, b in zip(shape, field.shape, before, strict=True)]
+    padded: FloatArray = np.pad(field, list(zip(before, after, strict=True)))
+    return padded
+
+
+def _placed(around: FloatArray, place: tuple[slice, slice], heights: FloatArray) -> FloatArray:
+    placed: FloatArray = around.copy()
+    placed[place] = heights
+    return placed
+
+
+def _widened(kept: BodyStrain, rows: int, sides: tuple[int, int]) -> BodyStrain:
+    """Return a plastic state with columns of zeros on both sides, and its rows renumbered."""
+
+    def padded(of: FloatArray) -> FloatArray:
+        wide: FloatArray = np.pad(of, [*[(0, 0)] * (of.ndim - 2), sides, (0, 0)])
+        return wide
+
+    back = None if kept.backstress is None else padded(kept.backstress)
+    return BodyStrain(kept.first + rows, padded(kept.strain), padded(kept.equivalent), back)
+
+
+def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | None]:
+    """Return the current surfaces of both bodies; None for a smooth surface without wear."""
+    reliefs = list(problem.reliefs)
+    for body in problem.worn:
+        first, _ = problem.rows(body)
+        heights = standing.heights[body]
+        worn = np.maximum(heights[0] - heights[-1], 0.0)
+        reliefs[body - 1] = Relief(heights[-1], first, worn=worn)
+    return reliefs
+
+
+def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
+    """Return a simulation of the current surfaces and plastic strain, without load and heat.
+
+    If the surfaces are known beyond the grid, the simulation enlarges a grid that is too small.
+    """
+    given = _surfaces_now(problem, standing)
+    simulation = Simulation(
+        standing.grid, *problem.bodies, given.gap, problem.friction,
+        relief1=given.relief1, relief2=given.relief2, **problem.settings,
+    )  # fmt: skip
+    simulation.monitor.checks_steps = False
+    simulation.monitor.checks_increments = False  # not for each of many cycles
+    for body, kept in standing.strains.items():
+        simulation.set_plastic_strain(
+            body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
+        )
+    return simulation
+
+
+def _surfaces_now(problem: WearProblem, standing: WearProgress) -> SurfaceGeometry:
+    """Return the current surfaces, as functions of the grid if the given surfaces are functions."""
+    now = problem.over(standing.grid)
+    reliefs = reliefs_of(now, standing)
+    if not problem.surfaces.are_known:
+        return SurfaceGeometry(now.gap, *reliefs)
+
+    def relief(body: int) -> Callable[[Grid], Relief] | None:
+        def over(grid: Grid) -> Relief:
+            larger = now.over(grid)
+            found = reliefs_of(larger, standing.over(larger))[body - 1]
+            assert found is not None
+            return found
+
+        return None if reliefs[body - 1] is None else over
+
+    return SurfaceGeometry(lambda grid: now.over(grid).gap, relief(1), relief(2))
