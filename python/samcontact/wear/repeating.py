@@ -88,9 +88,9 @@ def _repeat(
 def _start(problem: WearProblem) -> WearProgress:
     heights = {}
     for body in problem.worn:
-        first, rows = problem.rows(body)
-        relief, blank = problem.reliefs[body - 1], np.zeros((rows, problem.grid.ny))
-        heights[body] = [blank if relief is None else heights_over(relief, first, rows)]
+        (first, rows), grid = problem.rows(body), problem.grid
+        relief, blank = problem.reliefs[body - 1], np.zeros((rows, grid.ny))
+        heights[body] = [blank if relief is None else heights_over(relief, first, rows, grid)]
     return WearProgress(heights)
 
 
