@@ -56,10 +56,10 @@ TEST_CASE("cells of zones are numbered box by box") {
 TEST_CASE("a history over several zones equals that over one") {
   const Box box{5, -20, 40, 30, 6};
   const PlasticFields whole = numbered(Zones({box}));
-  const PlasticState once(nullptr, Symmetry::none, Tensor::deviator, whole, {}, {3, 2});
+  const PlasticState once(nullptr, Symmetry::none, Tensor::deviator, whole, {}, {{3, 2}});
   // The same strain in pieces, one after the other.
   const Zones left({{5, -20, 13, 30, 6}}), right({{18, -20, 27, 11, 6}, {18, -9, 27, 19, 6}});
-  const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {}, {3, 2});
+  const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {}, {{3, 2}});
   CHECK(half.equivalent(right) == Field(right.cells(), 0.0));
   CHECK_FALSE(half.reaches_beyond(left));
   CHECK(once.reaches_beyond(left));
@@ -70,7 +70,7 @@ TEST_CASE("a history over several zones equals that over one") {
   // The zones of the history contain all of it, and reproduce it.
   const Zones own = once.zones();
   CHECK(own.cells() == box.volume_size());
-  CHECK(PlasticState(nullptr, Symmetry::none, Tensor::deviator, once.fields(own), {}, {7, -20}) ==
+  CHECK(PlasticState(nullptr, Symmetry::none, Tensor::deviator, once.fields(own), {}, {{7, -20}}) ==
         once);
   // A moved history keeps its tiles.
   const auto moved = once.moved(5, -3);
@@ -79,6 +79,32 @@ TEST_CASE("a history over several zones equals that over one") {
   CHECK(moved->zones().count() == own.count());
   CHECK_FALSE(*moved == once);
   CHECK(*moved->moved(-5, 3) == once);
+}
+
+TEST_CASE("a periodic history returns to its cells after a period") {
+  const int period = 40;
+  const Box box{0, -3, period, 20, 4};
+  const PlasticFields whole = numbered(Zones({box}));
+  const PlasticState at(nullptr, Symmetry::none, Tensor::deviator, whole, {}, {{37, 5}, period});
+  CHECK(at.fields(Zones({box})).backstress == whole.backstress);
+  CHECK(at.zones().cells() == box.volume_size());
+  CHECK(are_disjoint(at.zones().boxes()));
+  const auto moved = at.moved(-7, 0);
+  CHECK(moved->box() == box);
+  const Box first{7, -3, period - 7, 20, 4}, last{0, -3, 7, 20, 4};
+  CHECK(moved->strain(last.moved(period - 7, 0)) == at.strain(last));
+  CHECK(moved->strain(first.moved(-7, 0)) == at.strain(first));
+  CHECK(moved->strain(box.moved(-7, 0)) == whole.strain);
+  CHECK_FALSE(*moved == at);
+  CHECK(*moved->moved(7 + 3 * period, 0) == at);
+  // Strain across the ends of the period.
+  const Box part{10, 0, 12, 3, 2};
+  const auto across = PlasticState(nullptr, Symmetry::none, Tensor::deviator,
+                                   numbered(Zones({part})), {}, {{}, period})
+                          .moved(23, 0);
+  CHECK(across->box() == Box{0, 0, period, 3, 2});
+  CHECK_FALSE(across->reaches_beyond(Zones({{33, 0, 7, 3, 2}, {0, 0, 5, 3, 2}})));
+  CHECK(across->boxes_beyond(Zones({{33, 0, 7, 3, 2}})) == std::vector{Box{0, 0, 5, 3, 2}});
 }
 
 TEST_CASE("cells without history need no memory") {

@@ -281,7 +281,7 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
   }
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
   Eigenstrains sum = state_.eigenstrain;
-  sum[body] = sum_of(sum[body], box, k0, strain);
+  sum[body] = sum_of(sum[body], box, k0, strain, grid);
   require_followed(sum, *setup_, state_.travel);
   state_.eigenstrain = std::move(sum);
   state_.contact_gap.clear();

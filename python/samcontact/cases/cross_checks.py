@@ -79,6 +79,8 @@ def _require_repeatable(case: Any) -> None:
     travels = [
         math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
     ]
+    if case.grid is not None:
+        travels = list(map(case.grid.build().within_period, travels))
     if max(map(abs, travels)) > 1e-12:
         raise ValueError(
             "shakedown requires a closed path, but at the end of the path body 1 and body 2 have "

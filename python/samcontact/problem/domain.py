@@ -68,7 +68,7 @@ def require_consistent_overlap(larger: Domain, window: Domain) -> None:
     for number, (now, before) in enumerate(zip(larger.reliefs, window.reliefs, strict=True), 1):
         if now is not None and before is not None:
             first, rows = before.first, len(before.heights)
-            heights = heights_over(now, first + i, rows)[:, columns]
+            heights = heights_over(now, first + i, rows, larger.grid)[:, columns]
             shown.append((f"relief{number}", heights, before.heights))
     for name, field, known in shown:
         body = np.isfinite(known)

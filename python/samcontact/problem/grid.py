@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -129,6 +130,10 @@ class Grid(HtmlTable):
     def along_y(self) -> bool:
         """Whether the surfaces are periodic along y."""
         return "y" in self.periodic
+
+    def within_period(self, distance: float) -> float:
+        """Return a distance along x without whole periods, which do not change the surfaces [m]."""
+        return math.remainder(distance, self.nx * self.dx) if self.along_x else distance
 
     @property
     def surface_shape(self) -> tuple[int, int]:

@@ -34,6 +34,8 @@ class Relief(ShortRepr):
         the body moves towards +x, rows with negative indices enter the grid.
     periodic : bool, optional
         Whether the rows repeat along x. By default the surface is flat (height 0) beyond the rows.
+        On a grid that is periodic along x, every relief repeats with the period of the grid, which
+        must be a whole number of times the rows if they repeat, and at least as long otherwise.
     worn : array_like, shape (rows, ny), optional
         Depth of material already removed by wear [m], >= 0. The depths of yield profile and
         residual stress are then measured from the unworn surface. The heights are not changed by
@@ -76,11 +78,45 @@ def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int,
         raise ValueError(
             f"{name} must have heights of shape (rows, {grid.ny}), got {relief.heights.shape}"
         )
+    if grid.along_x:
+        _require_period(name, relief, grid)
+        relief = over_period(relief, grid.nx)
     return relief.heights, int(relief.first), bool(relief.periodic), relief.worn
 
 
-def heights_over(relief: Relief, first: int, count: int) -> FloatArray:
+def _require_period(name: str, relief: Relief, grid: Grid) -> None:
+    """Raise ValueError unless a relief fits into the period of a grid along x."""
+    rows = len(relief.heights)
+    if relief.periodic and grid.nx % rows:
+        raise ValueError(
+            f"{name} repeats every {rows} rows, which must divide grid.nx = {grid.nx} because the "
+            "grid is periodic along x"
+        )
+    if rows > grid.nx:
+        raise ValueError(
+            f"{name} must have at most grid.nx = {grid.nx} rows because the grid is periodic along "
+            f"x, got {rows}"
+        )
+
+
+def over_period(relief: Relief, rows: int) -> Relief:
+    """Return a relief that has the heights of another one, repeated with a period of `rows`."""
+    count = len(relief.heights)
+    at = np.arange(rows if relief.periodic else count)
+
+    def over(values: FloatArray) -> FloatArray:
+        repeated = np.zeros((rows, values.shape[1]))
+        repeated[(relief.first + at) % rows] = values[at % count]
+        return repeated
+
+    worn = None if relief.worn is None else over(relief.worn)
+    return Relief(over(relief.heights), 0, True, worn)
+
+
+def heights_over(relief: Relief, first: int, count: int, grid: Grid) -> FloatArray:
     """Return the heights of a relief [m] in `count` grid rows from `first`, shape (count, ny)."""
+    if grid.along_x:
+        relief = over_period(relief, grid.nx)
     rows = len(relief.heights)
     places = np.arange(first, first + count) - relief.first
     if relief.periodic:

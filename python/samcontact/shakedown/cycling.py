@@ -56,7 +56,8 @@ def run(
         Simulation with an elastic-plastic body. The grid must contain all plastic strain. The
         simulation is left in the state at the end of the last cycle.
     cycle : iterable of dict
-        Steps of `Simulation.step` that return both bodies to their initial position: `passes`, or
+        Steps of `Simulation.step` that return both bodies to their initial position, or, on a grid
+        that is periodic along x, move them by whole periods: `passes`, or
         ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
     cycles : int, optional
         Maximum number of solved cycles, >= 2.
@@ -145,10 +146,12 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
     if not any(body.is_plastic for body in (simulation.body1, simulation.body2)):
         raise ValueError("simulation must have an elastic-plastic body, got two elastic bodies")
     dx = simulation.grid.dx
+    within_period = simulation.grid.within_period
     travels = [
-        math.fsum(in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
-                  for step in steps)
-        for n in (0, 1)
+        within_period(math.fsum(
+            in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
+            for step in steps
+        )) for n in (0, 1)
     ]  # fmt: skip
     if max(map(abs, travels)) > 1e-6 * dx:
         back = tuple(-travel for travel in travels)

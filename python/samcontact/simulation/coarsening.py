@@ -16,7 +16,7 @@ from .._util.lazy_scipy import scipy
 from ..bodies.layered import Layered
 from ..diagnostics.hertz_estimate import ContactSetup
 from ..problem.domain import SurfaceGeometry
-from ..problem.moving_topography import Relief
+from ..problem.moving_topography import Relief, over_period
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
@@ -244,6 +244,8 @@ def _means(field: FloatArray, edges: FloatArray, axis: int) -> FloatArray:
 
 def _relief(relief: Relief, fine: Grid, grid: Grid) -> Relief:
     """Average the rows of a relief over the cells of a coarser grid."""
+    if fine.along_x:
+        relief = over_period(relief, fine.nx)
     rows = len(relief.heights)
     if relief.periodic and rows % 2 != 0:
         raise ValueError(

@@ -136,11 +136,6 @@ def _travels(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
     """Return the distance by which each surface moves in the increment [cells]."""
     given = finite_array("advance", advance, (2,))
     first, second = (in_cells("advance", float(travel), grid.dx) for travel in given)
-    if grid.along_x and (first, second) != AT_REST:
-        raise ValueError(
-            f"advance must be (0, 0) with grid.periodic = {grid.periodic!r}, got "
-            f"{tuple(given.tolist())!r} m: a surface that is periodic along x cannot move along x"
-        )
     return first, second
 
 

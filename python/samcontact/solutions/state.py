@@ -137,7 +137,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         ----------
         body : {1, 2}
         margin : int, optional
-            Cells added at both ends of the plastic strain, >= 0. Default: a quarter of the grid.
+            Cells added at both ends of the plastic strain, >= 0; none along a period. Default: a
+            quarter of the grid.
 
         Returns
         -------

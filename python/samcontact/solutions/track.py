@@ -24,6 +24,8 @@ __all__ = ["Track"]
 class Track(FixedAttributes):
     """Residual fields of one body along its whole track, unloaded, in the frame of the body.
 
+    On a grid that is periodic along x, the track is one period, in its position at the start.
+
     Created by `State.track`. Fields are read-only and cached like the fields of a state. The origin
     of x is the position of the contact on the body at the start of the simulation.
     """
@@ -31,8 +33,12 @@ class Track(FixedAttributes):
     def __init__(self, core: Any, grid: Grid, body: int, margin: int, layers: int) -> None:
         self.body = body
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
+        first_cell = core.first_cell[body - 1]
+        self._wrapped = None
+        if grid.along_x:  # the rows of the grid, in their order at the start
+            start, rows, margin, self._wrapped = -first_cell, grid.nx, 0, first_cell % grid.nx
         self._first_row = start - margin
-        self.first = self._first_row + core.first_cell[body - 1]
+        self.first = self._first_row + first_cell
         """First row of the track, counted from the first row of the grid at the start."""
         self.grid = Grid(
             rows + 2 * margin,
@@ -41,13 +47,14 @@ class Track(FixedAttributes):
             grid.dy,
             nz=layers if grid.has_volume else 0,
             dz=grid.dz,
+            periodic=grid.periodic,
         )
         """Grid of the track, with its origin at the centre."""
         # Cell n of the body was initially at (n - (nx - 1)/2) dx of the grid at the start.
         cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
         """Positions of the cells on the body [m]."""
-        self.contact = -core.travel[body - 1] * grid.dx
+        self.contact = grid.within_period(-core.travel[body - 1] * grid.dx)
         """Current position of the contact on the body [m]."""
         self._core = core
 
@@ -169,9 +176,13 @@ class Track(FixedAttributes):
         needed = memory.volume(self.grid, cell)
         memory.require_for_grid(f"the field {name} of a track", self.grid, needed)
         method = getattr(self._core, f"{name}_in")
-        box = self._first_row, 0, self.grid.nx, self.grid.ny, self.grid.nz
+        first = self._first_row if self._wrapped is None else 0
+        box = first, 0, self.grid.nx, self.grid.ny, self.grid.nz
         field: FloatArray = method(self.body - 1, box, *axis)
-        return field
+        if self._wrapped is None:
+            return field
+        along = -2 if name == "residual_displacement" else -3
+        return read_only(np.roll(field, self._wrapped, along))
 
     def __repr__(self) -> str:
         return (

@@ -33,7 +33,7 @@ from ..problem.moving_topography import heights_over
 from ..simulation.steps import STEP_ARGUMENTS
 from .problem import WearProblem
 from .results import Cycle
-from .steps import Gaussian, Polynomials, Window, window_and_order
+from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_order
 
 YIELD_STRAIN = 20e-6
 """Plastic strain at the conventional yield point [-]; a threshold must be larger.
@@ -61,11 +61,20 @@ class WearSetup(WearProblem):
 
     def rows(self, body: int) -> tuple[int, int]:
         """Return the first row and number of rows of a body that pass through the grid."""
+        if self.grid.along_x:
+            return 0, self.grid.nx
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
         margin = max(self.filter.sides) + _MARGIN_ROWS
         first = -int(np.ceil(cells.max())) - margin
         end = self.grid.nx - int(np.floor(cells.min())) + margin
         return first, end - first
+
+    def smoothed(self, depth: FloatArray) -> FloatArray:
+        """Return a worn depth [m] after smoothing, across the ends of a period."""
+        if not self.grid.along_x:
+            return self.filter(depth)
+        rows = self.grid.nx
+        return scaled_to_volume(depth, self.filter(np.tile(depth, (3, 1)))[rows : 2 * rows])
 
 
 def make_setup(
@@ -159,7 +168,7 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
         raise ValueError(
             f"cycle must end unloaded, with a step {{'load': 0.0}}, got {in_short(step)}"
         )
-    end = travels(path)[-1].tolist()
+    end = list(map(grid.within_period, travels(path)[-1].tolist()))
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
             "cycle must return both bodies to where they started (advances adding up to "
@@ -214,7 +223,7 @@ def _elastic_pressure(setup: WearSetup) -> FloatArray:
         gap: FloatArray = at.gap.copy()
         for relief in at.reliefs:
             if relief is not None:
-                gap -= heights_over(relief, 0, larger.nx)
+                gap -= heights_over(relief, 0, larger.nx, larger)
         return gap
 
     gap = gap_over if setup.surfaces.are_known else gap_over(grid)

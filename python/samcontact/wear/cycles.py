@@ -66,7 +66,8 @@ def run(
         is enlarged when the contact or the filter reaches its edge. For layered bodies see Notes.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step must
-        have zero load, and the advances of each body must add up to 0.
+        have zero load, and the advances of each body must add up to 0, or to whole periods on a
+        grid that is periodic along x.
     threshold : float
         Accumulated equivalent plastic strain [-] above which material at the surface is removed. It
         must be above `YIELD_STRAIN` and below 5 %.
@@ -192,7 +193,7 @@ def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress
     for body in setup.worn:
         exact = _worn_depth(setup, body, strains.get(body))
         volume = math.fsum(exact.flat) * setup.grid.cell_area
-        worn = setup.filter(exact)
+        worn = setup.smoothed(exact)
         heights[body].append(heights[body][-1] - worn)
         lost = math.fsum((heights[body][-2] - heights[body][-1]).flat) * setup.grid.cell_area
         sums.append((volume, lost, float(worn.max())))

@@ -69,9 +69,9 @@ class WearProblem:
         """Return the heights of a body before any wear [m], on its rows that can wear."""
         first, rows = self.rows(body)
         relief = self.reliefs[body - 1]
-        return (
-            np.zeros((rows, self.grid.ny)) if relief is None else heights_over(relief, first, rows)
-        )
+        if relief is None:
+            return np.zeros((rows, self.grid.ny))
+        return heights_over(relief, first, rows, self.grid)
 
 
 @dataclass

@@ -158,10 +158,13 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
                 padded, cells, degree, axis=axis, mode="constant", cval=0.0
             )
             result = padded[cells:-cells] if axis == 0 else padded[:, cells:-cells]
-    return _scaled_to_volume(given, np.maximum(result, 0.0))  # the filter undershoots near a step
+    return scaled_to_volume(given, np.maximum(result, 0.0))  # the filter undershoots near a step
 
 
-def _scaled_to_volume(given: FloatArray, result: FloatArray) -> FloatArray:
+def scaled_to_volume(given: FloatArray, result: FloatArray) -> FloatArray:
+    """Return a smoothed depth multiplied so that its sum equals that of the given depth."""
+    if not given.any():
+        return np.zeros_like(given)
     total = math.fsum(given.flat)
     scaled = np.asarray(result * (total / math.fsum(result.flat)), dtype=np.float64)
     # The rounding error of the scaling is added to the deepest cell, where it matters least.
@@ -199,7 +202,7 @@ class Gaussian:
         if not depth.any():
             return np.array(depth)
         options = {"mode": "constant", "truncate": _CUTOFF_DEVIATIONS}
-        return _scaled_to_volume(
+        return scaled_to_volume(
             depth, scipy.ndimage.gaussian_filter(depth, self.deviation, **options)
         )
 

@@ -68,12 +68,12 @@ def test_a_relief_is_averaged_at_its_position(n, first, periodic):
     heights = np.random.default_rng(3).normal(size=(6, 5))
     relief = sc.Relief(heights, first, periodic)
     coarse = coarsening._relief(relief, fine, grid)
-    quarters = np.repeat(heights_over(relief, -24, n + 48), 2, 0)  # halves of cells, around
+    quarters = np.repeat(heights_over(relief, -24, n + 48, fine), 2, 0)  # halves of cells, around
     middle = 24 * 2 + n
     for row in range(-4, grid.nx + 4):
         at = middle + round(4 * (row - 0.5 * grid.nx))
         expected = quarters[at : at + 4].mean(0)
-        (found,) = heights_over(coarse, row, 1)
+        (found,) = heights_over(coarse, row, 1, grid)
         assert found[1:-1] == pytest.approx(
             [0.5 * expected[2] + 0.25 * (expected[1] + expected[3])]
         )

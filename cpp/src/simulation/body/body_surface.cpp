@@ -29,7 +29,9 @@ void BodySurface::add_displacement(const Box& box, const Field& displacement, Ax
   const Grid& grid = setup_.grid;
   const Box whole = choice_.whole(box);
   const double mirrored_x = axis == Axis::x ? -1.0 : 1.0, mirrored_y = axis == Axis::y ? -1.0 : 1.0;
+  const bool ends_at_zones = split_ && grid.period.x == 0;
   const auto add = [&](int at, const double* u, double part) {
+    if (grid.period.x > 0) at = (at + grid.nx) % grid.nx;
     if (at < 0 || at >= grid.nx) return;
     double* row = to + static_cast<std::size_t>(at) * grid.ny;
     for (int j = std::max(0, whole.j0); j < std::min(grid.ny, whole.j0 + whole.ny); ++j) {
@@ -46,7 +48,7 @@ void BodySurface::add_displacement(const Box& box, const Field& displacement, Ax
     add(i, u, weight * (1 - part));
     if (part > 0) add(i + side, u, weight * part);
     // Zones have no displacement beyond the grid: that of the last row is close to it.
-    if (split_ && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
+    if (ends_at_zones && i - side == (offset_ > 0 ? grid.nx : -1)) add(i, u, weight * part);
   }
 }
 
@@ -102,7 +104,7 @@ double BodySurface::largest_at_rim(const Box& box, const Field& displacement, bo
 Box BodySurface::seen() const {
   Box seen = Box::surface(setup_.grid);
   // Zones have no displacement beyond the grid.
-  if (offset_ == 0 || split_) return seen;
+  if (split_ || rows_beyond(setup_.grid, offset_) == 0) return seen;
   ++seen.nx;
   if (offset_ < 0) --seen.i0;
   return seen;

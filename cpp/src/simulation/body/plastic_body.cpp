@@ -240,7 +240,8 @@ std::shared_ptr<const PlasticState> PlasticBody::finish() {
   volume_.reset();
   given_stress_.clear();
   const PlasticFields fields = cells_.finish(std::move(strain_));
-  return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields, box);
+  return std::make_shared<const PlasticState>(history_.get(), symmetry_, tensor_, fields, box,
+                                              Lattice{{}, setup_.grid.period.x});
 }
 
 }  // namespace samcontact::simulation

@@ -15,6 +15,11 @@ double snapped(double cells) {
   return std::fabs(cells - whole) < rounding ? whole : cells;
 }
 
+/// Row of the grid at an index along x, which may lie in another period.
+int row_of(const Grid& grid, int i) {
+  return grid.period.x > 0 ? (i % grid.nx + grid.nx) % grid.nx : i;
+}
+
 }  // namespace
 
 Travel advanced(const Travel& travel, const Travel& by) {
@@ -46,6 +51,10 @@ double Relief::at(const Field& field, int row, int j, int ny) const {
   return field[static_cast<std::size_t>(r) * ny + j];
 }
 
+int rows_beyond(const Grid& grid, double offset) {
+  return offset == 0 || grid.period.x > 0 ? 0 : 1;
+}
+
 Field seen_from_body(const Field& field, const Grid& grid, double offset, Beyond beyond) {
   if (offset == 0 || field.empty()) return field;
   // Cell i of the body covers parts of the grid cells i and i + side.
@@ -53,9 +62,10 @@ Field seen_from_body(const Field& field, const Grid& grid, double offset, Beyond
   const double part = std::fabs(offset);
   Field out(field.size());
   for (int i = 0; i < grid.nx; ++i) {
-    const bool inside = i + side >= 0 && i + side < grid.nx;
+    const int next = row_of(grid, i + side);
+    const bool inside = next >= 0 && next < grid.nx;
     const double* own = field.data() + static_cast<std::size_t>(i) * grid.ny;
-    const int to_neighbour = inside ? side * grid.ny : 0;
+    const int to_neighbour = inside ? (next - i) * grid.ny : 0;
     const double share = inside || beyond == Beyond::as_last ? part : 0.0;
     double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
     for (int j = 0; j < grid.ny; ++j) to[j] = (1 - part) * own[j] + share * own[j + to_neighbour];
@@ -74,11 +84,14 @@ namespace {
 
 /// Gap at row x of a column in which the bodies end.
 double next_to_end(const Field& gap, const Grid& grid, double x, int j) {
-  const auto at = [&](int row) { return gap[static_cast<std::size_t>(row) * grid.ny + j]; };
-  const double inside = std::clamp(x, 0.0, grid.nx - 1.0);
+  const auto at = [&](int row) {
+    return gap[static_cast<std::size_t>(row_of(grid, row)) * grid.ny + j];
+  };
+  const bool repeats = grid.period.x > 0;
+  const double inside = repeats ? x : std::clamp(x, 0.0, grid.nx - 1.0);
   const double nearest = at(static_cast<int>(std::lround(inside)));
   const int before = static_cast<int>(std::floor(inside)),
-            after = std::min(before + 1, grid.nx - 1);
+            after = repeats ? before + 1 : std::min(before + 1, grid.nx - 1);
   if (!std::isfinite(nearest) || !std::isfinite(at(before)) || !std::isfinite(at(after))) {
     return nearest;
   }
@@ -94,8 +107,8 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
   const int points = std::min(4, grid.nx);
   for (int i = 0; i < grid.nx; ++i) {
     const double x = i - shift;
-    const int first =
-        std::clamp(static_cast<int>(std::floor(x)) - (points - 1) / 2, 0, grid.nx - points);
+    const int around = static_cast<int>(std::floor(x)) - (points - 1) / 2;
+    const int first = grid.period.x > 0 ? around : std::clamp(around, 0, grid.nx - points);
     double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
     std::fill_n(to, grid.ny, 0.0);
     for (int n = 0; n < points; ++n) {
@@ -103,7 +116,8 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
       for (int m = 0; m < points; ++m) {
         if (m != n) weight *= (x - (first + m)) / (n - m);
       }
-      const double* from = gap.data() + static_cast<std::size_t>(first + n) * grid.ny;
+      const double* from =
+          gap.data() + static_cast<std::size_t>(row_of(grid, first + n)) * grid.ny;
       for (int j = 0; j < grid.ny; ++j) to[j] += weight * from[j];
     }
     // A row without a body yields infinities of both signs, or NaN.
@@ -117,8 +131,10 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
 Field moved(const Field& field, const Grid& grid, int cells) {
   if (cells == 0 || field.empty()) return field;
   Field out(field.size(), 0.0);
-  for (int i = std::max(0, cells); i < std::min(grid.nx, grid.nx + cells); ++i) {
-    std::copy_n(field.data() + static_cast<std::size_t>(i - cells) * grid.ny, grid.ny,
+  for (int i = 0; i < grid.nx; ++i) {
+    const int from = row_of(grid, i - cells);
+    if (from < 0 || from >= grid.nx) continue;
+    std::copy_n(field.data() + static_cast<std::size_t>(from) * grid.ny, grid.ny,
                 out.data() + static_cast<std::size_t>(i) * grid.ny);
   }
   return out;

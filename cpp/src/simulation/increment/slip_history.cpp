@@ -36,6 +36,7 @@ operators::Tractions taken_along(const operators::Tractions& tractions, const Gr
 
 /// Whether a part of a surface field leaves the grid when it moves by some cells.
 bool is_cut(const Field& field, const Grid& grid, int cells) {
+  if (grid.period.x > 0) return false;
   const auto size = static_cast<std::ptrdiff_t>(field.size());
   const auto lost = std::min(size, static_cast<std::ptrdiff_t>(std::abs(cells)) * grid.ny);
   const auto begin = cells > 0 ? field.end() - lost : field.begin();
@@ -68,10 +69,11 @@ class Widened {
 Field displaced_otherwise(const Setup& setup, int body, const operators::Tractions& tractions,
                           double body_travel, int cells) {
   const Grid& grid = setup.grid;
-  const double max_travel = farthest * grid.nx,
-               own = std::clamp(body_travel, -max_travel, max_travel);
+  const double max_travel = farthest * grid.nx;
+  const double own = grid.period.x > 0 ? std::remainder(body_travel, grid.nx)
+                                       : std::clamp(body_travel, -max_travel, max_travel);
   const int whole = static_cast<int>(std::lround(own));
-  const Widened widened(grid, std::abs(whole) + 1);
+  const Widened widened(grid, grid.period.x > 0 ? 0 : std::abs(whole) + 1);
   const operators::Tractions wide = for_each(tractions, widened);
   operators::Tractions difference =
       seen_from_body(taken_along(wide, widened.grid(), whole), widened.grid(), own - whole);

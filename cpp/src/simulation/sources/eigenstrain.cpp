@@ -60,7 +60,8 @@ bool reaches_end(const Box& box, const Box& region, const Grid& grid) {
 }  // namespace
 
 std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticState>& before,
-                                           const Box& box, int k0, const Field& strain) {
+                                           const Box& box, int k0, const Field& strain,
+                                           const Grid& grid) {
   Box down = box;
   down.nz += k0;
   const Zones zones({down});
@@ -72,7 +73,8 @@ std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticSt
   }
   const auto found = std::make_shared<const PlasticState>(
       before.get(), fft::Symmetry::none, Tensor::full,
-      PlasticFields{zones, std::move(sum), Field(cells, 0.0), {}});
+      PlasticFields{zones, std::move(sum), Field(cells, 0.0), {}}, Box{},
+      Lattice{{}, grid.period.x});
   return found->zones().empty() ? nullptr : found;
 }
 

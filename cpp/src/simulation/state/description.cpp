@@ -62,7 +62,7 @@ PlasticRecord record(const PlasticState& history) {
   PlasticFields fields = history.fields(history.zones());
   return {history.symmetry(),
           history.tensor(),
-          history.origin(),
+          history.lattice().origin,
           history.box(),
           fields.zones.boxes(),
           std::move(fields.strain),
@@ -99,7 +99,7 @@ std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, con
   require_that(are_disjoint(zones), "the zones of a plastic history overlap");
   return std::make_shared<const PlasticState>(
       nullptr, symmetry, tensor, PlasticFields{Zones(zones), strain, equivalent, backstress}, box,
-      origin);
+      Lattice{origin, grid.period.x});
 }
 
 void require_consistent(const State& state) {

@@ -69,8 +69,7 @@ Field residual_displacement(const State& state, int body, operators::Axis axis) 
     // Zones have no displacement beyond the grid.
     return seen_from_body(own, grid, -offset, Beyond::as_last);
   }
-  // A body offset by a fraction of a cell needs one row beyond the grid.
-  const int more = offset == 0 ? 0 : 1;
+  const int more = rows_beyond(grid, offset);
   Grid wide = grid;
   wide.nx += 2 * more;
   const Box rows{-more, 0, wide.nx, grid.ny, 0};

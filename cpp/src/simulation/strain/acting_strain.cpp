@@ -17,6 +17,8 @@ PlasticState whole(const PlasticState& history, const Grid& grid) {
 }  // namespace
 
 Box acting_box(const PlasticState& history, const Box& receiving, int reach) {
+  // All strain of a period acts.
+  if (history.lattice().period > 0) return receiving.united(history.box());
   const int step = std::max(8, (receiving.nx + 3) / 4);
   const auto beyond = [&](int cells) {
     return std::clamp((cells + step - 1) / step * step, 0, reach);
@@ -68,9 +70,8 @@ Field displacement_of(const PlasticState& history, const Setup& setup, int body,
 
 Field displacement_of(const PlasticState& history, const Setup& setup, int body,
                       operators::ResidualMethod method, operators::Axis axis, double offset) {
-  // A body offset by a fraction of a cell needs one row beyond the grid.
-  const int more = offset == 0 ? 0 : 1;
   const Grid& grid = setup.grid;
+  const int more = rows_beyond(grid, offset);
   Grid wide = grid;
   wide.nx += 2 * more;
   const Field own =

@@ -17,14 +17,16 @@ void reflect(int cells, int& begin, int& count) {
   count = std::min(end, cells / 2) - begin;
 }
 
+int within(int n, int period) { return (n % period + period) % period; }
+
 }  // namespace
 
 PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, Tensor tensor,
-                           const PlasticFields& fields, const Box& around, Origin origin)
+                           const PlasticFields& fields, const Box& around, const Lattice& lattice)
     : box_(fields.zones.around().united(around)),
       symmetry_(symmetry),
       tensor_(tensor),
-      origin_(before != nullptr ? before->origin_ : origin),
+      lattice_(before != nullptr ? before->lattice_ : lattice),
       tiles_(tensor) {
   const std::size_t cells = fields.zones.cells();
   if (cells > 0) backstress_parts_ = fields.backstress.size() / cells;
@@ -40,14 +42,49 @@ PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, T
         of_zone.push_back(field->data() + n);
       }
     }
-    tiles_.put(of_body(fields.zones.boxes()[zone]), of_zone);
+    put(fields.zones.boxes()[zone], of_zone);
+  }
+}
+
+std::vector<Box> PlasticState::of_body(const Box& box) const {
+  const Box first = box.moved(-lattice_.origin[0], -lattice_.origin[1]);
+  const int period = lattice_.period;
+  if (period == 0) return {first};
+  std::vector<Box> found;
+  for (int i0 = within(first.i0, period) - (first.nx + period - 1) / period * period; i0 < period;
+       i0 += period) {
+    if (i0 + first.nx > 0) found.push_back(first.moved(i0 - first.i0, 0));
+  }
+  return found;
+}
+
+std::vector<Box> PlasticState::of_grid(const Box& box) const {
+  Box first = box.moved(lattice_.origin[0], lattice_.origin[1]);
+  const int period = lattice_.period;
+  if (period == 0) return {first};
+  first.i0 = within(first.i0, period);
+  const int beyond = std::max(first.i0 + first.nx - period, 0);
+  if (beyond == 0) return {first};
+  first.nx -= beyond;
+  return {first, {0, first.j0, beyond, first.ny, first.nz}};
+}
+
+void PlasticState::put(const Box& box, const std::vector<const double*>& fields) {
+  for (const Box& part : of_body(box)) {
+    Box inside = part;
+    if (lattice_.period > 0) {
+      inside = part.intersected({0, part.j0, lattice_.period, part.ny, part.nz});
+    }
+    tiles_.put(part, fields, inside);
   }
 }
 
 Zones PlasticState::zones() const {
   std::vector<Box> boxes;
   boxes.reserve(tiles_.tiles().size());
-  for (const auto& [tile, part] : tiles_.tiles()) boxes.push_back(of_grid(part->box));
+  for (const auto& [tile, part] : tiles_.tiles()) {
+    for (const Box& box : of_grid(part->box)) boxes.push_back(box);
+  }
   return Zones(std::move(boxes));
 }
 
@@ -56,7 +93,9 @@ Field PlasticState::gather(std::size_t first, std::size_t count, const Zones& zo
   Field out(count * cells, 0.0);
   if (out.empty()) return out;
   for (std::size_t zone = 0; zone < zones.count(); ++zone) {
-    tiles_.copy(first, count, of_body(zones.boxes()[zone]), out.data() + zones.first(zone), cells);
+    for (const Box& box : of_body(zones.boxes()[zone])) {
+      tiles_.copy(first, count, box, out.data() + zones.first(zone), cells);
+    }
   }
   return out;
 }
@@ -78,16 +117,18 @@ PlasticFields PlasticState::fields(Zones zones) const {
 
 std::vector<Box> PlasticState::boxes_beyond(const Zones& zones) const {
   std::vector<Box> found;
-  for (const auto& [tile, part] : tiles_.tiles()) {
-    const Zones own({of_grid(part->box)});
+  const Zones all = this->zones();
+  for (const Box& box : all.boxes()) {
+    const Zones own({box});
     const std::size_t cells = own.cells();
+    const Field strain = this->strain(own);
     Box beyond;
     for (std::size_t n = 0; n < cells; ++n) {
       const Cell cell = own.cell(n);
       if (zones.number(cell) >= 0) continue;
       bool strained = false;
       for (std::size_t p = 0; p < strain_parts(); ++p) {
-        strained = strained || part->values[p * cells + n] != 0;
+        strained = strained || strain[p * cells + n] != 0;
       }
       if (strained) beyond = beyond.united({cell.i, cell.j, 1, 1, cell.k + 1});
     }
@@ -99,7 +140,13 @@ std::vector<Box> PlasticState::boxes_beyond(const Zones& zones) const {
 std::shared_ptr<const PlasticState> PlasticState::moved(int along_x, int along_y) const {
   auto out = std::make_shared<PlasticState>(*this);
   out->box_ = box_.moved(along_x, along_y);
-  out->origin_ = {origin_[0] + along_x, origin_[1] + along_y};
+  out->lattice_.origin = {lattice_.origin[0] + along_x, lattice_.origin[1] + along_y};
+  if (const int period = lattice_.period; period > 0) {
+    out->lattice_.origin[0] = within(out->lattice_.origin[0], period);
+    Box& box = out->box_;
+    box.i0 = within(box.i0, period);
+    if (box.i0 + box.nx > period) box = {0, box.j0, period, box.ny, box.nz};
+  }
   return out;
 }
 
@@ -113,17 +160,18 @@ PlasticState PlasticState::unfolded(const Grid& grid, fft::Symmetry symmetry) co
   }
   PlasticState out(this, symmetry, tensor_, {}, whole);
   const bool across_x = symmetry_ == fft::Symmetry::xy, across_y = symmetry == fft::Symmetry::none;
-  for (const auto& [tile, part] : tiles_.tiles()) {
-    if (across_x) out.put_image(*part, true, false, grid);
-    if (across_y) out.put_image(*part, false, true, grid);
-    if (across_x && across_y) out.put_image(*part, true, true, grid);
+  const Zones all = zones();
+  for (const Box& box : all.boxes()) {
+    const Field values = gather(0, parts(), Zones({box}));
+    if (across_x) out.put_image(box, values, true, false, grid);
+    if (across_y) out.put_image(box, values, false, true, grid);
+    if (across_x && across_y) out.put_image(box, values, true, true, grid);
   }
   return out;
 }
 
-void PlasticState::put_image(const StrainTiles::Part& part, bool across_x, bool across_y,
+void PlasticState::put_image(const Box& from, const Field& of_part, bool across_x, bool across_y,
                              const Grid& grid) {
-  const Box from = of_grid(part.box);
   Box image = from;
   if (across_x) reflect(grid.nx, image.i0, image.nx);
   if (across_y) reflect(grid.ny, image.j0, image.ny);
@@ -146,7 +194,7 @@ void PlasticState::put_image(const StrainTiles::Part& part, bool across_x, bool 
     for (int k = 0; k < image.nz; ++k) {
       for (int i = image.i0; i < image.i0 + image.nx; ++i) {
         const int si = (across_x ? grid.nx - 1 - i : i) - from.i0;
-        const double* row = part.values.data() + p * from.volume_size() +
+        const double* row = of_part.data() + p * from.volume_size() +
                             (static_cast<std::size_t>(k) * from.nx + si) * from.ny;
         for (int j = image.j0; j < image.j0 + image.ny; ++j) {
           values.push_back(sign * row[(across_y ? grid.ny - 1 - j : j) - from.j0]);
@@ -154,7 +202,7 @@ void PlasticState::put_image(const StrainTiles::Part& part, bool across_x, bool 
       }
     }
   }
-  tiles_.put(of_body(image), fields);
+  put(image, fields);
 }
 
 bool PlasticState::operator==(const PlasticState& other) const {
@@ -162,7 +210,7 @@ bool PlasticState::operator==(const PlasticState& other) const {
       backstress_parts_ != other.backstress_parts_) {
     return false;
   }
-  if (origin_ == other.origin_ && tiles_.tiles() == other.tiles_.tiles()) return true;
+  if (lattice_ == other.lattice_ && tiles_.tiles() == other.tiles_.tiles()) return true;
   const auto holds = [](const PlasticState& a, const PlasticState& b) {
     const Zones zones = a.zones();
     return a.gather(0, a.parts(), zones) == b.gather(0, a.parts(), zones);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motion of the bodies through the contact along x; the grid stays with the contact.
+// Motion of the bodies through the contact along x; the grid stays with the contact. Along a
+// periodic direction, rows that leave the grid enter it at its other end.
 #pragma once
 
 #include <array>
@@ -52,7 +53,10 @@ struct Relief {
 };
 using Reliefs = std::array<Relief, 2>;
 
-/// Values of a field beyond the rows of the grid.
+/// Rows beyond each end of the grid that are needed on a body with an offset.
+int rows_beyond(const Grid& grid, double offset);
+
+/// Values of a field beyond the rows of a grid that is not periodic along x.
 enum class Beyond { zero, as_last };
 
 /// Surface field [i][j] on cells that lie `offset` cells towards -x, as means over them: the sum of
@@ -66,7 +70,7 @@ operators::Tractions seen_from_body(const operators::Tractions& tractions, const
 /// nearest row has no body; next to such rows, linear between two rows with a body, or constant.
 Field shifted_gap(const Field& gap, const Grid& grid, double shift);
 
-/// Surface field moved by whole cells towards +x; zero enters.
+/// Surface field moved by whole cells towards +x; zero enters unless the grid is periodic.
 Field moved(const Field& field, const Grid& grid, int cells);
 
 }  // namespace samcontact::simulation

@@ -17,7 +17,8 @@ using Eigenstrains = std::array<std::shared_ptr<const PlasticState>, 2>;
 /// Sum of an eigenstrain and of a second eigenstrain in a box of grid cells with first layer k0,
 /// [component][k][i][j] of all six components. Null if it is zero everywhere.
 std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticState>& before,
-                                           const Box& box, int k0, const Field& strain);
+                                           const Box& box, int k0, const Field& strain,
+                                           const Grid& grid);
 
 /// Throws std::invalid_argument if the travel of the bodies is not a whole number of their cells
 /// and no body has cells that follow it.

@@ -20,7 +20,7 @@ namespace samcontact::simulation {
 struct PlasticRecord {
   fft::Symmetry symmetry{};
   operators::Tensor tensor{};
-  PlasticState::Origin origin{};
+  std::array<int, 2> origin{};
   Box box;
   std::vector<Box> zones;
   Field strain{}, equivalent{}, backstress{};

@@ -22,23 +22,30 @@ struct PlasticFields {
   Field strain, equivalent, backstress;
 };
 
+/// Position of the lattice of a body in the grid.
+struct Lattice {
+  std::array<int, 2> origin{};  // of the first cell, along x and y
+  int period = 0;               // along x, in cells; 0: the lattice extends beyond the grid
+  bool operator==(const Lattice&) const = default;
+};
+
 /// Immutable. Stored in tiles of the lattice of the body, which the states of a rolling contact
 /// share: each tile keeps the box of its cells that have a history. The lattice extends beyond the
-/// grid. With mirror planes it is the part on one side of them.
+/// grid, or has its period along x. With mirror planes it is the part on one side of them.
 class PlasticState {
  public:
-  using Origin = std::array<int, 2>;  // along x and y
 
   /// `fields` in their zones, and the values of `before` elsewhere, with equal symmetry and tensor;
-  /// null: zero. around: part of the box of the history, like the zones. origin: cell from which
-  /// tiles are counted if there is no previous history.
+  /// null: zero. around: part of the box of the history, like the zones. lattice: in which tiles are
+  /// counted if there is no previous history.
   PlasticState(const PlasticState* before, fft::Symmetry symmetry, operators::Tensor tensor,
-               const PlasticFields& fields, const Box& around = {}, Origin origin = {});
+               const PlasticFields& fields, const Box& around = {}, const Lattice& lattice = {});
 
   /// Box of all zones so far.
   const Box& box() const { return box_; }
-  Origin origin() const { return origin_; }
-  /// Zones that contain all cells with a history: one for each tile with such cells.
+  const Lattice& lattice() const { return lattice_; }
+  /// Zones that contain all cells with a history: one for each tile with such cells, or two at the
+  /// ends of a period.
   Zones zones() const;
   fft::Symmetry symmetry() const { return symmetry_; }
   operators::Tensor tensor() const { return tensor_; }
@@ -68,17 +75,22 @@ class PlasticState {
  private:
   std::size_t strain_parts() const { return tiles_.strain_parts(); }
   std::size_t parts() const { return strain_parts() + 1 + backstress_parts_; }
-  Box of_body(const Box& box) const { return box.moved(-origin_[0], -origin_[1]); }
-  Box of_grid(const Box& box) const { return box.moved(origin_[0], origin_[1]); }
+  /// Boxes of the lattice that have cells in common with a box in the grid: one or, if periodic,
+  /// several, each as long as the box.
+  std::vector<Box> of_body(const Box& box) const;
+  /// Parts in the grid of a box of the lattice.
+  std::vector<Box> of_grid(const Box& box) const;
+  void put(const Box& box, const std::vector<const double*>& fields);
   Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
-  /// Adds the mirror image of a part of the history across x, y or both.
-  void put_image(const StrainTiles::Part& part, bool across_x, bool across_y, const Grid& grid);
+  /// Adds the mirror image of a part of the history, all fields over a box, across x, y or both.
+  void put_image(const Box& from, const Field& of_part, bool across_x, bool across_y,
+                 const Grid& grid);
 
   Box box_;
   fft::Symmetry symmetry_;
   operators::Tensor tensor_;
   std::size_t backstress_parts_ = 0;
-  Origin origin_;  // position in the grid of the first cell of the lattice of the body
+  Lattice lattice_;
   StrainTiles tiles_;
 };
 

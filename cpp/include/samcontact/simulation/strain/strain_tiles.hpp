@@ -27,8 +27,8 @@ class StrainTiles {
 
   explicit StrainTiles(operators::Tensor tensor) : tensor_(tensor) {}
 
-  /// Replaces the fields over a box, by part.
-  void put(const Box& box, const std::vector<const double*>& fields);
+  /// Replaces the fields, by part, of which all over a box are given, in another box inside it.
+  void put(const Box& box, const std::vector<const double*>& fields, const Box& inside);
   /// Copies parts from `first` on, `stride` numbers apart, in cells common to a box and the tiles;
   /// the rest of `to` is unchanged.
   void copy(std::size_t first, std::size_t count, const Box& box, double* to,
