@@ -58,7 +58,7 @@ class Layered(HtmlTable):
     ------
     ValueError
         There is no layer, a layer is rigid, a thickness is not a finite number > 0, or a material
-        has thermal constants or softening, which layered bodies do not support.
+        has thermal softening, which layered bodies do not support.
     TypeError
         An argument is not a material or not a number.
 
@@ -73,12 +73,14 @@ class Layered(HtmlTable):
     Each layer and the substrate has the hardening law, yield profile and residual stress of its
     material. The depths of these profiles are measured from the surface of the body. Use
     ``material.with_residual_stress([0.0], [s])`` for a uniform growth stress s in a coating.
+
+    Layers that have thermal constants conduct frictional heat without contact resistance between
+    them (docs/theory/heat.md).
     """
 
     layers: tuple[tuple[Material, float], ...]
     substrate: Material
     law: ClassVar[str] = "layered"
-    thermal: ClassVar[None] = None
     softening: ClassVar[None] = None
 
     def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
@@ -86,12 +88,11 @@ class Layered(HtmlTable):
         require_type("substrate", substrate, Material)
         object.__setattr__(self, "substrate", substrate)
         for name, material in self._named_materials():
-            for what in ("thermal", "softening"):
-                if getattr(material, what) is not None:
-                    raise ValueError(
-                        f"{name} must have no {what}, got {getattr(material, what)!r}: "
-                        "heating of layered bodies is not supported"
-                    )
+            if material.softening is not None:
+                raise ValueError(
+                    f"{name} must have no softening, got {material.softening!r}: "
+                    "thermal softening of layered bodies is not supported"
+                )
         self._core  # noqa: B018  (the core checks thicknesses)
 
     def _named_materials(self) -> list[tuple[str, Material]]:
@@ -114,6 +115,14 @@ class Layered(HtmlTable):
                 "thickness": tuple(h for _, h in self.layers),
             }
         )
+
+    @property
+    def thermal(self) -> tuple[tuple[float, float, float], ...] | None:
+        """Thermal constants of all materials from the surface down; None unless each has them.
+
+        Each is (conductivity, expansion, diffusivity), see `Material.with_thermal`.
+        """
+        return thermal_of(self)
 
     @property
     def min_yield_stress(self) -> float:
@@ -233,6 +242,12 @@ def materials_of(body: Body) -> list[Material]:
     if isinstance(body, Material):
         return [body]
     return [material for _, material in body._named_materials()]
+
+
+def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
+    """Return thermal constants of all materials from the surface down; None if one has none."""
+    constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
+    return constants if len(constants) == len(materials_of(body)) else None
 
 
 def names_of_materials(layers: int) -> list[str]:

@@ -117,6 +117,7 @@ class _Solid(Section):
 
 class _ElasticSolid(_Solid):
     residual_stress: InitialStress | None = None
+    thermal: ThermalConstants | None = None
 
 
 class _PlasticSolid(_ElasticSolid):
@@ -227,7 +228,7 @@ class _Body(_Solid):
 
 
 class _ElasticBody(_ElasticSolid, _Body):
-    thermal: ThermalConstants | None = None
+    pass
 
 
 class _PlasticBody(_PlasticSolid, _ElasticBody):

@@ -162,8 +162,10 @@ def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None
     """Raise ValueError if thermal constants or softening of a body have no effect without heat."""
     for name, body in bodies:
         softening: Any = getattr(body, "softening", None)
-        if getattr(body, "thermal", None) is not None:
-            raise ValueError(f"{name}.thermal has no effect without [heat]: {remedy}")
+        for number, part in enumerate(body.parts):
+            if getattr(part, "thermal", None) is not None:
+                where = name if part is body else f"{name}.layers[{number}]"
+                raise ValueError(f"{where}.thermal has no effect without [heat]: {remedy}")
         if softening is not None and softening.ambient <= softening.reference:
             raise ValueError(
                 f"{name}.softening has no effect without [heat]: ambient = {softening.ambient!r} K "

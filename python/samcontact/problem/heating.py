@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body, Layered, materials_of, thermal_of
 from ..heat import Heat
 from .friction import FrictionLaw
 from .grid import Grid
@@ -23,6 +23,8 @@ MAX_PECLET_NUMBER = 1e7
 MIN_DIFFUSION_LENGTH = 0.02
 """Minimum diffusion length in the shortest step of a history, in cells; it bounds the time and
 memory of transient heating."""
+_ANY_CONSTANTS = (1.0, 0.0, 1.0)
+"""Thermal constants of a body without heat."""
 
 Bodies = tuple[Body, Body]
 
@@ -47,50 +49,96 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     of_slip = heat.partition is not None
     name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
-        if isinstance(body, Layered):
-            if factor > 0:
-                raise ValueError(
-                    f"{name} must be 0 for layered body{n}, got {factor!r}: heat conduction in "
-                    "layered bodies is not supported"
-                )
-            entries.append(_core.Heating())
-            continue
+        thermal, thickness = thermal_of(body), []
         if factor > 0:
-            if grid.periodic:
-                raise ValueError(
-                    f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
-                    f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
-                    "steady state"
-                )
-            if body.is_rigid:
-                raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
-            if body.thermal is None:
-                raise ValueError(
-                    f"{name} of body{n} must be 0 without thermal constants, got {factor!r}: "
-                    "set them with with_thermal()"
-                )
-            _require_speed(grid, n, body.thermal[2], math.hypot(*v))
+            thermal = _required_constants(name, n, body, factor, grid)
+            _require_steady(heat, n, body)
+            lowest, highest = _diffusivities(thermal)
+            _require_speed(grid, n, lowest, highest, math.hypot(*v))
             if heat.history is not None:
-                _require_shortest(grid, n, body.thermal[2], heat.history[0])
+                _require_shortest(grid, n, lowest, heat.history[0])
             if heat.time is not None:
-                _require_time("heat.time", heat.time, body.thermal[2], grid)
+                _require_time("heat.time", heat.time, highest, grid)
             if duration is not None:
-                _require_time("duration", duration, body.thermal[2], grid)
-        constants = body.thermal or (1.0, 0.0, 1.0)
-        entries.append(_core.Heating(factor, *constants, *v, age, reference, of_slip))
+                _require_time("duration", duration, highest, grid)
+        if thermal is not None and isinstance(body, Layered):
+            thickness = [h for _, h in body.layers]
+        constants = thermal or (_ANY_CONSTANTS,)
+        entries.append(_core.Heating(factor, constants, thickness, *v, age, reference, of_slip))
     return entries
 
 
-def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
-    """Raise ValueError for a speed outside the range of the heat kernels."""
+def _required_constants(
+    name: str, n: int, body: Body, factor: float, grid: Grid
+) -> tuple[tuple[float, float, float], ...]:
+    """Return the thermal constants of a body; raise ValueError if heat cannot enter it."""
+    if grid.periodic:
+        raise ValueError(
+            f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
+            f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
+            "steady state"
+        )
+    if body.is_rigid:
+        raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
+    if materials_of(body)[-1].is_rigid:
+        raise ValueError(
+            f"{name} must be 0 for body{n}, whose substrate is rigid, got {factor!r}: the thermal "
+            "expansion of a rigid substrate is unknown; use a stiff elastic substrate"
+        )
+    thermal = thermal_of(body)
+    if thermal is None:
+        raise ValueError(
+            f"{name} of body{n} must be 0 without thermal constants{_of_missing(body)}, got "
+            f"{factor!r}: set them with with_thermal()"
+        )
+    return thermal
+
+
+def _of_missing(body: Body) -> str:
+    """Part of a message that names the materials of a layered body without thermal constants."""
+    if not isinstance(body, Layered):
+        return ""
+    names = [*(f"layers[{n}]" for n in range(len(body.layers))), "substrate"]
+    pairs = zip(names, materials_of(body), strict=True)
+    return f" of {' and '.join(name for name, material in pairs if material.thermal is None)}"
+
+
+def _require_steady(heat: Heat, n: int, body: Body) -> None:
+    """Raise ValueError for transient heating of a layered body."""
+    if not isinstance(body, Layered):
+        return
+    for name, given in (("heat.time", heat.time), ("heat.history", heat.history)):
+        if given is not None:
+            raise ValueError(
+                f"{name} must be None for layered body{n}, got {given!r}: only the steady "
+                f"temperature of layered bodies is supported; omit {name}"
+            )
+    if all(heat.velocity[n - 1]):
+        raise ValueError(
+            f"heat.velocity of layered body{n} must be along x or along y, got "
+            f"{heat.velocity[n - 1]!r}"
+        )
+
+
+def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float, float]:
+    """Return the minimum and the maximum diffusivity [m^2/s]."""
+    values = [diffusivity for _, _, diffusivity in thermal]
+    return min(values), max(values)
+
+
+def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: float) -> None:
+    """Raise ValueError for a speed outside the range of the heat kernels.
+
+    lowest, highest: diffusivity of the body [m^2/s].
+    """
     extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
-    fastest = MAX_PECLET_NUMBER * diffusivity / extent
+    fastest = MAX_PECLET_NUMBER * lowest / extent
     if speed > fastest:
         raise ValueError(
             f"heat.velocity of body {body} must be <= {fastest:.4g} m/s on this grid "
-            f"({extent:.4g} m long, diffusivity {diffusivity:.4g} m^2/s), got {speed:.4g} m/s"
+            f"({extent:.4g} m long, diffusivity {lowest:.4g} m^2/s), got {speed:.4g} m/s"
         )
-    minimum = 1e-55 * diffusivity / min(grid.dx, grid.dy)
+    minimum = 1e-55 * highest / min(grid.dx, grid.dy)
     if 0 < speed < minimum:
         raise ValueError(
             f"heat.velocity of body {body} must be 0 or >= {minimum:.3g} m/s, got {speed:.3g} m/s"
