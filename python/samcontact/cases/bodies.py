@@ -123,6 +123,7 @@ class _ElasticSolid(_Solid):
 class _PlasticSolid(_ElasticSolid):
     kinematic: KinematicHardening | None = None
     yield_profile: YieldProfile | None = None
+    softening: JohnsonCookSoftening | None = None
 
 
 class _Layer(_Solid):
@@ -232,7 +233,7 @@ class _ElasticBody(_ElasticSolid, _Body):
 
 
 class _PlasticBody(_PlasticSolid, _ElasticBody):
-    softening: JohnsonCookSoftening | None = None
+    pass
 
 
 if TYPE_CHECKING:

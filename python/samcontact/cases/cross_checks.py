@@ -160,12 +160,15 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
     """Raise ValueError if thermal constants or softening of a body have no effect without heat."""
-    for name, body in bodies:
-        softening: Any = getattr(body, "softening", None)
-        for number, part in enumerate(body.parts):
-            if getattr(part, "thermal", None) is not None:
-                where = name if part is body else f"{name}.layers[{number}]"
-                raise ValueError(f"{where}.thermal has no effect without [heat]: {remedy}")
+    named = [
+        (name if part is body else f"{name}.layers[{number}]", part)
+        for name, body in bodies
+        for number, part in enumerate(body.parts)
+    ]
+    for name, part in named:
+        softening: Any = getattr(part, "softening", None)
+        if getattr(part, "thermal", None) is not None:
+            raise ValueError(f"{name}.thermal has no effect without [heat]: {remedy}")
         if softening is not None and softening.ambient <= softening.reference:
             raise ValueError(
                 f"{name}.softening has no effect without [heat]: ambient = {softening.ambient!r} K "

@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
-from ..bodies.layered import Body, Layered, materials_of, thermal_of
+from ..bodies.layered import Body, Layered, materials_at, materials_of, thermal_of
 from ..heat import Heat
 from .friction import FrictionLaw
 from .grid import Grid
@@ -164,17 +164,36 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
         raise ValueError(f"{name} must be <= {longest:.3g} s, got {time:.3g} s")
 
 
-def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
-    """Return the thermal softening law of a body, with results of shape (nz, nx, ny), or None."""
-    law = body.softening
-    if law is None:
+def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], FloatArray] | None:
+    """Return the thermal softening of a body divided into cells of thickness dz [m], or None.
+
+    Its arguments are temperature rises [K], shape (nx, ny, m), and the number of layers of cells
+    above them. It returns the factors on the yield stress, from the law of the material there.
+    """
+    if body.softening is None:
         return None
 
-    def factor(rise: FloatArray) -> FloatArray:
-        checked = finite_array("factor of softening", law(rise), rise.shape)
-        return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
+    def factor(rise: FloatArray, above: int) -> FloatArray:
+        found = np.ones(rise.shape)
+        depths = np.asarray(
+            (above + np.arange(rise.shape[2]) + 0.5) * (dz or 0.0), dtype=np.float64
+        )
+        for material, there in materials_at(body, depths):
+            if material.softening is not None and there.any():
+                own = rise[..., there]
+                factors = material.softening(own)
+                found[..., there] = finite_array("factor of softening", factors, own.shape)
+        return found
 
     return factor
+
+
+def core_law(body: Body, dz: float | None) -> Callable[[FloatArray], FloatArray] | None:
+    """Return the thermal softening of a body for the core, with results of shape (nz, nx, ny)."""
+    law = softening_of(body, dz)
+    if law is None:
+        return None
+    return lambda rise: np.ascontiguousarray(np.moveaxis(law(rise, 0), 2, 0))
 
 
 def require_reference(heat: Heat) -> None:

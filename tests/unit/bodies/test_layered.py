@@ -13,7 +13,6 @@ from oracles import layers as oracle
 STEEL = sc.Material.elastic(210e9, 0.3)
 NITRIDE = sc.Material.elastic(420e9, 0.22)
 POLYMER = sc.Material.elastic(3e9, 0.4)
-SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9).with_softening(lambda rise: 1 - 1e-4 * rise)
 RIGID = sc.Material.rigid()
 
 
@@ -34,12 +33,6 @@ RIGID = sc.Material.rigid()
             r"material of layers\[0\] must be a",
         ),
         ([(STEEL, 1e-6)], 210e9, TypeError, "substrate must be a samcontact.Material"),
-        (
-            [(SOFT, 1e-6)],
-            STEEL,
-            ValueError,
-            r"layers\[0\] must have no softening",
-        ),
     ],
 )
 def test_invalid_layered_bodies_are_refused(layers, substrate, error, text):

@@ -88,3 +88,61 @@ def test_tractions_and_temperature_are_continuous_at_an_interface():
     assert np.abs(T[..., 0] - T[..., 1]).max() < 1e-7 * T.max()
     # The poor conductor carries most of the drop of temperature.
     assert T.max() < 0.8 * solver.temperature(solution.pressure, [0.0]).max()
+
+
+HARDER = sc.Material.linear_hardening(210e9, 0.3, 0.8e9, 20e9)
+JOHNSON_COOK = sc.softening.JohnsonCook(melting=2500.0, m=1.0)
+
+
+def test_softening_follows_the_law_of_each_layer(tmp_path):
+    soft = halves(HARDER.with_softening(JOHNSON_COOK))
+    expected = run(HARDER.with_thermal(*THERMAL).with_softening(JOHNSON_COOK)).step(load=150.0)
+    state = run(soft).step(load=150.0)
+    fields = (lambda s: s.softening(2), lambda s: s.equivalent_plastic_strain(2))
+    check_equal(state, expected, fields)
+    # Only the substrate softens.
+    (coating, h), substrate = soft.layers[0], soft.substrate
+    hard = HARDER.with_thermal(*coating.thermal)
+    body = sc.Layered([(hard, h)], substrate.with_softening(lambda rise: 1 - 3e-4 * rise))
+    simulation = run(body)
+    simulation.step(load=100.0)
+    path = tmp_path / "state.ckpt"
+    simulation.save(path)
+    with pytest.raises(ValueError, match="a list of laws for a layered body"):
+        sc.Simulation.load(path)
+    again = sc.Simulation.load(path, softening=(None, body.softening))
+    state, repeated = (each.step(load=150.0) for each in (simulation, again))
+    assert np.array_equal(repeated.stress(2), state.stress(2))
+    assert np.array_equal(repeated.temperature(2), state.temperature(2))
+    factor = state.softening(2)
+    assert (factor[..., :2] == 1).all()
+    # The factor is that of the first solution of the increment.
+    assert factor[..., 2:] == pytest.approx(1 - 3e-4 * state.temperature(2)[..., 2:], abs=1e-3)
+    assert factor.min() < 0.98
+
+
+def test_a_layer_out_of_reach_of_yield_is_elastic():
+    hard = sc.Material.perfect_plastic(380e9, 0.25, 1e12)
+    below = BALL.with_thermal(*THERMAL)
+    plastic, elastic = (
+        sc.Layered([(each.with_thermal(*CERAMIC.thermal), 40e-6)], below)
+        for each in (hard, sc.Material.elastic(380e9, 0.25))
+    )
+    found, expected = (run(body).step(load=150.0) for body in (plastic, elastic))
+    fields = (lambda s: s.pressure, lambda s: s.stress(2), lambda s: s.temperature(2))
+    check_equal(found, expected, fields)
+
+
+@pytest.mark.parametrize(
+    ("body", "heat", "message"),
+    [
+        (halves(BALL), {"time": 1e-3}, r"heat.time must be None for layered body2, got 0.001"),
+        (halves(BALL), {"history": (1e-3, 1.0)}, r"heat.history must be None for layered body2"),
+        (halves(BALL), {"velocity": (0.1, 0.2)}, r"body2 must be along x or along y"),
+        (sc.Layered([(BALL, 1e-6)], CERAMIC), {}, r"without thermal constants of layers\[0\], got"),
+        (sc.Layered([(CERAMIC, 1e-6)], sc.Material.rigid()), {}, r"whose substrate is rigid, got"),
+    ],
+)
+def test_unsupported_heat_is_refused_by_name(body, heat, message):
+    with pytest.raises(ValueError, match=message):
+        sc.Simulation(GRID, BALL, body, GAP, 0.3, heat=sc.Heat((0.0, 0.03), **heat))
