@@ -62,7 +62,7 @@ REASONS = (
         is_limit=True,
     ),
     Reason("uniform heating of a half-space", "Transient heating of periodic surfaces."),
-    Reason("only the steady temperature of layered bodies", "Transient heat in coated bodies."),
+    Reason("history of heat in layers", "History of heat in coated bodies."),
     Reason("heat follows from the slip", "Heat that does not come from the slip, in partial slip."),
     Reason("cannot move along x", "Motion of periodic surfaces along the period."),
 )

@@ -11,6 +11,13 @@ using Complex = std::complex<double>;
 /// Argument below which (1 - exp(-x))/x is summed as a series.
 constexpr double small = 0.3;
 
+/// exp(-x), 0 where it is negligible: products with it would be subnormal numbers, which are slow.
+template <class Scalar>
+Scalar decayed(Scalar x) {
+  constexpr double negligible_decay = 300.0;
+  return std::real(x) > negligible_decay ? Scalar{} : std::exp(-x);
+}
+
 /// (exp(-q y) - exp(-m y))/(m - q) for m - q = d; fast = exp(-m y), slow = exp(-q y).
 double divided_difference(double d, double y, double, double slow) {
   const double x = d * y;
@@ -66,7 +73,7 @@ void HeatWave<Scalar>::set(double q, Scalar rate) {
       continue;
     }
     own.reflection = (plain - admittance) / (plain + admittance);
-    own.decay = std::exp(-own.m * own.thickness);
+    own.decay = decayed<Scalar>(own.m * own.thickness);
     const Scalar returned = own.reflection * own.decay * own.decay;
     admittance = plain * (1.0 - returned) / (1.0 + returned);
   }
@@ -82,9 +89,9 @@ void HeatWave<Scalar>::set(double q, Scalar rate) {
 template <class Scalar>
 Scalar HeatWave<Scalar>::temperature(int layer, double y) const {
   const Layer& own = layers_[layer];
-  const Scalar down = own.down * std::exp(-own.m * y);
+  const Scalar down = own.down * decayed<Scalar>(own.m * y);
   if (std::isinf(own.thickness)) return down;
-  return down + own.up * std::exp(-own.m * (own.thickness - y));
+  return down + own.up * decayed<Scalar>(own.m * (own.thickness - y));
 }
 
 template <class Scalar>
@@ -100,33 +107,27 @@ HeatedWave<Scalar>::HeatedWave(const HeatedStack& stack)
   up_ = sent_ = down_;
 }
 
+// A particular solution exp(-m y)/(m^2 - q^2) has a resonance at m = q, the steady state at rest:
+// less the harmonic wave exp(-q y), which changes the elastic waves only, it has none.
 template <class Scalar>
-typename HeatedWave<Scalar>::Potential HeatedWave<Scalar>::potential(std::size_t layer,
-                                                                     double y) const {
-  // A particular solution exp(-m y)/(m^2 - q^2) has a resonance at m = q, the steady state at rest:
-  // less the harmonic wave exp(-q y), which changes the elastic waves only, it has none.
+std::array<typename HeatedWave<Scalar>::Potential, 2> HeatedWave<Scalar>::potentials(
+    std::size_t layer) const {
   const auto& own = heat_.layers()[layer];
-  const Scalar sum = own.m + q_;
-  const Scalar fast = std::exp(-own.m * y);
-  const Scalar depth = divided_difference(own.excess, y, fast, std::exp(-q_ * y)) / sum;
-  Potential found{own.down * fast, -own.down * depth, -own.down * (fast / sum - q_ * depth)};
-  if (std::isinf(own.thickness)) return found;
-  const double height = own.thickness - y;
-  const Scalar rising = std::exp(-own.m * height);
-  const Scalar up = divided_difference(own.excess, height, rising, std::exp(-q_ * height)) / sum;
-  found.temperature += own.up * rising;
-  found.value -= own.up * up;
-  found.slope += own.up * (rising / sum - q_ * up);
-  return found;
+  const Scalar part = 1.0 / (own.m + q_);
+  if (std::isinf(own.thickness)) return {{{Scalar{}, -own.down * part}, {}}};
+  const double slow = elastic_.layers()[layer].decay(0, 0);
+  const Scalar across = divided_difference(own.excess, own.thickness, own.decay, slow) * part;
+  const Scalar slope = own.decay * part - q_ * across;
+  return {{{-own.up * across, own.up * slope - own.down * part},
+           {-own.down * across, own.up * part - own.down * slope}}};
 }
 
 template <class Scalar>
-typename HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(std::size_t layer,
-                                                                       double y) const {
-  const Potential own = potential(layer, y);
+typename HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(
+    std::size_t layer, const Potential& potential) const {
   const double stress = modulus_[layer] * q_, strain = eigenstrain_[layer] * q_;
-  return {{-stress * own.slope, stress * q_ * own.value},
-          {-strain * q_ * own.value, strain * own.slope}};
+  return {{-stress * potential.slope, stress * q_ * potential.value},
+          {-strain * q_ * potential.value, strain * potential.slope}};
 }
 
 template <class Scalar>
@@ -145,11 +146,12 @@ void HeatedWave<Scalar>::find_waves() {
   std::vector<Vector> bottoms(layers.size(), Vector::Zero());
   for (std::size_t n = layers.size(); n-- > 0;) {
     const auto& own = layers[n];
-    const Particular top = particular(n, 0.0);
+    const auto ends = potentials(n);
+    const Particular top = particular(n, ends[0]);
     tops[n] = top.traction;
     sent_[n] = Vector::Zero();
     if (std::isfinite(own.thickness)) {
-      const Particular bottom = particular(n, own.thickness);
+      const Particular bottom = particular(n, ends[1]);
       bottoms[n] = bottom.traction;
       Vector opening = bottom.displacement - below;
       if (n + 1 < layers.size()) opening -= times(layers[n + 1].compliance, bottom.traction);
@@ -176,22 +178,27 @@ void HeatedWave<Scalar>::find_waves() {
 template <class Scalar>
 typename HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) const {
   const auto& own = elastic_.layers()[layer];
-  const double y = z - own.top;
-  const Potential heat = potential(layer, y);
+  const auto& heat = heat_.layers()[layer];
+  const Scalar part = 1.0 / (heat.m + q_);
   const double c = modulus_[layer];
-  const Scalar bent = c * q_ * q_ * heat.value;
-  Field found{heat.temperature, -bent - c * heat.temperature, -c * heat.temperature, bent,
-              -c * q_ * heat.slope};
-  const auto add = [&](const Vector& amplitude, double distance, double sign) {
-    const double x = q_ * distance, e = std::exp(-x);
-    const Scalar P = amplitude[0] * e, F = amplitude[1] * e, plain = P + x * F;
-    found.s11 += 2.0 * F - plain;
-    found.s22 += 2 * own.nu * F;
-    found.s33 += plain;
-    found.shear += sign * (plain - F);
+  Field found{};
+  // Waves that decay downwards (sign 1) or upwards (-1) from a distance.
+  const auto add = [&](const Vector& amplitude, Scalar source, double distance, double sign) {
+    const double x = q_ * distance, slow = decayed(x);
+    const Scalar fast = decayed<Scalar>(heat.m * distance);
+    const Scalar depth = divided_difference(heat.excess, distance, fast, slow) * part;
+    const Scalar temperature = source * fast, bent = -c * q_ * q_ * source * depth;
+    const Scalar P = amplitude[0] * slow, F = amplitude[1] * slow, plain = P + x * F;
+    found.temperature += temperature;
+    found.s11 += 2.0 * F - plain - bent - c * temperature;
+    found.s22 += 2 * own.nu * F - c * temperature;
+    found.s33 += plain + bent;
+    found.shear += sign * (plain - F + c * q_ * source * (fast * part - q_ * depth));
   };
-  add(down_[layer], y, 1.0);
-  if (std::isfinite(own.thickness)) add(up_[layer], own.thickness - y, -1.0);
+  add(down_[layer], heat.down, z - own.top, 1.0);
+  if (std::isfinite(own.thickness)) {
+    add(up_[layer], heat.up, own.thickness - (z - own.top), -1.0);
+  }
   return found;
 }
 

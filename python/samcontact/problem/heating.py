@@ -52,7 +52,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         thermal, thickness = thermal_of(body), []
         if factor > 0:
             thermal = _required_constants(name, n, body, factor, grid)
-            _require_steady(heat, n, body)
+            _require_in_layers(heat, n, body)
             lowest, highest = _diffusivities(thermal)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
             if heat.history is not None:
@@ -103,16 +103,20 @@ def _of_missing(body: Body) -> str:
     return f" of {' and '.join(name for name, material in pairs if material.thermal is None)}"
 
 
-def _require_steady(heat: Heat, n: int, body: Body) -> None:
-    """Raise ValueError for transient heating of a layered body."""
+def _require_in_layers(heat: Heat, n: int, body: Body) -> None:
+    """Raise ValueError for heat in layers that is not supported."""
     if not isinstance(body, Layered):
         return
-    for name, given in (("heat.time", heat.time), ("heat.history", heat.history)):
-        if given is not None:
-            raise ValueError(
-                f"{name} must be None for layered body{n}, got {given!r}: only the steady "
-                f"temperature of layered bodies is supported; omit {name}"
-            )
+    if heat.history is not None:
+        raise ValueError(
+            f"heat.history must be None for layered body{n}, got {heat.history!r}: a history of "
+            "heat in layers is not supported; use the steady state or heat.time"
+        )
+    if heat.time is not None and any(heat.velocity[n - 1]):
+        raise ValueError(
+            f"heat.time must be None for layered body{n} in motion, got {heat.time!r}: omit "
+            "heat.time for the steady state, or heat.velocity"
+        )
     if all(heat.velocity[n - 1]):
         raise ValueError(
             f"heat.velocity of layered body{n} must be along x or along y, got "

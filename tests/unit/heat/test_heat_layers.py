@@ -2,6 +2,7 @@
 """Steady frictional heat in layered bodies: modes, coefficients, contacts, refused input."""
 
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -29,20 +30,20 @@ def body_of(stack):
     return sc.Layered(list(zip(made[:-1], thickness, strict=True)), made[-1])
 
 
-def heating(body, velocity=(0.0, 0.0), reference=1.0):
+def heating(body, velocity=(0.0, 0.0), time=INF):
     """Return a heating for the core with unit flux per unit pressure."""
     layered = isinstance(body, sc.Layered)
     thermal = body.thermal if layered else [body.thermal]
     thickness = [h for _, h in body.layers] if layered else []
-    return _core.Heating(1.0, thermal, thickness, *velocity, INF, reference, False)
+    return _core.Heating(1.0, thermal, thickness, *velocity, time, 1.0, False)
 
 
 class Cell:
     """Fields around one heated cell of unit size with unit flux, without its pressure."""
 
-    def __init__(self, body, nx=8, ny=8, velocity=(0.0, 0.0), at=(0, 0), size=(1.0, 1.0)):
-        self.grid, self.body = sc.Grid(nx, ny, *size), body
-        self.heating = heating(body, velocity)
+    def __init__(self, body, nx=8, ny=8, velocity=(0.0, 0.0), at=(0, 0), time=INF, size=1.0):
+        self.grid, self.body = sc.Grid(nx, ny, size, size), body
+        self.heating = heating(body, velocity, time)
         self.flux = np.zeros((nx, ny))
         self.flux[at] = 1.0
 
@@ -147,6 +148,41 @@ def test_temperature_of_one_layer_equals_that_of_images(substrate, h, count):
         expected = images(cell, ratio, h, z, count)
         error = np.abs(cell.temperature(z) - expected).max()
         assert error < 1e-7 * np.abs(images(cell, ratio, h, 0.0, count)).max(), (z, error)
+
+
+def gaussian_fields(time, size):
+    """Return T, u_z, and s_xx + s_yy at three depths at the centre of the flux exp(-r^2)."""
+    n = round(4.5 / size)
+    cell = Cell(body_of(REFERENCE["coating"]), 2 * n + 1, 2 * n + 1, time=time, size=size)
+    edges = size * (np.arange(2 * n + 2) - n - 0.5)
+    mean = np.diff([np.sqrt(np.pi) / 2 * math.erf(x) for x in edges]) / size
+    cell.flux = np.outer(mean, mean)
+    found = [cell.temperature(0.0), cell.displacement()]
+    for z in (0.0, np.nextafter(2.0, 0.0), 2.0):
+        stress = cell.stress(z)
+        found.append(stress[0] + stress[1])
+    return np.array([field[n, n] for field in found])
+
+
+@pytest.mark.parametrize("number", [0, pytest.param(1, marks=pytest.mark.slow), 2])
+def test_fields_since_a_time_equal_hankel_integrals(number):
+    known = REFERENCE["Gaussian flux on the coating"][number]
+    stress = "s_rr_plus_s_tt_"
+    names = ["T_surface", "u_z", *(stress + at for at in ("surface", "interface_above",
+             "interface_below"))]  # fmt: skip
+    expected = np.array([known[name] for name in names])
+    coarse, fine = (gaussian_fields(known["t"], size) for size in (0.3, 0.15))
+    error = np.abs((4 * fine - coarse) / 3 - expected)
+    largest = np.abs(expected)[[0, 1, 2, 2, 2]]
+    # The cells represent the flux at the surface to the fourth order of their size.
+    assert (error < np.array([3e-3, 3e-3, 3e-3, 1e-5, 1e-5]) * largest).all(), error / largest
+
+
+def test_heat_since_a_long_time_is_that_of_the_steady_state():
+    steady, late = (Cell(body_of(REFERENCE["coating"]), time=time) for time in (INF, 1e10))
+    for of in (lambda c: c.temperature(1.0), lambda c: c.stress(1.0), lambda c: c.stress(2.0)):
+        known = of(steady)
+        assert np.abs(of(late) - known).max() < 1e-5 * np.abs(known).max()
 
 
 COATED = sc.Layered([(material(4.0, 0.25, 0.05, 0.6, 0.02), 2.0)], material())

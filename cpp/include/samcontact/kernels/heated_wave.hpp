@@ -5,7 +5,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <complex>
+#include <cstddef>
 #include <vector>
 
 #include "samcontact/base/thermal_stack.hpp"
@@ -56,16 +58,17 @@ class HeatedWave {
 
  private:
   using Vector = Eigen::Matrix<Scalar, 2, 1>;
-  /// Temperature, and the potential of Goodier and its derivative over be (1 + nu)/(1 - nu) alpha.
+  /// Potential of Goodier over (1 + nu)/(1 - nu) alpha, and its derivative.
   struct Potential {
-    Scalar temperature, value, slope;
+    Scalar value, slope;
   };
   /// (T, N) and (q U, q W) of the potential.
   struct Particular {
     Vector traction, displacement;
   };
-  Potential potential(std::size_t layer, double y) const;
-  Particular particular(std::size_t layer, double y) const;
+  /// At the top and at the bottom of a layer.
+  std::array<Potential, 2> potentials(std::size_t layer) const;
+  Particular particular(std::size_t layer, const Potential& potential) const;
   void find_waves();
 
   LayeredWave elastic_;

@@ -10,7 +10,8 @@
 namespace samcontact::operators {
 
 /// Counterparts of heat_displacement() and others in heating.hpp. They throw std::invalid_argument
-/// if layers that differ are heated for a finite time, or move neither along x nor along y.
+/// for layers that differ if they move and are heated for a finite time, or if they move neither
+/// along x nor along y.
 ParityParts layered_heat_displacement(const Stack& stack, const Heating& heating, double dx,
                                       double dy, const Offsets& offsets);
 /// On an interface, in the layer below it.
