@@ -50,12 +50,13 @@ class Contact:
 
     def bodies(self) -> tuple[Body, Body]:
         """Return both bodies, with thermal properties and coating."""
-        body1, body2 = self.body1, self.body2
+        body1, body2, coating = self.body1, self.body2, self.coating
         if self.has_thermal_properties:
             body1, body2 = (body.with_thermal(50.2, 11.7e-6, 1.39e-5) for body in (body1, body2))
-        if self.coating is None:
+            coating = None if coating is None else coating.with_thermal(5.0, 8e-6, 2e-6)
+        if coating is None:
             return body1, body2
-        return body1, sc.Layered([(self.coating, SIZE)], body2)
+        return body1, sc.Layered([(coating, SIZE)], body2)
 
     def simulation(self) -> sc.Simulation:
         """Return the simulation before the first increment."""

@@ -62,7 +62,7 @@ REASONS = (
         is_limit=True,
     ),
     Reason("uniform heating of a half-space", "Transient heating of periodic surfaces."),
-    Reason("heating of layered bodies", "Temperature in coated bodies."),
+    Reason("history of heat in layers", "History of heat in coated bodies."),
     Reason("heat follows from the slip", "Heat that does not come from the slip, in partial slip."),
 )
 

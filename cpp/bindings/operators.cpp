@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
+#include <array>
+#include <complex>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "arrays.hpp"
 #include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/base/errors.hpp"
+#include "samcontact/kernels/heated_wave.hpp"
 #include "samcontact/operators/heat/temperature.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/operators/medium/layered_half_space.hpp"
@@ -49,15 +55,16 @@ Values residual_displacement(const Grid& grid, const Array& strain, double nu, i
 }
 
 /// axis: 0, 1 or 2 along x, y or z.
-Values surface_displacement(const Grid& grid, const Stack& body, const Array& pressure,
-                            const MaybeArray& shear_x, const MaybeArray& shear_y, int axis) {
+Values surface_displacement(const Grid& grid, const Stack& body, const operators::Heating& heating,
+                            const Array& pressure, const MaybeArray& shear_x,
+                            const MaybeArray& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
   {
     const LongWork work;
-    out = operators::surface_displacement(grid, *operators::medium_of(body), {}, tractions, 1.0,
-                                          static_cast<operators::Axis>(axis));
+    out = operators::surface_displacement(grid, *operators::medium_of(body), heating, tractions,
+                                          1.0, static_cast<operators::Axis>(axis));
   }
   return surface_array(std::move(out), grid);
 }
@@ -137,6 +144,26 @@ std::pair<Values, Values> zone_fields(const Grid& grid, const Elastic& elastic,
                         {item * nx * ny, item * ny, item})};
 }
 
+/// Fields [6][mode] of Fourier modes of heat flux: temperature, stress 11, 22, 33 and i s_13 at a
+/// depth, and u_z of the surface.
+py::array_t<std::complex<double>> heated_wave(const Stack& body, const operators::Heating& heating,
+                                              const std::vector<double>& q,
+                                              const std::vector<std::complex<double>>& rate,
+                                              double z) {
+  const HeatedStack stack = HeatedStack::of(body, heating.thermal);
+  kernels::HeatedWave<std::complex<double>> wave(stack);
+  const auto count = static_cast<py::ssize_t>(q.size());
+  py::array_t<std::complex<double>> out({py::ssize_t{6}, count});
+  auto to = out.mutable_unchecked<2>();
+  for (py::ssize_t n = 0; n < count; ++n) {
+    wave.set(q[n], rate[n]);
+    const auto [temperature, s11, s22, s33, shear] = wave.at(stack.elastic.layer_at(z), z);
+    const std::array all{temperature, s11, s22, s33, shear, wave.displacement()};
+    for (py::ssize_t c = 0; c < 6; ++c) to(c, n) = all[c];
+  }
+  return out;
+}
+
 Values temperature(const Grid& grid, const operators::Heating& heating,
                    const std::vector<double>& z, const Array& pressure) {
   const Field p = to_field(pressure);
@@ -190,9 +217,9 @@ void bind_heat_history(py::module_& m) {
       .def(py::init([](const Grid& grid, const operators::Heating& heating, const Elastic& elastic,
                        double shortest, double longest, double tolerance, bool in_depth) {
              const LongWork work;
-             return BoundHistory{grid,
-                                 operators::heated_half_space(elastic)->history(
-                                     grid, heating, {shortest, longest, tolerance, in_depth})};
+             return BoundHistory{
+                 grid, operators::heated_body({{}, elastic})
+                           ->history(grid, heating, {shortest, longest, tolerance, in_depth})};
            }),
            py::arg("grid"), py::arg("heating"), py::arg("elastic"), py::arg("shortest"),
            py::arg("longest"), py::arg("tolerance"), py::arg("in_depth"))
@@ -224,20 +251,40 @@ void bind_heat_history(py::module_& m) {
 
 }  // namespace
 
+namespace {
+
+/// From conductivity, expansion and diffusivity of each layer, the substrate last, and the
+/// thicknesses of the layers.
+ThermalStack thermal_stack(const std::vector<std::array<double, 3>>& constants,
+                           const std::vector<double>& thickness) {
+  const auto of = [](const std::array<double, 3>& c) { return Thermal::of(c[0], c[1], c[2]); };
+  if (constants.size() != thickness.size() + 1) {
+    throw std::invalid_argument(
+        "thermal must contain one set of constants more than thickness, got " +
+        std::to_string(constants.size()) + " and " + std::to_string(thickness.size()));
+  }
+  ThermalStack stack{{}, of(constants.back())};
+  for (std::size_t n = 0; n < thickness.size(); ++n) {
+    stack.layers.push_back({of(constants[n]), thickness[n]});
+  }
+  return stack;
+}
+
+}  // namespace
+
 void bind_heating(py::module_& m) {
   using operators::Heating;
   py::class_<Heating>(m, "Heating")
       .def(py::init<>())
-      .def(py::init([](double factor, double conductivity, double expansion, double diffusivity,
-                       double speed_x, double speed_y, double age, double reference, bool of_slip) {
-             return Heating{factor,  Thermal::of(conductivity, expansion, diffusivity),
-                            speed_x, speed_y,
-                            age,     reference,
-                            of_slip};
+      .def(py::init([](double factor, const std::vector<std::array<double, 3>>& thermal,
+                       const std::vector<double>& thickness, double speed_x, double speed_y,
+                       double age, double reference, bool of_slip) {
+             return Heating{
+                 factor, thermal_stack(thermal, thickness), speed_x, speed_y, age, reference,
+                 of_slip};
            }),
-           py::arg("factor"), py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"),
-           py::arg("speed_x"), py::arg("speed_y"), py::arg("age"), py::arg("reference"),
-           py::arg("of_slip"))
+           py::arg("factor"), py::arg("thermal"), py::arg("thickness"), py::arg("speed_x"),
+           py::arg("speed_y"), py::arg("age"), py::arg("reference"), py::arg("of_slip"))
       .def_readonly("factor", &Heating::factor);
 }
 
@@ -249,12 +296,15 @@ void bind_operators(py::module_& parent) {
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),
         py::arg("nu"), py::arg("axis"));
   m.def("surface_displacement", &surface_displacement, py::arg("grid"), py::arg("body"),
-        py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"), py::arg("axis"));
+        py::arg("heating"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"),
+        py::arg("axis"));
   m.def("zone_fields", &zone_fields, py::arg("grid"), py::arg("elastic"), py::arg("zones"),
         py::arg("strain"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"),
         py::arg("image_tol"));
   m.def("temperature", &temperature, py::arg("grid"), py::arg("heating"), py::arg("z"),
         py::arg("pressure"));
+  m.def("heated_wave", &heated_wave, py::arg("body"), py::arg("heating"), py::arg("q"),
+        py::arg("rate"), py::arg("z"));
   m.def("surface_stress", &surface_stress, py::arg("grid"), py::arg("body"), py::arg("heating"),
         py::arg("z"), py::arg("pressure"), py::arg("shear_x"), py::arg("shear_y"));
 }

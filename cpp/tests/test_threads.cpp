@@ -76,7 +76,7 @@ Simulation heated_setup(double heat_factor) {
                         {.shortest = 2e-5, .longest = 1e-2});
   for (const double newton : {120.0, 150.0}) {
     Target target = load(newton);
-    target.heating[1] = {.factor = heat_factor, .thermal = warm};
+    target.heating[1] = {.factor = heat_factor, .thermal = {{}, warm}};
     target.duration = 5e-5;
     simulation.step(target);
   }

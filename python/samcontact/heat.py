@@ -13,7 +13,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
 
 from numpy.typing import ArrayLike
 
@@ -27,9 +26,7 @@ from ._util.checks import (
     value_per_body,
 )
 from ._util.short_text import in_short
-
-if TYPE_CHECKING:
-    from .bodies.material import Material
+from .bodies.material import Material
 
 __all__ = ["factors", "partition"]
 
@@ -220,7 +217,7 @@ def partition(
     radius = positive("radius", radius)
     taken = []
     for name, body, velocity in (("body1", body1, velocity1), ("body2", body2, velocity2)):
-        if not hasattr(body, "thermal"):
+        if not isinstance(body, Material):
             raise TypeError(f"{name} must be a samcontact.Material, got {in_short(body)}")
         if body.thermal is None:
             raise ValueError(f"{name} must have thermal constants: set them with with_thermal()")

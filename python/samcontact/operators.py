@@ -67,7 +67,7 @@ def surface_displacement(
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     body = _core.Stack(_core.Elastic.isotropic(number("E", E), number("nu", nu)))
     field: FloatArray = _core.operators.surface_displacement(
-        grid._core, body, p, *shear_components(grid, shear), number_of_axis
+        grid._core, body, _core.Heating(), p, *shear_components(grid, shear), number_of_axis
     )
     return field
 

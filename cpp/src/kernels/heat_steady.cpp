@@ -95,4 +95,22 @@ double steady_heat_displacement(double x, double y, double a, double b, double r
   return sum / (2 * pi);
 }
 
+double buried_heat_displacement(double x, double y, double d, double a, double b, double r0) {
+  double sum = 0.0;
+  if (is_far(x, y, d, a, b)) {
+    sum = integrate<1>(x, y, a, b, [d, r0](double X, double Y) {
+      return std::array{std::log((std::hypot(X, Y, d) + d) / r0)};
+    })[0];
+  } else {
+    sum = corner_sum_2d<1>(x, y, a, b, [d, r0](double X, double Y) {
+      const double R = std::hypot(X, Y, d), s = X * X + d * d + d * R, t = Y * Y + d * d + d * R;
+      return std::array{X * Y * (std::log((R + d) / r0) - 1.5) +
+                        d * (X * log_ratio(Y, X, d) + Y * log_ratio(X, Y, d)) +
+                        0.5 * (X * X * std::atan2(X * Y, s) + Y * Y * std::atan2(X * Y, t) -
+                               d * d * std::atan2(X * Y, d * R))};
+    })[0];
+  }
+  return sum / (2 * pi);
+}
+
 }  // namespace samcontact::kernels

@@ -200,9 +200,10 @@ class Heating:
     def __init__(
         self,
         factor: float,
-        conductivity: float,
-        expansion: float,
-        diffusivity: float,
+        thermal: collections.abc.Sequence[
+            typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"]
+        ],
+        thickness: collections.abc.Sequence[float],
         speed_x: float,
         speed_y: float,
         age: float,

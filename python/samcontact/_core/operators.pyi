@@ -12,6 +12,7 @@ import samcontact._core
 
 __all__: list[str] = [
     "HeatHistory",
+    "heated_wave",
     "residual_displacement",
     "residual_stress",
     "surface_displacement",
@@ -45,6 +46,13 @@ class HeatHistory:
     @property
     def size(self) -> int: ...
 
+def heated_wave(
+    body: samcontact._core.Stack,
+    heating: samcontact._core.Heating,
+    q: collections.abc.Sequence[float],
+    rate: collections.abc.Sequence[complex | typing.SupportsComplex | float],
+    z: float,
+) -> numpy.typing.NDArray[numpy.complex128]: ...
 def residual_displacement(
     grid: samcontact._core.Grid, strain: numpy.typing.NDArray[numpy.float64], nu: float, axis: int
 ) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -58,6 +66,7 @@ def residual_stress(
 def surface_displacement(
     grid: samcontact._core.Grid,
     body: samcontact._core.Stack,
+    heating: samcontact._core.Heating,
     pressure: numpy.typing.NDArray[numpy.float64],
     shear_x: numpy.typing.NDArray[numpy.float64] | None,
     shear_y: numpy.typing.NDArray[numpy.float64] | None,

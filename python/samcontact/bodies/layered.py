@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Any, ClassVar
 
@@ -21,6 +21,8 @@ from .._util.short_text import in_short
 from .depth_profiles import checked_depths
 from .display import material_in_short
 from .material import Material
+
+SofteningLaw = Callable[[FloatArray], ArrayLike]
 
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
@@ -58,8 +60,7 @@ class Layered(HtmlTable):
     Raises
     ------
     ValueError
-        There is no layer, a layer is rigid, a thickness is not a finite number > 0, or a material
-        has thermal constants or softening, which layered bodies do not support.
+        There is no layer, a layer is rigid, or a thickness is not a finite number > 0.
     TypeError
         An argument is not a material or not a number.
 
@@ -71,28 +72,22 @@ class Layered(HtmlTable):
     at interfaces. A depth z exactly at an interface belongs to the material below it;
     ``np.nextafter(z, 0.0)`` belongs to the layer above.
 
-    Each layer and the substrate has the hardening law, yield profile and residual stress of its
-    material. The depths of these profiles are measured from the surface of the body. Use
+    Each layer and the substrate has the hardening law, yield profile, residual stress and softening
+    law of its material. The depths of these profiles are measured from the surface of the body. Use
     ``material.with_residual_stress([0.0], [s])`` for a uniform growth stress s in a coating.
+
+    Layers that have thermal constants conduct frictional heat without contact resistance between
+    them (docs/theory/heat.md).
     """
 
     layers: tuple[tuple[Material, float], ...]
     substrate: Material
     law: ClassVar[str] = "layered"
-    thermal: ClassVar[None] = None
-    softening: ClassVar[None] = None
 
     def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
         object.__setattr__(self, "layers", _checked_layers(layers))
         require_type("substrate", substrate, Material)
         object.__setattr__(self, "substrate", substrate)
-        for name, material in self._named_materials():
-            for what in ("thermal", "softening"):
-                if getattr(material, what) is not None:
-                    raise ValueError(
-                        f"{name} must have no {what}, got {getattr(material, what)!r}: "
-                        "heating of layered bodies is not supported"
-                    )
         self._core  # noqa: B018  (the core checks thicknesses)
 
     def _named_materials(self) -> list[tuple[str, Material]]:
@@ -115,6 +110,20 @@ class Layered(HtmlTable):
                 "thickness": tuple(h for _, h in self.layers),
             }
         )
+
+    @property
+    def thermal(self) -> tuple[tuple[float, float, float], ...] | None:
+        """Thermal constants of all materials from the surface down; None unless each has them.
+
+        Each is (conductivity, expansion, diffusivity), see `Material.with_thermal`.
+        """
+        return thermal_of(self)
+
+    @property
+    def softening(self) -> tuple[SofteningLaw | None, ...] | None:
+        """Softening laws of all materials from the surface down; None if none has a law."""
+        laws = tuple(material.softening for material in materials_of(self))
+        return laws if any(law is not None for law in laws) else None
 
     @property
     def min_yield_stress(self) -> float:
@@ -256,6 +265,21 @@ def materials_of(body: Body) -> list[Material]:
     if isinstance(body, Material):
         return [body]
     return [material for _, material in body._named_materials()]
+
+
+def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
+    """Return thermal constants of all materials from the surface down; None if one has none."""
+    constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
+    return constants if len(constants) == len(materials_of(body)) else None
+
+
+def without_softening(body: Body) -> Body:
+    """Return a copy of a body whose materials have no softening law."""
+    if isinstance(body, Material):
+        return replace(body, softening=None)
+    *layers, substrate = (replace(material, softening=None) for material in materials_of(body))
+    thickness = [h for _, h in body.layers]
+    return Layered(list(zip(layers, thickness, strict=True)), substrate)
 
 
 def names_of_materials(layers: int) -> list[str]:

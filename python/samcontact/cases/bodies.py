@@ -117,11 +117,13 @@ class _Solid(Section):
 
 class _ElasticSolid(_Solid):
     residual_stress: InitialStress | None = None
+    thermal: ThermalConstants | None = None
 
 
 class _PlasticSolid(_ElasticSolid):
     kinematic: KinematicHardening | None = None
     yield_profile: YieldProfile | None = None
+    softening: JohnsonCookSoftening | None = None
 
 
 class _Layer(_Solid):
@@ -227,11 +229,11 @@ class _Body(_Solid):
 
 
 class _ElasticBody(_ElasticSolid, _Body):
-    thermal: ThermalConstants | None = None
+    pass
 
 
 class _PlasticBody(_PlasticSolid, _ElasticBody):
-    softening: JohnsonCookSoftening | None = None
+    pass
 
 
 if TYPE_CHECKING:

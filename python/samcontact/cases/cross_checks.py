@@ -171,9 +171,14 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
     """Raise ValueError for thermal constants or softening that have no effect without heat."""
-    for name, body in bodies:
-        softening: Any = getattr(body, "softening", None)
-        if getattr(body, "thermal", None) is not None:
+    named = [
+        (name if part is body else f"{name}.layers[{number}]", part)
+        for name, body in bodies
+        for number, part in enumerate(body.parts)
+    ]
+    for name, part in named:
+        softening: Any = getattr(part, "softening", None)
+        if getattr(part, "thermal", None) is not None:
             raise ValueError(f"{name}.thermal has no effect without [heat]: {remedy}")
         if softening is not None and softening.ambient <= softening.reference:
             raise ValueError(

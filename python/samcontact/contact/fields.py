@@ -115,7 +115,10 @@ class ContactFields(Configured):
         loads = self._tractions_on(body, pressure, shear)
         along = _core.operators.surface_displacement
         return np.stack(
-            [along(self.grid._core, material._core.stack, *loads, axis) for axis in range(3)]
+            [
+                along(self.grid._core, material._core.stack, _core.Heating(), *loads, axis)
+                for axis in range(3)
+            ]
         )
 
     def _tractions_on(

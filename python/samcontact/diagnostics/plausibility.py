@@ -117,8 +117,9 @@ def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Pla
             check = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
             yield PlausibilityCheck(check, lambda: "Use Pa for both")
         yield from _failed(_body_checks(f"body {number}", whole))
-    for number, body in _heated(bodies, heat):
-        yield from _thermal_checks(number, body)
+    for number, materials in _heated(bodies, heat):
+        for material in materials:
+            yield from _thermal_checks(number, material)
         speed = math.hypot(*heat.velocity[number - 1])
         check = Check(f"heat.velocity of body {number}", speed, MAX_SPEED, unit="m/s")
         yield from _failed([PlausibilityCheck(check, lambda: "Use m/s")])
@@ -136,7 +137,9 @@ def contact_plausibility_checks(
 ) -> Iterator[PlausibilityCheck]:
     """Checks of the size of a Hertz contact and of the temperature rise."""
     yield from _contact_checks(contact, grid, (softest(bodies[0]), softest(bodies[1])))
-    for number, body in _heated(bodies, heat):
+    for number, materials in _heated(bodies, heat):
+        # The lowest estimate of the temperature is that of the best conductor.
+        body = max(materials, key=lambda material: (material.thermal or (0.0,))[0])
         yield _temperature_check(contact, number, heat.factor[number - 1], body, heat)
 
 
@@ -162,10 +165,11 @@ def passing_loads(
     return lower, upper
 
 
-def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, Material]]:
+def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, list[Material]]]:
+    """Return the numbers and materials of the heated bodies."""
     return [
-        (number, body)
-        for number, body in enumerate(map(softest, bodies), 1)
+        (number, materials_of(body))
+        for number, body in enumerate(bodies, 1)
         if heat.shares[number - 1] > 0 and body.thermal is not None
     ]
 

@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body, Layered, materials_at, materials_of, thermal_of
 from ..heat import Heat
 from .friction import FrictionLaw
 from .grid import Grid
@@ -23,6 +23,8 @@ MAX_PECLET_NUMBER = 1e7
 MIN_DIFFUSION_LENGTH = 0.02
 """Minimum diffusion length [cells] in the shortest step of a heat history; it bounds the time and
 memory of transient heating."""
+_ANY_CONSTANTS = (1.0, 0.0, 1.0)
+"""Thermal constants of a body without heat."""
 
 Bodies = tuple[Body, Body]
 
@@ -47,50 +49,100 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     of_slip = heat.partition is not None
     name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
-        if isinstance(body, Layered):
-            if factor > 0:
-                raise ValueError(
-                    f"{name} must be 0 for layered body{n}, got {factor!r}: heat conduction in "
-                    "layered bodies is not supported"
-                )
-            entries.append(_core.Heating())
-            continue
+        thermal, thickness = thermal_of(body), []
         if factor > 0:
-            if grid.periodic:
-                raise ValueError(
-                    f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
-                    f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
-                    "steady state"
-                )
-            if body.is_rigid:
-                raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
-            if body.thermal is None:
-                raise ValueError(
-                    f"{name} of body{n} must be 0 without thermal constants, got {factor!r}: "
-                    "set them with with_thermal()"
-                )
-            _require_speed(grid, n, body.thermal[2], math.hypot(*v))
+            thermal = _required_constants(name, n, body, factor, grid)
+            _require_in_layers(heat, n, body)
+            lowest, highest = _diffusivities(thermal)
+            _require_speed(grid, n, lowest, highest, math.hypot(*v))
             if heat.history is not None:
-                _require_shortest(grid, n, body.thermal[2], heat.history[0])
+                _require_shortest(grid, n, lowest, heat.history[0])
             if heat.time is not None:
-                _require_time("heat.time", heat.time, body.thermal[2], grid)
+                _require_time("heat.time", heat.time, highest, grid)
             if duration is not None:
-                _require_time("duration", duration, body.thermal[2], grid)
-        constants = body.thermal or (1.0, 0.0, 1.0)
-        entries.append(_core.Heating(factor, *constants, *v, age, reference, of_slip))
+                _require_time("duration", duration, highest, grid)
+        if thermal is not None and isinstance(body, Layered):
+            thickness = [h for _, h in body.layers]
+        constants = thermal or (_ANY_CONSTANTS,)
+        entries.append(_core.Heating(factor, constants, thickness, *v, age, reference, of_slip))
     return entries
 
 
-def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
-    """Raise ValueError for a speed outside the range of the heat kernels."""
+def _required_constants(
+    name: str, n: int, body: Body, factor: float, grid: Grid
+) -> tuple[tuple[float, float, float], ...]:
+    """Return the thermal constants of a body; raise ValueError if heat cannot enter it."""
+    if grid.periodic:
+        raise ValueError(
+            f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
+            f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
+            "steady state"
+        )
+    if body.is_rigid:
+        raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
+    if materials_of(body)[-1].is_rigid:
+        raise ValueError(
+            f"{name} must be 0 for body{n}, whose substrate is rigid, got {factor!r}: the thermal "
+            "expansion of a rigid substrate is unknown; use a stiff elastic substrate"
+        )
+    thermal = thermal_of(body)
+    if thermal is None:
+        raise ValueError(
+            f"{name} of body{n} must be 0 without thermal constants{_of_missing(body)}, got "
+            f"{factor!r}: set them with with_thermal()"
+        )
+    return thermal
+
+
+def _of_missing(body: Body) -> str:
+    """Part of a message that names the materials of a layered body without thermal constants."""
+    if not isinstance(body, Layered):
+        return ""
+    names = [*(f"layers[{n}]" for n in range(len(body.layers))), "substrate"]
+    pairs = zip(names, materials_of(body), strict=True)
+    return f" of {' and '.join(name for name, material in pairs if material.thermal is None)}"
+
+
+def _require_in_layers(heat: Heat, n: int, body: Body) -> None:
+    """Raise ValueError for heat in layers that is not supported."""
+    if not isinstance(body, Layered):
+        return
+    if heat.history is not None:
+        raise ValueError(
+            f"heat.history must be None for layered body{n}, got {heat.history!r}: a history of "
+            "heat in layers is not supported; use the steady state or heat.time"
+        )
+    if heat.time is not None and any(heat.velocity[n - 1]):
+        raise ValueError(
+            f"heat.time must be None for layered body{n} in motion, got {heat.time!r}: omit "
+            "heat.time for the steady state, or heat.velocity"
+        )
+    if all(heat.velocity[n - 1]):
+        raise ValueError(
+            f"heat.velocity of layered body{n} must be along x or along y, got "
+            f"{heat.velocity[n - 1]!r}"
+        )
+
+
+def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float, float]:
+    """Return the minimum and the maximum diffusivity [m^2/s]."""
+    values = [diffusivity for _, _, diffusivity in thermal]
+    return min(values), max(values)
+
+
+def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: float) -> None:
+    """Raise ValueError for a speed outside the range of the heat kernels.
+
+    lowest, highest: diffusivity of the body [m^2/s].
+    """
     extent = max(grid.nx * grid.dx, grid.ny * grid.dy)
-    fastest = MAX_PECLET_NUMBER * diffusivity / extent
+    fastest = MAX_PECLET_NUMBER * lowest / extent
     if speed > fastest:
         raise ValueError(
             f"heat.velocity of body {body} must be <= {fastest:.4g} m/s on this grid "
-            f"({extent:.4g} m long, diffusivity {diffusivity:.4g} m^2/s), got {speed:.4g} m/s"
+            f"({extent:.4g} m long, diffusivity {lowest:.4g} m^2/s), got {speed:.4g} m/s"
         )
-    minimum = 1e-55 * diffusivity / min(grid.dx, grid.dy)
+    minimum = 1e-55 * highest / min(grid.dx, grid.dy)
     if 0 < speed < minimum:
         raise ValueError(
             f"heat.velocity of body {body} must be 0 or >= {minimum:.3g} m/s, got {speed:.3g} m/s"
@@ -116,17 +168,36 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
         raise ValueError(f"{name} must be <= {longest:.3g} s, got {time:.3g} s")
 
 
-def core_law(body: Body) -> Callable[[FloatArray], FloatArray] | None:
-    """Return the thermal softening law of a body, with results of shape (nz, nx, ny), or None."""
-    law = body.softening
-    if law is None:
+def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], FloatArray] | None:
+    """Return the thermal softening of a body divided into cells of thickness dz [m], or None.
+
+    Its arguments are temperature rises [K], shape (nx, ny, m), and the number of layers of cells
+    above them. It returns the factors on the yield stress, from the law of the material there.
+    """
+    if body.softening is None:
         return None
 
-    def factor(rise: FloatArray) -> FloatArray:
-        checked = finite_array("factor of softening", law(rise), rise.shape)
-        return np.ascontiguousarray(np.moveaxis(checked, 2, 0))
+    def factor(rise: FloatArray, above: int) -> FloatArray:
+        found = np.ones(rise.shape)
+        depths = np.asarray(
+            (above + np.arange(rise.shape[2]) + 0.5) * (dz or 0.0), dtype=np.float64
+        )
+        for material, there in materials_at(body, depths):
+            if material.softening is not None and there.any():
+                own = rise[..., there]
+                factors = material.softening(own)
+                found[..., there] = finite_array("factor of softening", factors, own.shape)
+        return found
 
     return factor
+
+
+def core_law(body: Body, dz: float | None) -> Callable[[FloatArray], FloatArray] | None:
+    """Return the thermal softening of a body for the core, with results of shape (nz, nx, ny)."""
+    law = softening_of(body, dz)
+    if law is None:
+        return None
+    return lambda rise: np.ascontiguousarray(np.moveaxis(law(rise, 0), 2, 0))
 
 
 def require_reference(heat: Heat) -> None:

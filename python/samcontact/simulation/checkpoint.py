@@ -120,8 +120,14 @@ def _arguments(setup: Tree, *laws: Any) -> dict[str, Any]:
 
 def _body(name: str, part: Tree, law: Any) -> Body:
     if part["law"] == Layered.law:
-        layers = [_material(name, part["layers"][n], None) for n in sorted(part["layers"], key=int)]
-        substrate = _material(name, part["substrate"], None)
+        parts = [part["layers"][n] for n in sorted(part["layers"], key=int)] + [part["substrate"]]
+        laws = [None] * len(parts) if law is None else list(law)
+        if len(laws) != len(parts):
+            raise ValueError(
+                f"softening of layered {name} must be a list of {len(parts)} laws, from the "
+                f"surface down, got {in_short(law)}"
+            )
+        *layers, substrate = map(_material, [name] * len(parts), parts, laws)
         return Layered(tuple(zip(layers, part["thickness"], strict=True)), substrate)
     return _material(name, part, law)
 
@@ -132,7 +138,8 @@ def _material(name: str, part: Tree, law: Any) -> Material:
     elif "softening" in part and law is None:
         raise CheckpointError(
             f"{name} has the softening law {part['softening']}, which a checkpoint cannot store: "
-            "pass softening=(law of body 1, law of body 2), with None for a body without a law"
+            "pass softening=(law of body 1, law of body 2), with None for a body without a law and "
+            "a list of laws for a layered body"
         )
     kinematic = tuple(map(tuple, part.get("kinematic", ())))
     thermal, profile, stress = map(part.get, ("thermal", "yield_profile", "residual_stress"))

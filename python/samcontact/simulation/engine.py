@@ -50,7 +50,8 @@ class Engine:
         """Heat of the next increment."""
         self.history = History(heat)
         self.access = ExclusiveAccess()
-        self._laws = [core_law(body) for body in setup.bodies]  # the core does not own them
+        # The core does not own them.
+        self._laws = [core_law(body, grid.dz) for body in setup.bodies]
         self._may_overlap = may_overlap(setup.bodies, setup.friction)
         self._open(self._checked_domain(grid))
         self.first = self.domain

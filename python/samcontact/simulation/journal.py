@@ -7,12 +7,11 @@ import os
 import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .._util.checks import file_path
-from ..bodies.material import Material
+from ..bodies.layered import without_softening
 from ..files.ownership import require_marked
 from ..restart.file import (
     DamagedCheckpointError,
@@ -37,8 +36,8 @@ def describe(engine: Engine, **what: Any) -> Identity:
     arguments = engine.setup.on_domain(engine.first, engine.heat)
     for number in (1, 2):
         body = arguments[f"body{number}"]
-        if isinstance(body, Material) and body.softening is not None:
-            arguments[f"body{number}"] = replace(body, softening=None)
+        if body.softening is not None:
+            arguments[f"body{number}"] = without_softening(body)
             arguments[f"softening law of body {number}"] = body.softening
     for name in ("eigenstrain1", "eigenstrain2"):
         if (given := getattr(engine.core.state, name)) is not None:

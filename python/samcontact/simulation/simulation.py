@@ -388,13 +388,14 @@ class Simulation(Configured, HtmlTable):
     def load(
         cls,
         path: str | os.PathLike[str],
-        softening: Sequence[Callable[[FloatArray], ArrayLike] | None] = (None, None),
+        softening: Sequence[Any] = (None, None),
         gap: Callable[[Grid], ArrayLike] | None = None,
     ) -> Simulation:
         """Load a checkpoint. On the same machine, further results are bit-identical.
 
-        softening: laws of bodies 1 and 2, if not from `samcontact.softening`. gap: the same
-        function of a grid as before; if missing, the grid is not enlarged. Raises CheckpointError
+        softening: laws of bodies 1 and 2, if not from `samcontact.softening`; for a layered body, a
+        list of the laws of its materials, from the surface down. gap: the same function of a grid
+        as before; if missing, the grid is not enlarged. Raises CheckpointError
         (a ValueError) for a damaged file, another kind of file, or a different surface.
         """
         return loaded(cls, path, softening, gap)

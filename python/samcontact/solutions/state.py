@@ -17,6 +17,7 @@ from .._util.frozen import FixedAttributes
 from .._util.tensors import von_mises
 from ..heat import Heat
 from ..problem.domain import Domain
+from ..problem.heating import softening_of
 from ..problem.setup import SimulationSetup
 from .interface_stress import layered_body, stress_at_interfaces
 from .surface_state import SurfaceState, rows_along_surface
@@ -342,9 +343,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
             return factor
         layers = min(self.layers, known.shape[2])
         factor[:, :, :layers] = known[:, :, :layers]
-        law = self.setup.bodies[body - 1].softening
+        law = softening_of(self.setup.bodies[body - 1], self.grid.dz)
         if layers < self.layers and law is not None:
-            factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:])
+            factor[:, :, layers:] = law(self.temperature(body)[:, :, layers:], layers)
         return factor
 
     def _field(

@@ -21,7 +21,13 @@ def grid_of(nx=16, ny=12, dx=DX, dy=1.25 * DX):
 def history(grid, shortest=UNIT, longest=1e4 * UNIT, tolerance=1e-6, in_depth=True, **other):
     speed = other.get("speed", (0.0, 0.0))
     heating = _core.Heating(
-        1.0, other.get("k", K), ALPHA, other.get("kappa", KAPPA), *speed, np.inf, 1.0, False
+        1.0,
+        [(other.get("k", K), ALPHA, other.get("kappa", KAPPA))],
+        [],
+        *speed,
+        np.inf,
+        1.0,
+        False,
     )
     elastic = _core.Elastic.isotropic(other.get("E", E), NU)
     return _core.operators.HeatHistory(
@@ -150,7 +156,7 @@ def test_tends_to_the_steady_state():
     for _ in range(30):
         past.add(flux, dt)
         dt *= 2
-    steady = _core.Heating(1.0, K, ALPHA, KAPPA, 0.0, 0.0, np.inf, 1.0, False)
+    steady = _core.Heating(1.0, [(K, ALPHA, KAPPA)], [], 0.0, 0.0, np.inf, 1.0, False)
     body = _core.Stack(_core.Elastic.isotropic(E, NU))
     zero = np.zeros_like(flux)
     expected = _core.operators.temperature(grid._core, steady, DEPTHS, flux)

@@ -22,5 +22,8 @@ std::array<double, 3> steady_heat_stress(double x, double y, double z, double a,
 /// displacement of a point source at the distance r0: u_z has no limit at infinity. Johnson (1985),
 /// section 12.2.
 double steady_heat_displacement(double x, double y, double a, double b, double r0);
+/// Counterpart whose Fourier mode is exp(-q d) times that of steady_heat_displacement, d > 0: a
+/// smooth field with the same far field; ln(r/r0) of a point source becomes ln((R + d)/r0).
+double buried_heat_displacement(double x, double y, double d, double a, double b, double r0);
 
 }  // namespace samcontact::kernels

@@ -16,10 +16,11 @@ namespace samcontact::kernels {
 /// Components of Fourier modes exp(i (kx x + ky y)), the real factors of kernels/wave.hpp.
 struct RingWaves {
   std::vector<Parity> parities;
-  /// At kx, ky >= 0, for all components; finite at kx = ky = 0.
+  /// At kx, ky >= 0, for all components; finite at kx = ky = 0 unless is_singular.
   std::function<void(double kx, double ky, double* values)> at;
-  double highest;  // wavenumber beyond which they are negligible [1/m]
-  double longest;  // length over which they vary in space beyond the offsets [m]
+  double highest;            // wavenumber beyond which they are negligible [1/m]
+  double longest;            // length over which they vary in space beyond the offsets [m]
+  bool is_singular = false;  // they grow like 1/q as q -> 0, and are not evaluated at 0
 };
 
 /// Influence of a rectangle dx by dy with a unit load at offsets >= 0 [m] from its centre:

@@ -301,7 +301,7 @@ void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<cons
   for (const double age : {ahead + duration_, ahead}) {
     if (age == 0) continue;
     const double sign = age == ahead ? -1 : 1;
-    const Heating heating{1.0, plan.thermal, plan.speed_x, plan.speed_y, age};
+    const Heating heating{1.0, {{}, plan.thermal}, plan.speed_x, plan.speed_y, age};
     if (quantity == HeatQuantity::displacement) {
       add(heat_displacement(heating, plan.elastic.nu, grid.dx, grid.dy, offsets), {}, sign,
           out.data());

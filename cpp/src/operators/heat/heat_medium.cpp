@@ -1,34 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/heat/heat_medium.hpp"
 
+#include <stdexcept>
+
+#include "samcontact/operators/heat/layered_heat.hpp"
+
 namespace samcontact::operators {
 namespace {
 
-class HeatedHalfSpace : public HeatMedium {
+class HeatedBody : public HeatMedium {
  public:
-  explicit HeatedHalfSpace(const Elastic& elastic) : elastic_(elastic) {}
+  explicit HeatedBody(const Stack& elastic) : elastic_(elastic) {}
 
   std::array<ParityParts, 6> stress(const Heating& heating, double dx, double dy, double z,
                                     const Offsets& offsets) const override {
-    return heat_stress(heating, elastic_, dx, dy, z, offsets);
+    return layered_heat_stress(elastic_, heating, dx, dy, z, offsets);
+  }
+  bool is_fast(const Heating& heating) const override {
+    return heating.is_steady_at_rest() && HeatedStack::of(elastic_, heating.thermal).is_uniform();
   }
   ParityParts displacement(const Heating& heating, double dx, double dy,
                            const Offsets& offsets) const override {
-    return heat_displacement(heating, elastic_.nu, dx, dy, offsets);
+    return layered_heat_displacement(elastic_, heating, dx, dy, offsets);
   }
   HeatHistory history(const Grid& grid, const Heating& heating,
                       const HeatHistorySettings& settings) const override {
-    return {grid, heating.thermal, elastic_, heating.speed_x, heating.speed_y, settings};
+    const HeatedStack stack = HeatedStack::of(elastic_, heating.thermal);
+    if (!stack.is_uniform()) {
+      throw std::invalid_argument("a heat history of a layered body is not supported");
+    }
+    return {grid,    stack.thermal[0], stack.elastic.substrate, heating.speed_x, heating.speed_y,
+            settings};
   }
 
  private:
-  Elastic elastic_;
+  Stack elastic_;
 };
 
 }  // namespace
 
-SharedHeatMedium heated_half_space(const Elastic& elastic) {
-  return std::make_shared<const HeatedHalfSpace>(elastic);
+SharedHeatMedium heated_body(const Stack& elastic) {
+  return std::make_shared<const HeatedBody>(elastic);
 }
 
 }  // namespace samcontact::operators

@@ -53,8 +53,7 @@ HeatStress::HeatStress(const Grid& widest, SharedThermalStress body, const Heati
   const double parts = (heating.speed_x != 0 ? 2 : 1) * (heating.speed_y != 0 ? 2 : 1);
   const int layers = widest.nz > 0 ? widest.nz : usual_layers;
   const double numbers = 6 * parts * widest.surface_size() * layers;
-  // Closed forms are as fast as a copy.
-  if (!heating.is_steady_at_rest() && numbers <= max_kept) widest_ = widest;
+  if (!body_->is_fast(heating) && numbers <= max_kept) widest_ = widest;
 }
 
 HeatStress::Tables HeatStress::compute(double z, const Grid& grid,

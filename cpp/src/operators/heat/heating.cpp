@@ -13,7 +13,7 @@ namespace {
 constexpr double table_tol = 1e-7;
 
 kernels::HeatSource source_of(const Heating& heating, double dx, double dy) {
-  const double kappa = heating.thermal.diffusivity;
+  const double kappa = heating.thermal.substrate.diffusivity;
   return {dx / 2, dy / 2, kappa * heating.age, heating.speed_x / kappa, heating.speed_y / kappa};
 }
 
@@ -89,7 +89,7 @@ std::vector<HeatPart> heat_stress_parts(const Heating& heating) {
 
 ParityParts heat_displacement(const Heating& heating, double nu, double dx, double dy,
                               const Offsets& offsets) {
-  const Thermal& body = heating.thermal;
+  const Thermal& body = heating.thermal.substrate;
   const double scale = heating.factor * body.expansion * (1 + nu) / body.conductivity;
   if (!heating.is_steady_at_rest()) {
     const Field table = kernels::heat_displacement(source_of(heating, dx, dy),
@@ -108,7 +108,7 @@ ParityParts heat_displacement(const Heating& heating, double nu, double dx, doub
 
 std::array<ParityParts, 6> heat_stress(const Heating& heating, const Elastic& elastic, double dx,
                                        double dy, double z, const Offsets& offsets) {
-  const Thermal& body = heating.thermal;
+  const Thermal& body = heating.thermal.substrate;
   const double scale = heating.factor * elastic.E * body.expansion / body.conductivity;
   std::array<ParityParts, 6> stress;
   if (!heating.is_steady_at_rest()) {
@@ -136,7 +136,7 @@ std::array<ParityParts, 6> heat_stress(const Heating& heating, const Elastic& el
 
 ParityParts heat_temperature(const Heating& heating, double dx, double dy, double z,
                              const Offsets& offsets) {
-  const double scale = heating.factor / heating.thermal.conductivity;
+  const double scale = heating.factor / heating.thermal.substrate.conductivity;
   const Field table = kernels::heat_temperature(source_of(heating, dx, dy),
                                                 points_of(heating, offsets), z, table_tol);
   return split(heating, offsets, table.data(), false, false, scale);

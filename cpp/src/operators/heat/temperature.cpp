@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "samcontact/operators/heat/layered_heat.hpp"
+
 namespace samcontact::operators {
 
 Temperature::Temperature(const Grid& grid, const Heating& heating)
@@ -13,7 +15,7 @@ std::shared_ptr<const Temperature::Kernels> Temperature::kernels(double depth) c
   auto& kept = kept_[depth];
   if (kept) return kept;
   const Offsets offsets = Offsets::lattice(grid_.dx, grid_.dy, grid_.nx, grid_.ny);
-  auto parts = heat_temperature(heating_, grid_.dx, grid_.dy, depth, offsets);
+  auto parts = layered_heat_temperature(heating_, grid_.dx, grid_.dy, depth, offsets);
   Kernels made;
   for (int flip = 0; flip < 4; ++flip) {
     if (parts[flip].empty()) continue;

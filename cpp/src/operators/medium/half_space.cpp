@@ -14,7 +14,7 @@ namespace {
 class HalfSpace : public Medium {
  public:
   explicit HalfSpace(const Elastic& elastic)
-      : elastic_(elastic), heat_(heated_half_space(elastic)) {}
+      : elastic_(elastic), heat_(heated_body({{}, elastic})) {}
 
   bool is_rigid() const override { return elastic_.is_rigid(); }
   bool operator==(const Medium& other) const override {

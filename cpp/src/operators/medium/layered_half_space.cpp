@@ -13,7 +13,7 @@ namespace {
 
 class LayeredHalfSpace : public Medium {
  public:
-  explicit LayeredHalfSpace(Stack stack) : stack_(std::move(stack)) {}
+  explicit LayeredHalfSpace(Stack stack) : stack_(std::move(stack)), heat_(heated_body(stack_)) {}
 
   bool is_rigid() const override { return false; }
   bool operator==(const Medium& other) const override {
@@ -79,11 +79,14 @@ class LayeredHalfSpace : public Medium {
                                                   shallower);
   }
 
+  SharedHeatMedium heat() const override { return heat_; }
+
  private:
   /// Whether the material at a depth is rigid, without deformation and known stress.
   bool is_rigid_at(double z) const { return stack_.elastic(stack_.layer_at(z)).is_rigid(); }
 
   Stack stack_;
+  SharedHeatMedium heat_;
   PeriodicSums sums_;
 };
 

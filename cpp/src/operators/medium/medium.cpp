@@ -15,8 +15,7 @@ CellInfluence Medium::residual_influence(Axis, const Grid&, int) const {
 
 SharedHeatMedium heat_of(const Medium& medium) {
   if (auto heat = medium.heat()) return heat;
-  throw std::invalid_argument(
-      "frictional heating of a layered body is not supported: use a homogeneous body");
+  throw std::logic_error("this medium has no thermal coefficients");
 }
 
 std::optional<double> Medium::normal_ratio(Traction, const Medium& other) const {

@@ -78,6 +78,7 @@ class BandHeat : public ThermalStress {
                               static_cast<int>(offsets.y.size()));
     return tables_->heat_stress(band_, heating, count, z);
   }
+  bool is_fast(const Heating& heating) const override { return heating.is_steady_at_rest(); }
 
  private:
   Band band_;

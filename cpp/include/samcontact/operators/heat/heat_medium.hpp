@@ -6,7 +6,7 @@
 #include <array>
 #include <memory>
 
-#include "samcontact/base/elastic.hpp"
+#include "samcontact/base/stack.hpp"
 #include "samcontact/operators/heat/heat_history.hpp"
 #include "samcontact/operators/heat/heating.hpp"
 
@@ -20,6 +20,8 @@ class ThermalStress {
   /// Stress at a depth z >= 0 [m], components xx, yy, zz, yz, xz, xy [-].
   virtual std::array<ParityParts, 6> stress(const Heating& heating, double dx, double dy, double z,
                                             const Offsets& offsets) const = 0;
+  /// Whether stress() takes no longer than a copy of its tables.
+  virtual bool is_fast(const Heating& heating) const = 0;
 
  protected:
   ThermalStress() = default;
@@ -34,13 +36,14 @@ class HeatMedium : public ThermalStress {
   /// Normal surface displacement, positive into the body, per unit pressure on a cell [m/Pa].
   virtual ParityParts displacement(const Heating& heating, double dx, double dy,
                                    const Offsets& offsets) const = 0;
-  /// Empty history of the heat described by `heating`.
+  /// Empty history of the heat described by `heating`. Throws std::invalid_argument for layers that
+  /// differ.
   virtual HeatHistory history(const Grid& grid, const Heating& heating,
                               const HeatHistorySettings& settings) const = 0;
 };
 using SharedHeatMedium = std::shared_ptr<const HeatMedium>;
 
-/// Closed forms of the homogeneous half-space.
-SharedHeatMedium heated_half_space(const Elastic& elastic);
+/// Body of the given elastic structure; a Heating contains the thermal structure.
+SharedHeatMedium heated_body(const Stack& elastic);
 
 }  // namespace samcontact::operators

@@ -8,7 +8,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/elastic.hpp"
-#include "samcontact/base/thermal.hpp"
+#include "samcontact/base/thermal_stack.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/kernels/heat_source.hpp"
 #include "samcontact/operators/influence/offsets.hpp"
@@ -20,7 +20,7 @@ namespace samcontact::operators {
 struct Heating {
   double factor = 0.0;  // heat flux per unit pressure Q_f [m/s]; due to slip: fraction of the
                         // friction power [-]
-  Thermal thermal{1.0, 0.0, 1.0};
+  ThermalStack thermal{{}, {1.0, 0.0, 1.0}};
   double speed_x = 0.0, speed_y = 0.0;  // of the body relative to the contact [m/s]
   double age = std::numeric_limits<double>::infinity();  // [s]; infinity: steady state
   /// Distance at which the displacement due to a steady stationary point source is zero [m].
@@ -35,6 +35,12 @@ struct Heating {
   Heating of_power() const {
     Heating heating = *this;
     heating.of_slip = false;
+    return heating;
+  }
+  /// Copy for a homogeneous body.
+  Heating in(const Thermal& body) const {
+    Heating heating = *this;
+    heating.thermal = {{}, body};
     return heating;
   }
   bool is_moving() const { return speed_x != 0 || speed_y != 0; }
@@ -62,6 +68,8 @@ struct HeatPart {
 };
 /// Parts that may be non-zero.
 std::vector<HeatPart> heat_stress_parts(const Heating& heating);
+
+// Coefficients of a homogeneous body, with the thermal constants of the substrate.
 
 /// Normal surface displacement, positive into the body, per unit pressure [m/Pa] on a cell of dx x
 /// dy.

@@ -81,7 +81,7 @@ class Medium {
 /// Bodies of one simulation with equal media share one object, which is the key of caches.
 using SharedMedium = std::shared_ptr<const Medium>;
 
-/// Throws std::invalid_argument if thermal coefficients are not available.
+/// Throws std::logic_error if thermal coefficients are not available.
 SharedHeatMedium heat_of(const Medium& medium);
 
 }  // namespace samcontact::operators

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Windows in wavenumber and their Fourier sums along one axis, for sums over rings.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace samcontact::kernels::ring {
+
+using Matrix = Eigen::MatrixXd;
+
+/// Width of the edges of windows, and distance at which their kernels have decayed:
+/// exp(-(reach/2)^2).
+inline constexpr double edge = 0.2, reach = 9.0;
+/// Wavenumber of the last disc times the longest length: its sum covers distances up to 90 times
+/// that length.
+inline constexpr double last = 0.2;
+inline constexpr double negligible = 1e-13;
+/// 1 below q1, 0 above.
+inline double window(double q, double q1) { return 0.5 * std::erfc((q / q1 - 1) / edge); }
+
+inline double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
+
+/// Wavenumbers of a ring along one axis, and their modes at the offsets within its range.
+struct Axis {
+  std::vector<int> places;  // of offsets
+  Eigen::VectorXd k;
+  Matrix even, odd;  // [offset][wavenumber], with the weight of the sum
+
+  Axis(std::span<const double> offsets, double cell, double support, double wavenumber,
+       bool is_last) {
+    const double reached = support + 0.5 * cell;
+    double farthest = 0.0;
+    for (std::size_t n = 0; n < offsets.size(); ++n) {
+      if (!is_last && offsets[n] > reached) continue;
+      places.push_back(static_cast<int>(n));
+      farthest = std::max(farthest, offsets[n]);
+    }
+    const double period = reached + (is_last ? reached : farthest);
+    const int count =
+        static_cast<int>(std::ceil((1 + 5 * edge) * wavenumber * period / (2 * std::numbers::pi))) +
+        1;
+    k = Eigen::VectorXd::LinSpaced(count, 0.0, 2 * std::numbers::pi / period * (count - 1));
+    if (count == 1) k[0] = 0.0;
+    const auto rows = static_cast<Eigen::Index>(places.size());
+    even.resize(rows, count);
+    odd.resize(rows, count);
+    for (Eigen::Index m = 0; m < count; ++m) {
+      const double weight = (m > 0 ? 2.0 : 1.0) * cell / period * sinc(0.5 * k[m] * cell);
+      for (Eigen::Index n = 0; n < rows; ++n) {
+        const double phase = k[m] * offsets[places[n]];
+        even(n, m) = weight * std::cos(phase);
+        odd(n, m) = weight * std::sin(phase);
+      }
+    }
+  }
+};
+
+/// Factor of a window between two wavenumbers; inner = 0: without a lower edge.
+inline double share(double q, double inner, double outer) {
+  return window(q, outer) - (inner > 0 ? window(q, inner) : 0.0);
+}
+
+}  // namespace samcontact::kernels::ring
