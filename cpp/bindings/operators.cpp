@@ -229,15 +229,17 @@ void bind_heating(py::module_& m) {
   py::class_<Heating>(m, "Heating")
       .def(py::init<>())
       .def(py::init([](double factor, double conductivity, double expansion, double diffusivity,
-                       double speed_x, double speed_y, double age, double reference, bool of_slip) {
-             return Heating{factor,  Thermal::of(conductivity, expansion, diffusivity),
-                            speed_x, speed_y,
-                            age,     reference,
-                            of_slip};
+                       double speed_x, double speed_y, double age, double reference, bool of_slip,
+                       std::pair<double, double> period) {
+             return Heating{factor,       Thermal::of(conductivity, expansion, diffusivity),
+                            speed_x,      speed_y,
+                            age,          reference,
+                            of_slip,      period.first,
+                            period.second};
            }),
            py::arg("factor"), py::arg("conductivity"), py::arg("expansion"), py::arg("diffusivity"),
            py::arg("speed_x"), py::arg("speed_y"), py::arg("age"), py::arg("reference"),
-           py::arg("of_slip"))
+           py::arg("of_slip"), py::arg("period") = std::pair(0.0, 0.0))
       .def_readonly("factor", &Heating::factor);
 }
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -44,6 +44,10 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
+    period = tuple(
+        length if axis in grid.periodic else 0.0
+        for axis, length in zip("xy", (grid.nx * grid.dx, grid.ny * grid.dy), strict=True)
+    )
     of_slip = heat.partition is not None
     name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
@@ -56,12 +60,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             entries.append(_core.Heating())
             continue
         if factor > 0:
-            if grid.periodic:
-                raise ValueError(
-                    f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
-                    f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
-                    "steady state"
-                )
+            _require_transient(name, heat, grid, n, factor)
             if body.is_rigid:
                 raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
             if body.thermal is None:
@@ -77,8 +76,26 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             if duration is not None:
                 _require_time("duration", duration, body.thermal[2], grid)
         constants = body.thermal or (1.0, 0.0, 1.0)
-        entries.append(_core.Heating(factor, *constants, *v, age, reference, of_slip))
+        entries.append(_core.Heating(factor, *constants, *v, age, reference, of_slip, period))
     return entries
+
+
+def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: float) -> None:
+    """Raise ValueError for steady heat of a periodic grid, and for motion along its period."""
+    if not grid.periodic:
+        return
+    if heat.time is None and heat.history is None:
+        raise ValueError(
+            f"{name} of body{body} must be 0 on a periodic grid, got {factor!r} with "
+            f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
+            "steady state; set heat.time or heat.history"
+        )
+    for axis, speed in zip("xy", heat.velocity[body - 1], strict=True):
+        if axis in grid.periodic and speed != 0.0:
+            raise ValueError(
+                f"heat.velocity of body {body} along {axis} must be 0 with grid.periodic = "
+                f"{grid.periodic!r}, got {speed!r} m/s"
+            )
 
 
 def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> None:
@@ -95,6 +112,13 @@ def _require_speed(grid: Grid, body: int, diffusivity: float, speed: float) -> N
         raise ValueError(
             f"heat.velocity of body {body} must be 0 or >= {minimum:.3g} m/s, got {speed:.3g} m/s"
         )
+
+
+def require_speeds(heat: Heat, bodies: Bodies, grid: Grid, speeds: Sequence[float]) -> None:
+    """Raise ValueError if a heated body moves too fast in an increment; speeds along x [m/s]."""
+    for n, (body, share, speed) in enumerate(zip(bodies, heat.shares, speeds, strict=True), 1):
+        if share > 0 and not isinstance(body, Layered) and body.thermal is not None:
+            _require_speed(grid, n, body.thermal[2], abs(speed))
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
@@ -141,12 +165,7 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError for heat.factor with partial slip, or heat.partition with full sliding."""
-    if friction.sticks and any(heat.factor):
-        raise ValueError(
-            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "
-            "partial slip, heat follows from the slip; use heat.partition in a Simulation"
-        )
+    """Raise ValueError for heat.partition with full sliding."""
     if not friction.sticks and heat.partition is not None:
         raise ValueError(
             f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "
