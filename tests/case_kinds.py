@@ -108,8 +108,11 @@ KINDS = {
                                  {"load": 1.0, "duration": 1e-4}]},
     "marched sliding": BASE
     | {"heat": MARCHED | {"velocity": [-2.0, 0.0]}, "surface": FLAT,
-       "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0,
-                                        "passes": 2}}]},
+       "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0}}]},
+    "marched passes": BASE
+    | {"heat": {"factor": [0.0, 2e-3], "history": [1e-6, 1e-3], "track": 2e-5}, "surface": FLAT,
+       "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0, "passes": 2,
+                                        "return_time": 1e-4}}]},
     "stick and slip": STICKS
     | {"path": [{"load": 2.0, "increments": 2, "spacing": "power", "exponent": 3.0,
                  "shift_x": 1e-8, "tangential_load_y": 0.1, "torque": 1e-9},

@@ -278,13 +278,17 @@ void bind_heating(py::module_& m) {
       .def(py::init<>())
       .def(py::init([](double factor, const std::vector<std::array<double, 3>>& thermal,
                        const std::vector<double>& thickness, double speed_x, double speed_y,
-                       double age, double reference, bool of_slip) {
-             return Heating{
-                 factor, thermal_stack(thermal, thickness), speed_x, speed_y, age, reference,
-                 of_slip};
+                       double age, double reference, bool of_slip,
+                       std::pair<double, double> period) {
+             return Heating{factor,       thermal_stack(thermal, thickness),
+                            speed_x,      speed_y,
+                            age,          reference,
+                            of_slip,      period.first,
+                            period.second};
            }),
            py::arg("factor"), py::arg("thermal"), py::arg("thickness"), py::arg("speed_x"),
-           py::arg("speed_y"), py::arg("age"), py::arg("reference"), py::arg("of_slip"))
+           py::arg("speed_y"), py::arg("age"), py::arg("reference"), py::arg("of_slip"),
+           py::arg("period") = std::pair(0.0, 0.0))
       .def_readonly("factor", &Heating::factor);
 }
 

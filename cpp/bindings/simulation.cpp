@@ -115,7 +115,7 @@ void bind_simulation(py::module_& m) {
       .def(py::init([](const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, const Array& gap,
                        const contact::FrictionLaw& friction, Settings settings,
-                       const std::array<double, 2>& march,
+                       const std::array<double, 3>& march,
                        const std::array<std::optional<SofteningFunction>, 2>& softening,
                        const std::array<std::optional<ReliefTuple>, 2>& reliefs,
                        const std::shared_ptr<contact::ContactLaw>& contact_law) {
@@ -123,10 +123,10 @@ void bind_simulation(py::module_& m) {
                if (softening[b]) settings.softening[b] = softening_law(*softening[b], grid);
              }
              const Team team;
-             return std::make_unique<Simulation>(grid, body1, body2, to_field(gap), friction,
-                                                 settings,
-                                                 simulation::TransientHeating{march[0], march[1]},
-                                                 to_reliefs(reliefs), contact_law);
+             return std::make_unique<Simulation>(
+                 grid, body1, body2, to_field(gap), friction, settings,
+                 simulation::TransientHeating{march[0], march[1], march[2]}, to_reliefs(reliefs),
+                 contact_law);
            }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),

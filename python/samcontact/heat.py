@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Frictional heat: flux into each body, and its partition between the bodies.
+"""Heat of a contact: flux into each body, and its partition between the bodies.
 
-The heat flux into a body is its heat factor times the pressure, q = Q_f p with Q_f = beta mu V,
-where beta is the fraction of the heat that enters this body, mu the coefficient of friction and V
-the sliding speed (Boucly 2008, section 2.1.3). With partial slip, the flux is a fraction of the
-frictional power, q = beta s . w/t, with the shear traction s and the slip w in an increment of
-duration t.
+The heat flux into a body is its heat factor times the pressure, q = Q_f p. In full sliding Q_f =
+beta mu V, where beta is the fraction of the heat that enters this body, mu the coefficient of
+friction and V the sliding speed (Boucly 2008, section 2.1.3). In partial slip, Q_f p is heat that
+does not come from the slip, e.g. from a hotter body through a conductance that is proportional to
+the pressure; or the flux is a fraction of the frictional power, q = beta s . w/t, with the shear
+traction s and the slip w in an increment of duration t.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ Pair = tuple[float, float]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Heat:
-    """Frictional heating of a contact, for `ContactSolver` and `Simulation`.
+    """Heating of a contact, for `ContactSolver` and `Simulation`.
 
     The attributes equal the parameters; factor and velocity are stored for both bodies: (Q_1, Q_2)
     and ((V_x, V_y), (V_x, V_y)).
@@ -44,7 +45,8 @@ class Heat:
     ----------
     factor : float or pair of floats, optional
         Q_f >= 0 [m/s]: heat flux per unit pressure, a number for body 2 or a pair for bodies 1 and
-        2; see `factors`. Heated bodies must have thermal constants. Default: 0, no heating.
+        2; in full sliding see `factors`. In partial slip (in a `Simulation`) it is heat from another
+        source. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
         Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
         thus to the heat source [m/s]. Default: at rest.
@@ -65,6 +67,11 @@ class Heat:
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
         `factor`. Each step then requires a `duration`; the heat flux is the mean over this
         duration.
+    track : float, optional
+        Only with `history`, instead of `velocity`: the heat follows the travel of the bodies, which
+        may stop, turn and return unloaded, as in several passes. Longest distance along x between
+        two positions of a body [m], > 0; memory grows with it. Default: each body has the constant
+        velocity `velocity`, and does not return.
 
     Raises
     ------
@@ -78,6 +85,7 @@ class Heat:
     history: Pair | None
     reference: float | None
     partition: float | None
+    track: float | None
 
     def __init__(
         self,
@@ -87,14 +95,10 @@ class Heat:
         history: Sequence[float] | None = None,
         reference: float | None = None,
         partition: float | None = None,
+        track: float | None = None,
     ) -> None:
         if history is not None and time is not None:
             raise ValueError("history and time cannot be combined: set one of them to None")
-        if partition is not None and history is not None:
-            raise ValueError(
-                f"`history` cannot be combined with `partition`, got {in_short(history)}: with "
-                "`partition`, heating is steady or has one given duration; use `time` instead"
-            )
         factors = value_per_body("factor", factor)
         checked = {
             "factor": factors,
@@ -103,7 +107,15 @@ class Heat:
             "history": None if history is None else _history(history),
             "reference": None if reference is None else positive("reference", reference),
             "partition": None if partition is None else _share("partition", partition),
+            "track": None if track is None else positive("track", track),
         }
+        if track is not None and history is None:
+            raise ValueError(f"track requires history, got {track!r}: set history, or omit track")
+        if track is not None and checked["velocity"] != _AT_REST:
+            raise ValueError(
+                f"velocity cannot be combined with track, got {in_short(velocity)}: the bodies "
+                "move as each step states; omit velocity"
+            )
         if partition is not None and any(factors):
             raise ValueError(
                 f"factor must be 0 with partition, got {in_short(factor)}: the heat flux follows "
@@ -116,6 +128,11 @@ class Heat:
     def shares(self) -> Pair:
         """Heat factors of both bodies [m/s]; with `partition`, fractions of the heat [-]."""
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
+
+    @property
+    def march(self) -> tuple[float, float, float]:
+        """Shortest and longest time of the history [s], and track [m]; zeros if not given."""
+        return (*(self.history or (0.0, 0.0)), self.track or 0.0)
 
     def __repr__(self) -> str:
         """Constructor call with all arguments that differ from their defaults."""

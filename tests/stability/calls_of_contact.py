@@ -91,7 +91,7 @@ DRIVERS = ({"load": 10.0}, {"approach": 1e-6})
 STEP = {"heat_factor": (0.0, 0.0), "advance": (0.0, 0.0)}
 PASSES = {
     "distance": 1e-4, "step": 5e-5, "passes": 1, "increments": 2, "unload_increments": 2,
-    "back_and_forth": False, "speed": 1.0, "heat_factor": (0.0, 0.01),
+    "back_and_forth": False, "speed": 1.0, "heat_factor": (0.0, 0.01), "return_time": 0.1,
 }  # fmt: skip
 RAMP = {"increments": 3, "spacing": "power", "exponent": 2.0}
 PARTS = {"advance": (1e-5, 2e-5), "duration": 0.1, "heat_factor": 0.01}
@@ -253,7 +253,7 @@ CALLS = [
         sc.Heat,
         {
             "factor": (0.0, 0.0), "velocity": ((0.1, 0.0), (0.2, 0.1)), "time": 1.0,
-            "history": None, "reference": 1.0, "partition": 0.5,
+            "history": None, "reference": 1.0, "partition": 0.5, "track": None,
         },
     ),
     (

@@ -9,18 +9,12 @@
 #include <utility>
 
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/contact/iteration/anderson.hpp"
+#include "samcontact/contact/lagged_displacement.hpp"
 #include "samcontact/contact/normal/attraction.hpp"
 
 namespace samcontact::contact {
 namespace {
 
-constexpr int max_coupling_iterations = 200;
-// With dissimilar materials, shear that rotates by 90 degrees from iteration to iteration grows
-// beyond mu beta = 1, although a solution exists for any mu: from this contraction factor on, the
-// iterations are accelerated.
-constexpr double slow_contraction = 0.5;
-constexpr int coupling_depth = 12;
 /// Fraction of the grid in contact above which no larger grid would contain the contact.
 constexpr double covered = 0.9;
 
@@ -39,19 +33,6 @@ std::array<double, 2> edge_repulsion(const Grid& grid, const Field& repulsion) {
   return largest;
 }
 
-/// Largest change between two fields on the cells in contact; under load control a uniform change
-/// is only a change of approach.
-double change_in_contact(const Field& a, const Field& b, const Field& pressure, bool load_driven) {
-  double lowest = INFINITY, highest = -INFINITY;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!in_contact(pressure[i])) continue;
-    lowest = std::min(lowest, a[i] - b[i]);
-    highest = std::max(highest, a[i] - b[i]);
-  }
-  if (!(lowest <= highest)) return 0.0;
-  return load_driven ? highest - lowest : std::max(std::fabs(lowest), std::fabs(highest));
-}
-
 operators::SurfaceInfluence influence_of(const Grid& grid,
                                          const std::array<operators::SharedMedium, 2>& bodies,
                                          const FrictionLaw& friction,
@@ -59,12 +40,12 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
   if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
     throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
   }
-  if (grid.period.is_on() && (heating[0].is_on() || heating[1].is_on())) {
-    throw std::invalid_argument(
-        "heating is not supported on periodic surfaces: no steady state exists");
-  }
   operators::SurfaceInfluence influence;
   for (int b = 0; b < 2; ++b) {
+    const bool lasts = heating[b].age == operators::Heating::infinity();
+    if (grid.period.is_on() && heating[b].is_on() && lasts) {
+      throw std::invalid_argument("periodic surfaces have no steady state with heat");
+    }
     if (heating[b].is_on() && bodies[b]->is_rigid()) {
       throw std::invalid_argument("body " + std::to_string(b + 1) +
                                   " is rigid and has no thermal expansion: it cannot be heated");
@@ -72,13 +53,6 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
     influence.add(bodies[b], friction.shear_over_pressure(b), heating[b]);
   }
   return influence;
-}
-
-/// Replaces the coupling computed from `estimate` by the next estimate.
-void accelerate(Anderson& anderson, Field& estimate, Field& coupling) {
-  for (std::size_t i = 0; i < estimate.size(); ++i) coupling[i] -= estimate[i];
-  anderson.next(estimate, std::move(coupling));
-  coupling = estimate;
 }
 
 }  // namespace
@@ -215,62 +189,15 @@ bool ContactSolver::is_unstable(const Field& pressure) const {
 
 Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pressure,
                                       const ContactSettings& settings) const {
-  const bool load_driven = normal.is_force();
-  Field coupling(gap.size()), previous(gap.size()), lagged(gap.size());
   ComplexField scratch;
-  int iterations = 0, applications = 0;
-  double work = 0.0;
-  const auto update_coupling = [&](const Field& p) {
-    multilevel_.displacement().apply_rest(p.data(), coupling.data(), scratch);
-    ++applications;
-    ++work;
-  };
-  update_coupling(pressure);
-
-  Solution solution;
-  Anderson anderson(coupling_depth);
-  double outer_error = 1.0;
-  bool slow = false;
-  for (int n = 0; n < max_coupling_iterations; ++n) {
-    for (std::size_t i = 0; i < gap.size(); ++i) lagged[i] = gap[i] + coupling[i];
-    const double inner_tol = std::clamp(0.1 * outer_error, 0.3 * settings.tol, 1e-2);
-    solution = multilevel_.solve(lagged, normal, std::move(pressure), std::max(inner_tol, 1e-13),
-                                 settings.max_iterations);
-    iterations += solution.iterations;
-    applications += solution.operator_applications;
-    work += solution.work;
-    if (!solution.converged) break;
-    std::swap(previous, coupling);
-    update_coupling(solution.tractions.pressure);
-    // Gap with the updated coupling; its scale is the elastic displacement in the contact.
-    double scale = 0.0;
-    for (std::size_t i = 0; i < gap.size(); ++i) {
-      scale = std::max(scale, std::fabs(solution.gap[i] + solution.motion.approach - lagged[i]));
-    }
-    const double change =
-        change_in_contact(coupling, previous, solution.tractions.pressure, load_driven);
-    // The surfaces may be separated by shear that no longer exists.
-    const bool parted = solution.load == 0 && !is_zero(previous);
-    const double error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
-    slow = slow || (n > 0 && error > slow_contraction * outer_error);
-    outer_error = error;
-    solution.error += outer_error;
-    for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += coupling[i] - previous[i];
-    if (load_driven) {
-      // The part of the change that is uniform over the contact is a rigid-body motion.
-      const double shift = contact_mean(solution.tractions.pressure, solution.gap);
-      for (double& g : solution.gap) g -= shift;
-      solution.motion.approach += shift;
-    }
-    solution.converged = solution.error <= settings.tol;
-    if (solution.converged) break;
-    pressure = solution.tractions.pressure;
-    if (slow) accelerate(anderson, previous, coupling);
-  }
-  solution.iterations = iterations;
-  solution.operator_applications = applications;
-  solution.work = work;
-  return solution;
+  const LaggedContact contact{
+      [&](const Field& p, Field& separation) {
+        multilevel_.displacement().apply_rest(p.data(), separation.data(), scratch);
+      },
+      [&](const Field& lagged, Field start, double tol) {
+        return multilevel_.solve(lagged, normal, std::move(start), tol, settings.max_iterations);
+      }};
+  return solve_lagged(contact, gap, normal, std::move(pressure), settings.tol);
 }
 
 }  // namespace samcontact::contact

@@ -36,6 +36,14 @@ void check_heat_arguments(const HeatSource& source, const HeatPoints& points, do
           "in [0, 1e60 a^2] or infinite", source.heated);
   require(!source.is_moving() || source.speed() * source.a >= 1e-60, "speed", "0 or >= 1e-60/a",
           source.speed());
+  const auto check_period = [&](double period, double size, double speed) {
+    require(period == 0 || (std::isfinite(period) && period >= size * (1 - 1e-12)), "period",
+            "0, or finite and >= the size of the source", period);
+    require(period == 0 || (!source.is_steady() && speed == 0), "period",
+            "0 for a steady source and along its motion", period);
+  };
+  check_period(source.period_x, 2 * source.a, source.speed_x);
+  check_period(source.period_y, 2 * source.b, source.speed_y);
   require(z >= 0 && std::isfinite(z), "z", "finite and >= 0", z);
   require(tol >= 1e-12 && tol <= 1e-2, "tol", "in [1e-12, 1e-2]", tol);
   check_ascending(points.x, "x");

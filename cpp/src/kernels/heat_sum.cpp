@@ -37,8 +37,8 @@ SAMCONTACT_MULTIVERSION void add_products(const double* f, std::size_t f_stride,
 
 }  // namespace
 
-HeatProfile::HeatProfile(const std::vector<double>& x, double a)
-    : x_(x), a_(a), edge_distance_(std::numeric_limits<double>::infinity()) {
+HeatProfile::HeatProfile(const std::vector<double>& x, double a, double period)
+    : x_(x), a_(a), period_(period), edge_distance_(std::numeric_limits<double>::infinity()) {
   const double largest = std::max(std::fabs(x_.front()), std::fabs(x_.back())) + a;
   const double rounding = 1e-14 * largest;
   std::vector<double> all;
@@ -64,20 +64,70 @@ HeatProfile::HeatProfile(const std::vector<double>& x, double a)
   }
   erf_.resize(edges_.size());
   gauss_.resize(edges_.size());
+  moment_.resize(edges_.size());
 }
 
 HeatProfile::Range HeatProfile::support(double low, double high, double reach) const {
+  if (period_ > 0) return {0, static_cast<int>(x_.size())};
   const auto first = std::lower_bound(x_.begin(), x_.end(), low - a_ - reach);
   const auto last = std::upper_bound(x_.begin(), x_.end(), high + a_ + reach);
   return {static_cast<int>(first - x_.begin()), static_cast<int>(last - x_.begin())};
 }
 
-void HeatProfile::evaluate(double shift, double v, Range range, int orders, double* const* out) {
+void HeatProfile::evaluate_edges(double shift, double v, int first, int last, int orders) {
   const double unit = 1 / (2 * v);
-  for (int e = low_edge_[range.first]; e <= high_edge_[range.last - 1]; ++e) {
+  for (int e = first; e <= last; ++e) {
     const double u = (edges_[e] - shift) * unit;
     erf_[e] = std::erf(u);
     if (orders > 1) gauss_[e] = std::exp(-u * u);
+    if (orders > 2) moment_[e] = (edges_[e] - shift) * gauss_[e];
+  }
+}
+
+/// Sums over the repetitions, without a constant of erf_, which is odd about the source: of the
+/// images for narrow, and of the Fourier series for wide Gaussians.
+void HeatProfile::repeat_edges(double v, int first, int last) {
+  // erfc(negligible) and exp(-negligible^2) are below rounding errors.
+  constexpr double negligible = 6.2;
+  const double unit = 1 / (2 * v);
+  if (v < 0.28 * period_) {
+    const double farthest = std::max(std::fabs(edges_.front()), std::fabs(edges_.back()));
+    const int images = static_cast<int>(std::ceil((farthest + negligible / unit) / period_));
+    for (int e = first; e <= last; ++e) {
+      erf_[e] = gauss_[e] = moment_[e] = 0;
+      for (int n = -images; n <= images; ++n) {
+        const double edge = edges_[e] + n * period_, gauss = std::exp(-edge * edge * unit * unit);
+        erf_[e] += std::erf(edge * unit);
+        gauss_[e] += gauss;
+        moment_[e] += edge * gauss;
+      }
+    }
+    return;
+  }
+  const double wave = 2 * std::numbers::pi / period_;
+  const double mean = 2 * v / (period_ * std::numbers::inv_sqrtpi);
+  const int waves = static_cast<int>(std::ceil(negligible / (wave * v)));
+  for (int e = first; e <= last; ++e) {
+    erf_[e] = 2 * edges_[e] / period_;
+    gauss_[e] = mean;
+    moment_[e] = 0;
+    for (int n = 1; n <= waves; ++n) {
+      const double k = n * wave, decay = std::exp(-k * k * v * v);
+      const double sine = std::sin(k * edges_[e]) * decay;
+      erf_[e] += 4 / (period_ * k) * sine;
+      gauss_[e] += 2 * mean * std::cos(k * edges_[e]) * decay;
+      moment_[e] += 4 * mean * v * v * k * sine;
+    }
+  }
+}
+
+void HeatProfile::evaluate(double shift, double v, Range range, int orders, double* const* out) {
+  const double unit = 1 / (2 * v);
+  const int first = low_edge_[range.first], last = high_edge_[range.last - 1];
+  if (period_ > 0) {
+    repeat_edges(v, first, last);
+  } else {
+    evaluate_edges(shift, v, first, last, orders);
   }
   const double slope = unit * std::numbers::inv_sqrtpi;
   for (int i = range.first; i < range.last; ++i) {
@@ -85,8 +135,7 @@ void HeatProfile::evaluate(double shift, double v, Range range, int orders, doub
     out[0][to] = 0.5 * (erf_[high] - erf_[low]);
     if (orders > 1) out[1][to] = slope * (gauss_[high] - gauss_[low]);
     if (orders > 2) {
-      out[2][to] = -2 * slope * unit * unit *
-                   ((edges_[high] - shift) * gauss_[high] - (edges_[low] - shift) * gauss_[low]);
+      out[2][to] = -2 * slope * unit * unit * (moment_[high] - moment_[low]);
     }
   }
 }
@@ -96,8 +145,8 @@ HeatSum::HeatSum(const HeatSource& source, const HeatPoints& points,
     : speed_x_(source.speed_x),
       speed_y_(source.speed_y),
       reach_(reach),
-      profile_x_(points.x, source.a),
-      profile_y_(points.y, source.b),
+      profile_x_(points.x, source.a, source.period_x),
+      profile_y_(points.y, source.b, source.period_y),
       products_(std::move(products)),
       nx_(points.x.size()),
       ny_(points.y.size()),

@@ -103,6 +103,7 @@ constexpr double power_tol_ratio = 10.0, smallest_power = 1e-200;
 /// Friction power per area from the work per area in a time [i][j] [W/m^2].
 Field power_of(const Field& work, double duration, std::size_t cells) {
   Field power(cells, 0.0);
+  if (duration == 0) return power;
   for (std::size_t i = 0; i < work.size(); ++i) power[i] = std::max(work[i], 0.0) / duration;
   return power;
 }
@@ -149,6 +150,10 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 }
 
 void Simulation::check(const Target& target) const {
+  if (setup_->transient_heating.is_on() && target.duration == 0 && state_.load != 0) {
+    throw std::invalid_argument(
+        "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");
+  }
   if (!target.is_prescribed()) {
     return contact::require_valid(target.drive, *setup_->contact_law);
   }
@@ -181,7 +186,9 @@ State Simulation::end_state(const Target& target) {
 
 State Simulation::heated_by_slip(Target target) {
   const Grid& grid = setup_->grid;
-  const double duration = std::exchange(target.duration, 0.0);
+  const double duration = target.duration;
+  // Without a history the heat of earlier increments has no effect.
+  if (!setup_->transient_heating.is_on()) target.duration = 0.0;
   const auto moving = symmetry_of({target.heating[0].of_power(), target.heating[1].of_power()});
   Field& power = target.slip_power;
   power = state_.slip_power;

@@ -209,6 +209,7 @@ class Heating:
         age: float,
         reference: float,
         of_slip: bool,
+        period: tuple[float, float] = (0.0, 0.0),
     ) -> None: ...
     @property
     def factor(self) -> float: ...
@@ -384,6 +385,10 @@ class State:
     @property
     def heat_factor2(self) -> float: ...
     @property
+    def heat_speed1(self) -> float: ...
+    @property
+    def heat_speed2(self) -> float: ...
+    @property
     def history1(self) -> dict[str, typing.Any] | None: ...
     @property
     def history2(self) -> dict[str, typing.Any] | None: ...
@@ -465,7 +470,7 @@ class Simulation:
         gap: numpy.typing.NDArray[numpy.float64],
         friction: FrictionLaw,
         settings: Settings,
-        march: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
+        march: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
         softening: typing.Annotated[
             collections.abc.Sequence[
                 collections.abc.Callable[

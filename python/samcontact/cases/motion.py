@@ -41,6 +41,7 @@ class _Passes(Section):
     unload_increments: Count | None = None
     back_and_forth: bool = False
     speed: Annotated[Positive, in_unit("m/s")] | None = None
+    return_time: Annotated[NonNegative, in_unit("s")] | None = None
 
     @model_validator(mode="after")
     def _moves(self) -> _Passes:

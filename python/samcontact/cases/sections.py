@@ -335,6 +335,7 @@ class HeatSection(Section):
         None
     )
     reference: Length | None = None
+    track: Length | None = None
 
     @model_validator(mode="after")
     def _go_together(self) -> HeatSection:

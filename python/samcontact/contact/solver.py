@@ -110,6 +110,11 @@ class ContactSolver(ContactFields):
                     "Simulation"
                 )
         require_heat_of(self._law, self.heat)
+        if self._law.sticks and any(self.heat.factor):
+            raise ValueError(
+                f"heat.factor must be 0 for a single contact with friction = {friction!r}, got "
+                f"{self.heat.factor!r}: in partial slip use Simulation"
+            )
         self.contact_law.require_possible(self.heat, {})
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)

@@ -14,6 +14,7 @@ from .._util.checks import (
     choice,
     finite,
     load_or_approach,
+    non_negative,
     number,
     positive,
     step_count,
@@ -65,6 +66,7 @@ class RollingPasses:
     speed: float | None
     heat_factor: float | Sequence[float] | None
     creep: CreepageInput
+    return_time: float | None
 
     def steps(self) -> Steps:
         lengths = _lengths(self.distance, self.step)
@@ -92,8 +94,7 @@ class RollingPasses:
             back = -math.fsum(lengths)
             for number in range(count):
                 if number > 0:
-                    advance = self._advance(back)
-                    steps.append(self._timed({"load": 0.0, "advance": advance}, back))
+                    steps.append(self._returned(back))
                 steps += [*loading, *map(self._moved, lengths), *unloading]
         if self.heat_factor is not None:
             value_per_body("heat_factor", self.heat_factor)
@@ -110,6 +111,18 @@ class RollingPasses:
 
     def _still(self, value: float) -> dict[str, Any]:
         return self._timed({self.quantity: value}, self.step)
+
+    def _returned(self, length: float) -> dict[str, Any]:
+        """Return the step in which the unloaded bodies return."""
+        step: dict[str, Any] = {"load": 0.0, "advance": self._advance(length)}
+        if self.return_time is None:
+            return self._timed(step, length)
+        if self.speed is None:
+            raise ValueError(
+                f"return_time requires speed, got {self.return_time!r}: set speed, or omit "
+                "return_time"
+            )
+        return step | {"duration": non_negative("return_time", self.return_time)}
 
     def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
         """Return a step with the duration in which the contact travels `length` [m]."""
@@ -154,6 +167,7 @@ def rolling(
     back_and_forth: bool = False,
     speed: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
+    return_time: float | None = None,
 ) -> Steps:
     """Load, roll over both bodies and unload, once per pass.
 
@@ -192,9 +206,13 @@ def rolling(
         Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: the
         duration of each rolling or return step is its length divided by the speed, and each load
         increment lasts as long as a full step. Set `velocity` of the heat to the velocities of the
-        bodies: for distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2).
+        bodies: for distance > 0, -speed (1 + slide_to_roll/2) and -speed (1 - slide_to_roll/2). For
+        bodies that return or roll back and forth, set `track` of the heat instead.
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s].
+    return_time : float, optional
+        Only with `speed`: duration of the return between two passes [s], in which the bodies cool;
+        0: they return at once. Default: they return at `speed`.
 
     Returns
     -------
@@ -243,6 +261,7 @@ def rolling(
         speed,
         heat_factor,
         creep,
+        return_time,
     ).steps()
 
 
@@ -259,6 +278,7 @@ def sliding(
     back_and_forth: bool = False,
     speed: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
+    return_time: float | None = None,
 ) -> Steps:
     """Load, slide one body over the other and unload, once per pass.
 
@@ -272,13 +292,13 @@ def sliding(
         Load [N] or approach [m] while sliding, > 0. Exactly one must be given.
     distance : float
         Distance that the slider travels over the other body in a pass [m]: positive towards +x.
-    step, passes, increments, unload_increments, back_and_forth, heat_factor : optional
+    step, passes, increments, unload_increments, back_and_forth, heat_factor, return_time : optional
         As in `rolling`.
     slider : {1, 2}
         The body on which the contact stays.
     speed : float, optional
         Sliding speed [m/s], > 0, as in `rolling`. Set `velocity` of the heat to 0 for the slider
-        and, for distance > 0, to -speed for the other body.
+        and, for distance > 0, to -speed for the other body, or set `track` of the heat.
 
     Returns
     -------
@@ -314,4 +334,5 @@ def sliding(
         speed,
         heat_factor,
         CreepageInput(),
+        return_time,
     ).steps()

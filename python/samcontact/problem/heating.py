@@ -46,13 +46,18 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
+    period = tuple(
+        length if axis in grid.periodic else 0.0
+        for axis, length in zip("xy", (grid.nx * grid.dx, grid.ny * grid.dy), strict=True)
+    )
     of_slip = heat.partition is not None
     name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         thermal, thickness = thermal_of(body), []
         if factor > 0:
-            thermal = _required_constants(name, n, body, factor, grid)
-            _require_in_layers(heat, n, body)
+            _require_transient(name, heat, grid, n, factor)
+            thermal = _required_constants(name, n, body, factor)
+            _require_in_layers(heat, n, body, grid)
             lowest, highest = _diffusivities(thermal)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
             if heat.history is not None:
@@ -64,20 +69,16 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         if thermal is not None and isinstance(body, Layered):
             thickness = [h for _, h in body.layers]
         constants = thermal or (_ANY_CONSTANTS,)
-        entries.append(_core.Heating(factor, constants, thickness, *v, age, reference, of_slip))
+        entries.append(
+            _core.Heating(factor, constants, thickness, *v, age, reference, of_slip, period)
+        )
     return entries
 
 
 def _required_constants(
-    name: str, n: int, body: Body, factor: float, grid: Grid
+    name: str, n: int, body: Body, factor: float
 ) -> tuple[tuple[float, float, float], ...]:
     """Return the thermal constants of a body; raise ValueError if heat cannot enter it."""
-    if grid.periodic:
-        raise ValueError(
-            f"{name} of body{n} must be 0 on a periodic grid, got {factor!r} with "
-            f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
-            "steady state"
-        )
     if body.is_rigid:
         raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
     if materials_of(body)[-1].is_rigid:
@@ -103,10 +104,15 @@ def _of_missing(body: Body) -> str:
     return f" of {' and '.join(name for name, material in pairs if material.thermal is None)}"
 
 
-def _require_in_layers(heat: Heat, n: int, body: Body) -> None:
+def _require_in_layers(heat: Heat, n: int, body: Body, grid: Grid) -> None:
     """Raise ValueError for heat in layers that is not supported."""
     if not isinstance(body, Layered):
         return
+    if grid.periodic:
+        raise ValueError(
+            f"heat of layered body{n} is not supported on a periodic grid, got grid.periodic = "
+            f"{grid.periodic!r}: use a homogeneous body, or a grid that is not periodic"
+        )
     if heat.history is not None:
         raise ValueError(
             f"heat.history must be None for layered body{n}, got {heat.history!r}: a history of "
@@ -130,6 +136,24 @@ def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float
     return min(values), max(values)
 
 
+def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: float) -> None:
+    """Raise ValueError for steady heat of a periodic grid, and for motion along its period."""
+    if not grid.periodic:
+        return
+    if heat.time is None and heat.history is None:
+        raise ValueError(
+            f"{name} of body{body} must be 0 on a periodic grid, got {factor!r} with "
+            f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
+            "steady state; set heat.time or heat.history"
+        )
+    for axis, speed in zip("xy", heat.velocity[body - 1], strict=True):
+        if axis in grid.periodic and speed != 0.0:
+            raise ValueError(
+                f"heat.velocity of body {body} along {axis} must be 0 with grid.periodic = "
+                f"{grid.periodic!r}, got {speed!r} m/s"
+            )
+
+
 def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: float) -> None:
     """Raise ValueError for a speed outside the range of the heat kernels.
 
@@ -147,6 +171,14 @@ def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: 
         raise ValueError(
             f"heat.velocity of body {body} must be 0 or >= {minimum:.3g} m/s, got {speed:.3g} m/s"
         )
+
+
+def require_speeds(heat: Heat, bodies: Bodies, grid: Grid, speeds: Sequence[float]) -> None:
+    """Raise ValueError if a heated body moves too fast in an increment; speeds along x [m/s]."""
+    for n, (body, share, speed) in enumerate(zip(bodies, heat.shares, speeds, strict=True), 1):
+        thermal = thermal_of(body)
+        if share > 0 and thermal is not None:
+            _require_speed(grid, n, *_diffusivities(thermal), abs(speed))
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
@@ -212,12 +244,7 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError for heat.factor with partial slip, or heat.partition with full sliding."""
-    if friction.sticks and any(heat.factor):
-        raise ValueError(
-            f"heat.factor must be 0 with friction = {friction!r}, got {heat.factor!r}: with "
-            "partial slip, heat follows from the slip; use heat.partition in a Simulation"
-        )
+    """Raise ValueError for heat.partition with full sliding."""
     if not friction.sticks and heat.partition is not None:
         raise ValueError(
             f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "

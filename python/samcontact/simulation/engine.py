@@ -82,7 +82,7 @@ class Engine:
             gap=domain.initial_gap,
             friction=setup.friction.to_core(),
             settings=setup.settings.to_core(grid.dx),
-            march=self.heat.history or (0.0, 0.0),
+            march=self.heat.march,
             softening=self._laws,
             reliefs=reliefs,
             contact_law=setup.contact_law.to_core(),

@@ -225,7 +225,8 @@ class Simulation(Configured, HtmlTable):
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
             Duration of the increment [s], > 0. Only with `heat.history`, where the heat flux
-            follows the pressure at the end of the increment, or with `heat.partition`.
+            follows the pressure at the end of the increment, or with `heat.partition`. With
+            `heat.history`, unloaded bodies may move at once, in the duration 0.
 
         Returns
         -------

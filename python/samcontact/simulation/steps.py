@@ -25,7 +25,13 @@ from ..heat import Heat
 from ..problem.cell_fields import shear_components
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
-from ..problem.heating import Bodies, heating, require_heat_of, require_reference
+from ..problem.heating import (
+    Bodies,
+    heating,
+    require_heat_of,
+    require_reference,
+    require_speeds,
+)
 
 STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
@@ -107,7 +113,7 @@ class StepArguments:
             tangential = given_along(friction, shift, tangential_load, twist, torque)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
-        lasts = _duration(heat, duration)
+        lasts = _duration(heat, duration, is_unloaded=kind == "load" and value == 0.0)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
@@ -117,6 +123,8 @@ class StepArguments:
             heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
+            if heat.track is not None and (kind, value) != ("load", 0.0):
+                require_speeds(heat, self.bodies, grid, [n * grid.dx / lasts for n in travels])
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
@@ -184,16 +192,9 @@ def largest_target(steps: Sequence[Mapping[str, Any]]) -> dict[str, float]:
     return {}
 
 
-def _duration(heat: Heat, duration: float | None) -> float | None:
+def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float | None:
     """Check and return the duration of an increment [s]; None if the heat requires none."""
-    if heat.partition is not None:
-        if duration is None:
-            raise ValueError(
-                "duration is required because heat.partition is set: give "
-                "the duration of the increment [s]"
-            )
-        return positive("duration", duration)
-    if heat.history is None:
+    if heat.partition is None and heat.history is None:
         if duration is not None:
             raise ValueError(
                 "duration has no effect without heat.history or "
@@ -201,11 +202,17 @@ def _duration(heat: Heat, duration: float | None) -> float | None:
             )
         return None
     if duration is None:
+        name = "partition" if heat.history is None else "history"
         raise ValueError(
-            "duration is required because heat.history is set: give the "
+            f"duration is required because heat.{name} is set: give the "
             "duration of the increment [s]"
         )
-    seconds, shortest = positive("duration", duration), heat.history[0]
+    if heat.history is not None and is_unloaded and number("duration", duration) == 0.0:
+        return 0.0  # unloaded bodies move at once
+    seconds = positive("duration", duration)
+    if heat.history is None:
+        return seconds
+    shortest = heat.history[0]
     if seconds < shortest * (1 - 1e-12):
         raise ValueError(
             f"duration must be >= the shortest step of heat.history, {shortest!r} s, "
@@ -219,7 +226,7 @@ def _require_motion_of_heat(
 ) -> None:
     """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
 
-    The heat history is stored for each cell.
+    The heat history is stored for each cell. With a track, the velocity follows from the motion.
     """
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
@@ -229,7 +236,8 @@ def _require_motion_of_heat(
                 f"heat.history is given, got {moved!r} m"
             )
         expected = heat.velocity[n - 1][0] * duration
-        if heat.factor[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
+        if heat.track is None and heat.shares[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
             raise ValueError(
-                f"advance of body {n} must be velocity x duration, {expected!r} m, got {moved!r} m"
+                f"advance of body {n} must be velocity x duration, {expected!r} m, got {moved!r} "
+                "m: set heat.track instead of heat.velocity for bodies that stop, turn or return"
             )

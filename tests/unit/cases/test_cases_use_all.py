@@ -52,6 +52,7 @@ UNSET = {
     "steady_axis": "x",
     "window": 3, "order": 1, "smoothing_length": 8e-6,
     "time": 1e-3, "reference": 0.5, "history": [1e-6, 1e-3], "speed": 2.0, "heat": HEAT,
+    "track": 3e-5, "return_time": 2e-4,
     "duration": 1e-4, "back_and_forth": True, "unload_increments": 4, "increment_tol": 1e-2,
     "Ry": 3e-3, "advance": [1e-5, 0.0], "exponent": 3.0, "start": 1e-9, "reach": 1e-4,
     "heat_factor": 1e-3, "velocity": [1.0, 0.0], "wavelength_min": 15e-6, "wavelength_max": 60e-6,

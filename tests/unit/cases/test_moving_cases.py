@@ -160,11 +160,21 @@ history = [1e-6, 1e-2]
 def test_heat_moves_with_the_body(write):
     heated = [("n = 0.121\n", THERMAL)]
     roll = ("unload_increments = 1", "unload_increments = 1, speed = 0.5")
-    case = load_case(write(*heated, roll))
+    follows = ("velocity = [-0.5, 0.0]", "track = 200e-6")
+    case = load_case(write(*heated, roll, follows))
     steps = case.steps()
     assert all(step["duration"] == pytest.approx(120e-6) for step in steps[:5])
     assert steps[6]["duration"] == pytest.approx(360e-6)  # the way back
-    case.build()
+    simulation, _ = case.build()
+    assert simulation.heat.march == (1e-6, 1e-2, 200e-6)
+    at_once = load_case(write(*heated, (roll[0], f"{roll[1]}, return_time = 0.0"), follows))
+    assert at_once.steps()[6]["duration"] == 0.0
+    with pytest.raises(
+        CaseError, match="heat.track is required because the path moves heated body 2"
+    ):
+        load_case(write(*heated, roll))
+    with pytest.raises(CaseError, match="heat.track must be at least the length of the path"):
+        load_case(write(*heated, roll, (follows[0], "track = 100e-6")))
     with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
         load_case(write(*heated))
     with pytest.raises(

@@ -136,12 +136,7 @@ def test_copies_and_parts_of_increments_keep_the_heat(tmp_path):
     [
         (lambda: sc.Heat(0.1, partition=0.5), "factor must be 0 with partition"),
         (lambda: sc.Heat(partition=1.5), r"partition must be in \[0, 1\]"),
-        (
-            lambda: sc.Heat(partition=0.5, history=(1e-3, 1.0)),
-            "`history` cannot be combined with `partition`",
-        ),
         (lambda: simulation(friction=0.3), "heat.partition must be None with friction = 0.3"),
-        (lambda: simulation(heat=sc.Heat(0.1)), "heat.factor must be 0 with friction"),
         (
             lambda: simulation(sc.Material.elastic(210e9, 0.3)),
             "without thermal constants, got 0.6",

@@ -15,6 +15,9 @@ struct HeatSource {
   double heated;
   /// V / kappa [1/length]: velocity of the body relative to the source, over the diffusivity.
   double speed_x, speed_y;
+  /// Distances at which the source, which is not steady, is repeated along x and y [length]; it does
+  /// not move along these directions. 0: a single source.
+  double period_x = 0.0, period_y = 0.0;
 
   bool is_steady() const;
   bool is_moving() const { return speed_x != 0 || speed_y != 0; }
@@ -33,9 +36,9 @@ bool nothing_yet(const HeatSource& source);
 /// Maximum of speed times extent of the points: the work grows with it.
 constexpr double max_heat_path = 1e7;
 
-/// Throws std::invalid_argument unless sizes and points are as stated, `heated` is infinite or in
-/// [0, 1e60 a^2], the speed is zero or >= 1e-60/a and within max_heat_path, the depth is finite and
-/// >= 0, and tol is in [1e-12, 1e-2].
+/// Throws std::invalid_argument unless sizes, points and periods are as stated, `heated` is
+/// infinite or in [0, 1e60 a^2], the speed is zero or >= 1e-60/a and within max_heat_path, the
+/// depth is finite and >= 0, and tol is in [1e-12, 1e-2].
 void check_heat_arguments(const HeatSource& source, const HeatPoints& points, double z, double tol);
 
 }  // namespace samcontact::kernels

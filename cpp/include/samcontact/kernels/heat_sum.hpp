@@ -13,10 +13,11 @@
 namespace samcontact::kernels {
 
 /// f(x; v) = 1/2 [erf((x + a)/(2 v)) - erf((x - a)/(2 v))] and its first two derivatives at the
-/// points of one direction.
+/// points of one direction, summed over all repetitions of the source.
 class HeatProfile {
  public:
-  HeatProfile(const std::vector<double>& x, double a);
+  /// period: distance of the repetitions; 0: a single source.
+  HeatProfile(const std::vector<double>& x, double a, double period = 0.0);
 
   struct Range {
     int first, last;
@@ -35,13 +36,17 @@ class HeatProfile {
   double half_size() const { return a_; }
 
  private:
+  void evaluate_edges(double shift, double v, int first, int last, int orders);
+  void repeat_edges(double v, int first, int last);
+
   std::vector<double> x_;
-  double a_;
+  double a_, period_;
   double edge_distance_;
   // Points of a lattice share their edges: x + a of one is x - a of another.
   std::vector<double> edges_;
   std::vector<int> low_edge_, high_edge_;  // of x - a, x + a
-  std::vector<double> erf_, gauss_;
+  // At the edges: erf u and exp(-u^2), u = edge/(2 v), and exp(-u^2) times the edge.
+  std::vector<double> erf_, gauss_, moment_;
 };
 
 /// One table: weight `weight` of every term times derivatives of its two profiles.

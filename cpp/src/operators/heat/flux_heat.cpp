@@ -33,7 +33,8 @@ FluxHeat::FluxHeat(const Grid& grid, SharedHeatMedium body, const Heating& heati
 Field FluxHeat::displacement(const Field& flux) const {
   const std::lock_guard lock(mutex_);
   if (displacement_.empty()) {
-    const Offsets offsets = Offsets::lattice(grid_.dx, grid_.dy, grid_.nx, grid_.ny);
+    const auto [nx, ny] = convolution_.offsets();
+    const Offsets offsets = Offsets::lattice(grid_.dx, grid_.dy, nx, ny);
     displacement_ =
         kernels_of(body_->displacement(heating(), grid_.dx, grid_.dy, offsets), {}, convolution_);
   }
@@ -48,7 +49,7 @@ Field FluxHeat::stress(const Field& flux, std::span<const double> depths) const 
   Field out(6 * count * plane, 0.0);
   ComplexField work;
   for (std::size_t d = 0; d < count; ++d) {
-    HeatStress::Tables tables = stress_.at(depths[d], grid_, {grid_.nx, grid_.ny});
+    HeatStress::Tables tables = stress_.at(depths[d], grid_, convolution_.offsets());
     for (std::size_t c = 0; c < 6; ++c) {
       const auto here = kernels_of(std::move(tables[c]),
                                    kernels::component_parity(static_cast<int>(c)), convolution_);

@@ -14,13 +14,15 @@ Complex grown(Complex z) {
 
 }  // namespace
 
-Decay::Decay(const HeatLevel& level, double x)
+Decay::Decay(const HeatLevel& level, double x, double speed)
     : s_(level.s.size()), grown_s_(level.s.size()), x_(x) {
+  decay_.reserve(level.modes.size());
   modes_.reserve(level.modes.size());
   grown_.reserve(level.modes.size());
   for (const HeatMode& mode : level.modes) {
-    modes_.push_back(std::exp(-mode.decay * x));
-    grown_.push_back(grown(mode.decay * x));
+    decay_.push_back(mode.decay + Complex{0.0, mode.w1 * speed});
+    modes_.push_back(std::exp(-decay_.back() * x));
+    grown_.push_back(grown(decay_.back() * x));
   }
   for (std::size_t j = 0; j < s_.size(); ++j) {
     const double y = level.s[j] * level.s[j] * x;

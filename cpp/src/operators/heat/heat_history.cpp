@@ -14,6 +14,8 @@ namespace {
 
 /// Minimum diffusion length in the shortest step [cells].
 constexpr double min_diffusion_length = 0.02;
+/// Number of values that describe the motion on a track.
+constexpr std::size_t path_numbers = 5;
 
 }  // namespace
 
@@ -28,6 +30,10 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
   require(settings.tolerance >= 1e-10 && settings.tolerance <= 1e-2, "tolerance",
           "in [1e-10, 1e-2]", settings.tolerance);
   require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
+          std::hypot(speed_x, speed_y));
+  require(std::isfinite(settings.track) && settings.track >= 0, "track", "finite and >= 0",
+          settings.track);
+  require(settings.track == 0 || (speed_x == 0 && speed_y == 0), "speed", "0 with a track",
           std::hypot(speed_x, speed_y));
   // Otherwise wavenumbers far beyond those of the cells are needed: time and memory without bounds.
   const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
@@ -49,8 +55,10 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
   flux_.assign(grid.surface_size(), 0.0);
 }
 
-void HeatHistory::add(const double* flux, double dt) {
+void HeatHistory::add(const double* flux, double dt, double speed_x) {
   require(std::isfinite(dt) && dt >= 0, "dt", "finite and >= 0", dt);
+  require(std::isfinite(speed_x) && (speed_x == 0 || plan_->settings.track > 0), "speed_x",
+          "0 without a track", speed_x);
   if (dt == 0) return;
   ComplexField amplitudes;
   plan_->modes.project(flux, amplitudes);
@@ -63,6 +71,48 @@ void HeatHistory::add(const double* flux, double dt) {
   newest_ = std::move(amplitudes);
   flux_.assign(flux, flux + flux_.size());
   duration_ = dt;
+  speed_ = speed_x / plan_->grid.dx;
+  moved_ = 0;
+  extend_to(position_ - speed_ * dt);
+}
+
+void HeatHistory::move(double cells) {
+  require(std::isfinite(cells), "motion", "finite", cells);
+  extend_to(position_ + cells);
+  position_ += cells;
+  moved_ += cells;
+  for (const HeatLevel& level : plan_->modes.levels()) {
+    const ComplexField phases = phases_of(level, cells);
+    for (const HeatBlock& block : level.blocks) {
+      for (ComplexField& modes : modes_) {
+        Complex* c = modes.data() + block.offset;
+        for (std::size_t j = 0; j < block.nodes; ++j) {
+          for (std::size_t n = 0; n < block.count; ++n) *c++ *= phases[block.first + n];
+        }
+      }
+    }
+  }
+}
+
+/// Factors of the modes of a level due to a motion by some cells.
+ComplexField HeatHistory::phases_of(const HeatLevel& level, double cells) {
+  ComplexField phases;
+  phases.reserve(level.modes.size());
+  for (const HeatMode& mode : level.modes) phases.push_back(std::polar(1.0, -mode.w1 * cells));
+  return phases;
+}
+
+/// Extends the path of the body to a position [cells].
+void HeatHistory::extend_to(double position) {
+  const double track = plan_->settings.track, dx = plan_->grid.dx;
+  if (track == 0) return;
+  const double first = std::min(first_, position), last = std::max(last_, position);
+  require((last - first) * dx <= track * (1 + 1e-9), "heat.track",
+          "at least the length of the path of each heated body, so far " +
+              to_short_text((last - first) * dx, 6) + " m",
+          track);
+  first_ = first;
+  last_ = last;
 }
 
 /// Near fields after the newest flux.
@@ -82,8 +132,10 @@ void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t
   double left = plan_->aged(duration_);
   // Heat older than all generations is dropped at once.
   const double kept = std::min(left, generations * level.generation);
+  const ComplexField phases = phases_of(level, moved_);
   const auto age = [&](double x) {
     const Decay decay(level, x);
+    const Decay since = speed_ == 0 ? decay : Decay(level, x, speed());
     for (int g = 0; g < generations; ++g) {
       const bool adds = g == youngest_[number];
       for (const HeatBlock& block : level.blocks) {
@@ -94,8 +146,7 @@ void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t
             const std::size_t mode = block.first + n;
             c[n] *= decay.factor(mode, j);
             if (!adds) continue;
-            c[n] +=
-                newest_[first_mode + mode] * decay.integral(mode, j, level.modes[mode].decay + s2);
+            c[n] += phases[mode] * newest_[first_mode + mode] * since.integral(mode, j, s2);
           }
         }
       }
@@ -128,7 +179,10 @@ void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t
 }
 
 bool HeatHistory::newest_by_modes(double ahead) const {
-  return ahead >= plan_->settings.shortest * (1 - 1e-12);
+  // Tables require a uniform motion since the beginning of the newest flux.
+  constexpr double rounding = 1e-6;
+  return ahead >= plan_->settings.shortest * (1 - 1e-12) ||
+         std::abs(moved_ - speed_ * ahead) > rounding;
 }
 
 Field HeatHistory::temperature(double ahead, std::span<const double> depths) const {
@@ -146,7 +200,7 @@ Field HeatHistory::stress(double ahead, std::span<const double> depths) const {
 
 std::size_t HeatHistory::size() const {
   return 2 * (modes_.size() * plan_->modes.size() + newest_.size()) + flux_.size() + near_.size() +
-         1 + 2 * filled_.size();
+         1 + 2 * filled_.size() + (plan_->settings.track > 0 ? path_numbers : 0);
 }
 
 std::vector<double> HeatHistory::state() const {
@@ -159,14 +213,18 @@ std::vector<double> HeatHistory::state() const {
     const auto* numbers = reinterpret_cast<const double*>(modes.data());
     state.insert(state.end(), numbers, numbers + 2 * modes.size());
   }
+  if (plan_->settings.track > 0) {
+    state.insert(state.end(), {speed_, moved_, position_, first_, last_});
+  }
   return state;
 }
 
 void HeatHistory::set_state(std::span<const double> state) {
   const std::size_t plane = flux_.size(), levels = filled_.size();
   const int generations = plan_->modes.generations();
+  const std::size_t path = plan_->settings.track > 0 ? path_numbers : 0;
   const std::size_t size =
-      1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations;
+      1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations + path;
   require(state.size() == size, "number of values in the heat state", std::to_string(size),
           static_cast<double>(state.size()),
           "use a state of a heat history with the same grid, body and settings");
@@ -184,6 +242,8 @@ void HeatHistory::set_state(std::span<const double> state) {
   for (ComplexField& modes : modes_)
     take(reinterpret_cast<double*>(modes.data()), 2 * modes.size());
   plan_->modes.project(flux_.data(), newest_);
+  if (path == 0) return;
+  for (double* part : {&speed_, &moved_, &position_, &first_, &last_}) *part = *from++;
 }
 
 }  // namespace samcontact::operators

@@ -49,7 +49,8 @@ class HeatHistory::LevelSum {
         old_(history.generations_of(number, moment.ahead)),
         since_(level_, history.plan_->aged(history.duration_ + moment.ahead)),
         after_(level_, history.plan_->aged(moment.ahead)),
-        during_(level_, history.newest_part(level_, moment.ahead)),
+        during_(level_, history.newest_part(level_, moment.ahead), history.speed()),
+        phases_(phases_of(level_, history.moved_)),
         cosines_(z.size() + 1, level_.s.size()),
         sines_(z.size(), level_.s.size()) {
     // Rows: T or P of each depth, slope of each depth, P(0).
@@ -87,7 +88,8 @@ class HeatHistory::LevelSum {
       const Complex at_surface(sums(depths, 2 * n), sums(depths, 2 * n + 1));
       // The limit of w P(0) at w = 0 is the heat itself.
       profiles.surface[first_ + block.first + n] =
-          w > 0 ? w * at_surface : Complex(c(0, 2 * n), c(0, 2 * n + 1));
+          w > 0 ? w * at_surface
+                : history_.plan_->mean_share() * Complex(c(0, 2 * n), c(0, 2 * n + 1));
     }
     if (moment_.quantity == HeatQuantity::displacement) return;
     store(block, sums, depths, profiles.potential);
@@ -106,8 +108,8 @@ class HeatHistory::LevelSum {
         for (const Complex* kept : old_) value += kept[row + n];
         value *= since_.factor(block.first + n, j);
         if (moment_.newest) {
-          value += history_.newest_[first_ + block.first + n] * after_.factor(block.first + n, j) *
-                   during_.integral(block.first + n, j, mode.decay + s2);
+          value += phases_[block.first + n] * history_.newest_[first_ + block.first + n] *
+                   after_.factor(block.first + n, j) * during_.integral(block.first + n, j, s2);
         }
         const double k2 = mode.w * mode.w + s2, inverse = mode.w > 0 ? 1 / k2 : 0;
         c(j, 2 * n) = value.real();
@@ -134,6 +136,7 @@ class HeatHistory::LevelSum {
   std::size_t first_;  // mode of the level
   std::vector<const Complex*> old_;
   Decay since_, after_, during_;
+  ComplexField phases_;  // of the newest flux
   RealMatrix cosines_, sines_;
 };
 
@@ -271,9 +274,11 @@ Field HeatHistory::fields(HeatQuantity quantity, double ahead,
       return out.data() + (component * depths.size() + d0 + d) * plane;
     });
   }
-  if (!moment.newest && duration_ > 0) add_newest(quantity, ahead, depths, out);
+  if (!moment.newest && duration_ > 0 && !is_zero(flux_)) add_newest(quantity, ahead, depths, out);
   return out;
 }
+
+double HeatHistory::speed() const { return speed_ / plan_->aged(1.0); }
 
 /// The newest flux by tables: heat since its beginning, less heat since its end.
 void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,
@@ -281,7 +286,8 @@ void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<cons
   const HeatPlan& plan = *plan_;
   const Grid& grid = plan.grid;
   const SurfaceConvolution convolution(grid);
-  const Offsets offsets = Offsets::lattice(grid.dx, grid.dy, grid.nx, grid.ny);
+  const auto [nx, ny] = convolution.offsets();
+  const Offsets offsets = Offsets::lattice(grid.dx, grid.dy, nx, ny);
   const std::size_t plane = grid.surface_size();
   ComplexField work;
   Field part(plane);
@@ -301,7 +307,9 @@ void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<cons
   for (const double age : {ahead + duration_, ahead}) {
     if (age == 0) continue;
     const double sign = age == ahead ? -1 : 1;
-    const Heating heating{1.0, {{}, plan.thermal}, plan.speed_x, plan.speed_y, age};
+    Heating heating{1.0, {{}, plan.thermal}, plan.speed_x + speed_ * grid.dx, plan.speed_y, age};
+    heating.period_x = grid.period.x * grid.dx;
+    heating.period_y = grid.period.y * grid.dy;
     if (quantity == HeatQuantity::displacement) {
       add(heat_displacement(heating, plan.elastic.nu, grid.dx, grid.dy, offsets), {}, sign,
           out.data());

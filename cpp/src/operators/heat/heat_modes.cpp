@@ -84,10 +84,10 @@ int wrapped(int number, int m) { return ((number % m) + m) % m; }
 
 }  // namespace
 
-HeatScales::HeatScales(const HeatResolution& resolution, bool moving)
+HeatScales::HeatScales(const HeatResolution& resolution, bool moves)
     : sharpness(std::sqrt(-std::log(resolution.tolerance))),
       cutoff(sharpness / std::sqrt(resolution.shortest)),
-      is_split(!moving && cutoff > 1.3 * split_end()),
+      is_split(!moves && cutoff > 1.3 * split_end()),
       // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved unless they
       // are faded out.
       step((resolution.in_depth ? 1.25 : 4.9) / (sharpness * sharpness)) {}
@@ -111,21 +111,53 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
     : cell_y_(grid.dy / grid.dx),
       speed_x_(speed_x),
       speed_y_(speed_y),
+      period_x_(grid.period.x),
+      period_y_(grid.period.y * cell_y_),
       resolution_(resolution),
-      scales_(resolution, moving()),
+      scales_(resolution, moving() || is_periodic() || resolution.track > 0),
       transform_(padded(grid)) {
-  // The remaining images are those of the last disc, in which kernels are not smooth at w = 0: they
-  // decrease with the third power of the period.
+  if (is_doubly_periodic()) {
+    add_periodic();
+  } else {
+    add_rings();
+  }
+}
+
+/// Minimum period of the last disc, in which kernels are not smooth at w = 0: the remaining images
+/// decrease with its third power.
+double HeatModes::spread() const {
   const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
-  const double shorter = std::min(transform_.mx() * 1.0, transform_.my() * cell_y_);
-  double spread = 128 * std::sqrt(resolution.longest);
-  if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
-  const double period = std::max(64 * size, spread);
-  const int last = std::max(1, static_cast<int>(std::ceil(std::log2(period / shorter))));
+  double spread = 128 * std::sqrt(resolution_.longest);
+  if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x_, speed_y_));
+  return std::max(64 * size, spread);
+}
+
+void HeatModes::add_rings() {
+  const double mx = transform_.mx(), my = transform_.my() * cell_y_;
+  const double shorter = period_x_ > 0 ? my : period_y_ > 0 ? mx : std::min(mx, my);
+  const int last = std::max(1, static_cast<int>(std::ceil(std::log2(spread() / shorter))));
   double shrink = 1;
   for (int l = 0; l <= last; ++l, shrink *= 0.5) {
     check_interrupt();
     add_level(l, last, shrink);
+  }
+}
+
+/// Wavenumbers of a surface that is periodic along x and y; heat of the mean spreads without limit.
+void HeatModes::add_periodic() {
+  levels_.emplace_back();
+  const double cells = period_x_ * period_y_ / cell_y_;
+  for (const bool mean : {false, true}) {
+    HeatLevel level;
+    level.dw1 = 2 * pi / period_x_;
+    level.dw2 = 2 * pi / period_y_;
+    level.generation = std::numeric_limits<double>::infinity();
+    const double scale = mean ? 2 * pi / spread() : std::min(level.dw1, level.dw2);
+    level.reach_a = mean ? 0 : static_cast<int>(scales_.cutoff / level.dw1);
+    level.reach_b = mean ? 0 : static_cast<int>(scales_.cutoff / level.dw2);
+    require_memory_of(level, scale);
+    add_modes(level, scales_.cutoff, cells, [&](double w) { return (w == 0) == mean ? 1.0 : 0.0; });
+    finish(std::move(level), scale);
   }
 }
 
@@ -134,7 +166,7 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
 fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
   const double x = grid.nx, y = grid.ny * cell_y_;
   const double clear = std::hypot(std::max(x, y), scales_.is_split ? scales_.split_reach() : 0);
-  double px = x + clear, py = y + clear;
+  double px = x + clear + resolution_.track, py = y + clear;
   if (moving()) {
     // As in set_reach().
     const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
@@ -143,10 +175,11 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
     px += kept * (along_x ? 1 : vx / vy);
     py += kept * (along_x ? vy / vx : 1);
   }
-  const auto size = [](int cells, double min_size) {
+  const auto size = [](int cells, double period, double min_size) {
+    if (period > 0) return std::max(cells, 2);
     return fft::convolution_size(cells, 0, static_cast<int>(std::ceil(min_size)));
   };
-  return {grid.nx, grid.ny, size(grid.nx, px), size(grid.ny, py / cell_y_)};
+  return {grid.nx, grid.ny, size(grid.nx, period_x_, px), size(grid.ny, period_y_, py / cell_y_)};
 }
 
 /// Range of the kernels of a level, and time for which it keeps heat.
@@ -154,7 +187,8 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
   const double x = nx(), y = ny() * cell_y_;
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
   level.generation = std::numeric_limits<double>::infinity();
-  level.clear = std::min(px - x, py - y);
+  const double free_x = px - x - resolution_.track, free_y = py - y;
+  level.clear = period_x_ > 0 ? free_y : period_y_ > 0 ? free_x : std::min(free_x, free_y);
   if (moving()) {
     // With generations of a path g along the faster direction (in grids): dropped ones have moved 2
     // g >= size + clear, kept ones up to 3 g, and images of these are still clear of the grid.
@@ -165,7 +199,8 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
     const auto widest = [size](double period, double extent, double ratio) {
       return (period - extent - 1.5 * size * ratio) / (1 + 1.5 * ratio);
     };
-    level.clear = std::min(widest(px, x, vx / speed), widest(py, y, vy / speed));
+    const double along = widest(px, x, vx / speed), across = widest(py, y, vy / speed);
+    level.clear = period_x_ > 0 ? across : period_y_ > 0 ? along : std::min(along, across);
     level.generation = (size + level.clear) / (2 * speed);
   }
   // Where the edge of a ring meets that of the split, their ranges add like those of Gaussians.
@@ -177,8 +212,11 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
 void HeatModes::add_level(int number, int last, double shrink) {
   HeatLevel level;
   const double mx = transform_.mx(), my = transform_.my();
-  level.dw1 = 2 * pi / mx * shrink;
-  level.dw2 = 2 * pi / (my * cell_y_) * shrink;
+  const double shrink_x = period_x_ > 0 ? 1 : shrink, shrink_y = period_y_ > 0 ? 1 : shrink;
+  const double cells_x = period_x_ > 0 ? period_x_ : mx,
+               cells_y = period_y_ > 0 ? period_y_ / cell_y_ : my;
+  level.dw1 = 2 * pi / cells_x * shrink_x;
+  level.dw2 = 2 * pi / (cells_y * cell_y_) * shrink_y;
   set_reach(level, shrink);
   const Edge edge(scales_.sharpness);
   // The ring begins at the end of that of the previous level, and ends at the beginning of the next
@@ -192,10 +230,18 @@ void HeatModes::add_level(int number, int last, double shrink) {
   const double cutoff =
       scales_.is_split ? std::min(scales_.cutoff, scales_.split_end()) : scales_.cutoff;
   const double end = number == 0 ? cutoff : std::min(cutoff, edge.end() / before);
-  const double negligible = 0.1 * resolution_.tolerance;
+  const double scale = (number == last ? 1 : 2) * std::min(level.dw1, level.dw2);
   level.reach_a = static_cast<int>(end / level.dw1);
   level.reach_b = static_cast<int>(end / level.dw2);
-  require_memory_of(level, (number == last ? 1 : 2) * std::min(level.dw1, level.dw2));
+  require_memory_of(level, scale);
+  add_modes(level, cutoff, cells_x * cells_y / (shrink_x * shrink_y), window);
+  finish(std::move(level), scale);
+}
+
+/// Adds modes whose window is not negligible. cells: number of cells in a period of the lattice.
+template <class Window>
+void HeatModes::add_modes(HeatLevel& level, double cutoff, double cells, const Window& window) {
+  const double negligible = 0.1 * resolution_.tolerance;
   for (int b = 0; b <= level.reach_b; ++b) {
     for (int a = -level.reach_a; a <= level.reach_a; ++a) {
       HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, 0};
@@ -204,13 +250,17 @@ void HeatModes::add_level(int number, int last, double shrink) {
       mode.source *= scales_.split(mode.w);
       if (mode.w > cutoff || std::abs(mode.source) < negligible) continue;
       mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};
-      mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y_ / 2) * shrink * shrink / (mx * my);
+      mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y_ / 2) / cells;
       level.modes.push_back(mode);
     }
   }
+}
+
+/// Completes a level with its modes; scale: lower bound of their wavenumbers other than 0.
+void HeatModes::finish(HeatLevel level, double scale) {
   std::stable_sort(level.modes.begin(), level.modes.end(),
                    [](const HeatMode& p, const HeatMode& q) { return p.w < q.w; });
-  add_nodes(level, (number == last ? 1 : 2) * std::min(level.dw1, level.dw2));
+  add_nodes(level, scale);
   constexpr std::size_t block = 256;
   for (std::size_t first = 0; first < level.modes.size(); first += block) {
     const std::size_t count = std::min(block, level.modes.size() - first);
@@ -221,7 +271,7 @@ void HeatModes::add_level(int number, int last, double shrink) {
     size_ += count * nodes;
   }
   mode_count_ += level.modes.size();
-  if (number > 0) add_points(level);
+  if (!levels_.empty()) add_points(level);
   levels_.push_back(std::move(level));
 }
 

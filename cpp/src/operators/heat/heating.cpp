@@ -14,7 +14,13 @@ constexpr double table_tol = 1e-7;
 
 kernels::HeatSource source_of(const Heating& heating, double dx, double dy) {
   const double kappa = heating.thermal.substrate.diffusivity;
-  return {dx / 2, dy / 2, kappa * heating.age, heating.speed_x / kappa, heating.speed_y / kappa};
+  return {dx / 2,
+          dy / 2,
+          kappa * heating.age,
+          heating.speed_x / kappa,
+          heating.speed_y / kappa,
+          heating.period_x,
+          heating.period_y};
 }
 
 /// Negative offsets too, in directions in which the source moves.
@@ -72,6 +78,15 @@ ParityParts split(const Heating& heating, const Offsets& offsets, const double* 
   return parts;
 }
 
+/// Difference between u_z of a half-space that is heated uniformly and laterally held, -(1 + nu)/(1
+/// - nu) times the integral of the temperature, and the limit of long waves that the kernel
+/// contains, over that of the kernel; 0 unless the surface is periodic along x and y.
+double mean_displacement(const Heating& heating, double nu, double dx, double dy) {
+  if (heating.period_x == 0 || heating.period_y == 0) return 0.0;
+  const double share = dx * dy / (heating.period_x * heating.period_y);
+  return (2 - 1 / (1 - nu)) * share * heating.thermal.substrate.diffusivity * heating.age;
+}
+
 }  // namespace
 
 std::vector<HeatPart> heat_stress_parts(const Heating& heating) {
@@ -92,8 +107,10 @@ ParityParts heat_displacement(const Heating& heating, double nu, double dx, doub
   const Thermal& body = heating.thermal.substrate;
   const double scale = heating.factor * body.expansion * (1 + nu) / body.conductivity;
   if (!heating.is_steady_at_rest()) {
-    const Field table = kernels::heat_displacement(source_of(heating, dx, dy),
-                                                   points_of(heating, offsets), table_tol);
+    Field table = kernels::heat_displacement(source_of(heating, dx, dy),
+                                             points_of(heating, offsets), table_tol);
+    const double mean = mean_displacement(heating, nu, dx, dy);
+    for (double& u : table) u += mean;
     return split(heating, offsets, table.data(), false, false, scale);
   }
   ParityParts parts;

@@ -14,7 +14,8 @@ std::shared_ptr<const Temperature::Kernels> Temperature::kernels(double depth) c
   const std::lock_guard lock(mutex_);
   auto& kept = kept_[depth];
   if (kept) return kept;
-  const Offsets offsets = Offsets::lattice(grid_.dx, grid_.dy, grid_.nx, grid_.ny);
+  const auto [nx, ny] = convolution_.offsets();
+  const Offsets offsets = Offsets::lattice(grid_.dx, grid_.dy, nx, ny);
   auto parts = layered_heat_temperature(heating_, grid_.dx, grid_.dy, depth, offsets);
   Kernels made;
   for (int flip = 0; flip < 4; ++flip) {

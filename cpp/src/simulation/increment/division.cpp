@@ -172,9 +172,20 @@ Target Division::part_of(const State& from, double start, double end) const {
   }
   if (!from.setup().transient_heating.is_on()) return part;
   part.duration *= end - start;
-  for (auto& heat : part.heating) heat.age = part.duration;
-  part.past = from.heat_so_far();
-  part.past_symmetry = from.heat_symmetry_so_far();
+  const Travel by{(end - start) * target_.advance[0], (end - start) * target_.advance[1]};
+  part.past = from.heat_so_far(by);
+  for (int b = 0; b < 2; ++b) {
+    operators::Heating& heat = part.heating[b];
+    heat.age = part.duration;
+    if (part.duration == 0) heat.age = from.setup().transient_heating.shortest;  // without flux
+    if (!from.setup().transient_heating.follows()) continue;
+    const bool loaded = !target_.is_load() || target_.drive.normal.value != 0;
+    heat.speed_x = loaded ? by[b] * from.setup().grid.dx / part.duration : 0.0;
+  }
+  part.past_symmetry = common(part.past_symmetry, from.heat_symmetry_so_far());
+  if (from.setup().transient_heating.follows() && by != Travel{}) {
+    part.past_symmetry = common(part.past_symmetry, fft::Symmetry::y);
+  }
   return part;
 }
 

@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
+#include "samcontact/base/errors.hpp"
+#include "samcontact/contact/lagged_displacement.hpp"
 #include "samcontact/operators/surface/surface_displacement.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
 #include "samcontact/simulation/state/surface_fields.hpp"
@@ -180,6 +183,37 @@ Field& SlipHistory::begin_slip() {
 
 contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
                                      const contact::ContactSettings& settings) {
+  const contact::Given normal = task_.target.drive.normal;
+  const auto& heating = task_.target.heating;
+  if (!heating[0].is_on() && !heating[1].is_on()) return solve_cold(gap, start, settings);
+  const contact::LaggedContact contact{
+      [&](const Field& pressure, Field& separation) {
+        std::fill(separation.begin(), separation.end(), 0.0);
+        for (int b = 0; b < 2; ++b) {
+          if (!heating[b].is_on()) continue;
+          const auto heat = task_.setup().cache.flux_heat(b, heating[b]);
+          contact::add_scaled(1.0, heat->displacement(pressure), separation);
+        }
+      },
+      [&](const Field& lagged, const Field& pressure, double tol) {
+        contact::ContactSettings inner = settings;
+        inner.tol = tol;
+        return solve_cold(lagged, pressure, inner);
+      }};
+  contact::Solution solution = contact::solve_lagged(contact, gap, normal, start, settings.tol);
+  if (!solution.converged && stall_warning_.empty()) {
+    throw ConvergenceError("partial slip with heat did not converge at " +
+                               describe(contact::Drive{normal}) + ": error " +
+                               to_short_text(solution.error) + " after " +
+                               std::to_string(solution.iterations) + " iterations, tol " +
+                               to_text(settings.tol) + ": reduce the load or heat",
+                           solution.iterations, solution.error);
+  }
+  return solution;
+}
+
+contact::Solution SlipHistory::solve_cold(const Field& gap, const Field& start,
+                                          const contact::ContactSettings& settings) {
   const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion,
                                         jointly_};
   contact::PartialSlipSolution found = task_.setup().partial_slip->solve(

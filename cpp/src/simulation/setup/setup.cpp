@@ -145,11 +145,14 @@ Strength Setup::strength(int body, const Travel& travel) const {
 }
 
 operators::HeatHistory Setup::heat_history(int body, const operators::Heating& heating) const {
+  operators::Heating source = heating;
+  if (transient_heating.follows()) source.speed_x = 0.0;
   return heat_of(*media[body])
-      ->history(grid, heating,
+      ->history(grid, source,
                 {.shortest = transient_heating.shortest,
                  .longest = transient_heating.longest,
-                 .in_depth = grid.has_volume()});
+                 .in_depth = grid.has_volume(),
+                 .track = transient_heating.track});
 }
 
 Box Setup::volume_below(const Field& repulsion) const {

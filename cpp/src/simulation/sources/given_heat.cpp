@@ -19,17 +19,29 @@ Field GivenHeat::power_at(double offset) const {
   return seen_from_body(slip_power_, grid_, offset);
 }
 
+template <class OfPast, class OfSlip>
+Field GivenHeat::sum(const OfPast& of_past, const OfSlip& of_slip) const {
+  if (!of_slip_) return of_past();
+  Field field = of_slip();
+  if (!past_) return field;
+  const Field earlier = of_past();
+  for (std::size_t n = 0; n < field.size(); ++n) field[n] += earlier[n];
+  return field;
+}
+
 Field GivenHeat::temperature(std::span<const double> depths, double offset) const {
-  return past_ ? past_->temperature(ahead_, depths)
-               : of_slip_->temperature(power_at(offset), depths);
+  return sum([&] { return past_->temperature(ahead_, depths); },
+             [&] { return of_slip_->temperature(power_at(offset), depths); });
 }
 
 Field GivenHeat::displacement() const {
-  return past_ ? past_->displacement(ahead_) : of_slip_->displacement(slip_power_);
+  return sum([&] { return past_->displacement(ahead_); },
+             [&] { return of_slip_->displacement(slip_power_); });
 }
 
 Field GivenHeat::stress(std::span<const double> depths, double offset) const {
-  return past_ ? past_->stress(ahead_, depths) : of_slip_->stress(power_at(offset), depths);
+  return sum([&] { return past_->stress(ahead_, depths); },
+             [&] { return of_slip_->stress(power_at(offset), depths); });
 }
 
 std::array<GivenHeat, 2> given_heat(const Setup& setup, const operators::HeatingPair& heating,

@@ -44,15 +44,34 @@ PastHeat State::heat_so_far() const {
       so_far[1] = so_far[0];
       continue;
     }
-    if (!past[b] && !heating[b].is_on()) continue;
+    if (!past[b] && heating[b].factor == 0) continue;
     auto history = std::make_shared<operators::HeatHistory>(
         past[b] ? *past[b] : setup_->heat_history(b, heating[b]));
-    Field flux = tractions.pressure;
+    Field flux = heating[b].is_of_slip() ? slip_power : tractions.pressure;
+    flux.resize(tractions.pressure.size(), 0.0);
     for (double& q : flux) q *= heating[b].factor;
-    history->add(flux.data(), duration);
+    history->add(flux.data(), duration,
+                 setup_->transient_heating.follows() ? heating[b].speed_x : 0.0);
     so_far[b] = std::move(history);
   }
   return so_far;
+}
+
+PastHeat State::heat_so_far(const Travel& by) const {
+  PastHeat moved = heat_so_far();
+  if (!setup_->transient_heating.follows()) return moved;
+  const bool shared = moved[0] == moved[1] && by[0] == by[1];
+  for (int b = 0; b < 2; ++b) {
+    if (!moved[b] || by[b] == 0) continue;
+    if (b == 1 && shared) {
+      moved[1] = moved[0];
+      continue;
+    }
+    auto history = std::make_shared<operators::HeatHistory>(*moved[b]);
+    history->move(by[b]);
+    moved[b] = std::move(history);
+  }
+  return moved;
 }
 
 fft::Symmetry State::heat_symmetry_so_far() const {

@@ -9,19 +9,22 @@
 
 namespace samcontact::operators {
 
-/// exp(-lambda x) and (1 - exp(-lambda x))/lambda, lambda = decay + s^2, as products of factors
-/// that depend on the mode and on s.
+/// exp(-lambda x) and (1 - exp(-lambda x))/lambda, lambda = decay + i w1 speed + s^2, as products
+/// of factors that depend on the mode and on s.
 class Decay {
  public:
-  Decay(const HeatLevel& level, double x);
+  /// speed: additional speed along x [dx per unit of x].
+  Decay(const HeatLevel& level, double x, double speed = 0.0);
   Complex factor(std::size_t mode, std::size_t j) const { return modes_[mode] * s_[j]; }
-  Complex integral(std::size_t mode, std::size_t j, Complex lambda) const {
+  /// s2: s^2 of node j.
+  Complex integral(std::size_t mode, std::size_t j, double s2) const {
+    const Complex lambda = decay_[mode] + s2;
     if (lambda == 0.0) return x_;
     return (grown_[mode] + modes_[mode] * grown_s_[j]) / lambda;
   }
 
  private:
-  std::vector<Complex> modes_, grown_;
+  std::vector<Complex> decay_, modes_, grown_;
   std::vector<double> s_, grown_s_;
   double x_;
 };

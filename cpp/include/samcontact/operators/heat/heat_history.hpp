@@ -25,6 +25,9 @@ struct HeatHistorySettings {
   double longest = 0.0;
   double tolerance = 1e-6;  // approximate, relative to the largest value
   bool in_depth = true;     // false: only the surface displacement and fields at z = 0
+  /// Longest distance along x between two positions of a body that move() moves back and forth
+  /// [m]; such a body has no constant speed. 0: it moves at constant speed, or not at all.
+  double track = 0.0;
 };
 
 enum class HeatQuantity { temperature, displacement, stress };
@@ -37,8 +40,12 @@ class HeatHistory {
   HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic& elastic, double speed_x,
               double speed_y, const HeatHistorySettings& settings);
 
-  /// Advances the time by dt [s], with the flux [i][j] into the body [W/m^2].
-  void add(const double* flux, double dt);
+  /// Advances the time by dt [s], with the flux [i][j] into the body [W/m^2]. speed_x: with a
+  /// track, speed at which move() has just moved the body in this time [m/s].
+  void add(const double* flux, double dt, double speed_x = 0.0);
+  /// Moves the body, with its heat, by some cells along x. Throws std::invalid_argument beyond the
+  /// track.
+  void move(double cells);
 
   // Fields `ahead` seconds after the present time, without heat flux until then.
 
@@ -63,6 +70,10 @@ class HeatHistory {
   void add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,
                   Field& out) const;
   bool newest_by_modes(double ahead) const;
+  void extend_to(double position);
+  static ComplexField phases_of(const HeatLevel& level, double cells);
+  /// Speed of the body during the newest flux [dx per unit of x], see Decay.
+  double speed() const;
   std::vector<const Complex*> generations_of(std::size_t number, double ahead) const;
   double newest_part(const HeatLevel& level, double ahead) const;
   Profiles profiles(const Moment& moment, std::vector<double> z) const;
@@ -85,6 +96,10 @@ class HeatHistory {
   ComplexField newest_;         // amplitudes of the newest flux
   Field flux_;                  // the newest flux, constant over the time
   double duration_ = 0;         // [s]
+
+  // With a track: speed of the body during the newest flux [dx/s], its motion since then, its
+  // position, and the ends of its path [cells].
+  double speed_ = 0, moved_ = 0, position_ = 0, first_ = 0, last_ = 0;
 };
 
 }  // namespace samcontact::operators

@@ -11,11 +11,15 @@
 //
 // A moving body carries its heat away; on a periodic lattice it would return. Each level therefore
 // stores its heat in a few generations by age, and drops the oldest once it is farther away than
-// the range of the kernels of the level.
+// the range of the kernels of the level. If the body moves back and
+// forth along a track, nothing is dropped, and the periods contain the track.
 //
 // Wavenumbers far beyond the highest wavenumber of the grid matter only for heat younger than the
 // time to diffuse across a cell. For a body at rest and such short time steps, they are left to
 // NearHeat (heat_near.hpp).
+//
+// If the surface is periodic, the lattice along that direction is that of the period. Along both
+// directions it is exact, and there are no rings.
 //
 // Lengths are in units of dx; times t stand for kappa t / dx^2.
 #pragma once
@@ -64,6 +68,7 @@ struct HeatResolution {
   double longest;   // maximum age of heat
   double tolerance;
   bool in_depth;  // whether fields below the surface are required
+  double track;   // length along x over which a body moves back and forth; 0: it does not
 };
 
 /// Resolution of modes, and the part of them that is left to NearHeat.
@@ -73,7 +78,7 @@ struct HeatScales {
   bool is_split;     // whether a part is left to NearHeat
   double step;       // between nodes s = scale sinh(n step)
 
-  HeatScales(const HeatResolution& resolution, bool moving);
+  HeatScales(const HeatResolution& resolution, bool moves);
   /// Smallest wavenumber of which a part is left to NearHeat.
   static constexpr double split_begin = 0.4;
   /// Wavenumber beyond which everything is left to NearHeat.
@@ -97,6 +102,7 @@ class HeatModes {
   std::size_t mode_count() const { return mode_count_; }
   /// Number of generations of a level: a single one of all ages for a body at rest.
   int generations() const { return moving() ? 3 : 1; }
+  bool is_doubly_periodic() const { return period_x_ > 0 && period_y_ > 0; }
   const fft::PaddedTransform& transform() const { return transform_; }
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
@@ -112,12 +118,20 @@ class HeatModes {
   bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
   fft::PaddedTransform padded(const Grid& grid) const;
   void set_reach(HeatLevel& level, double shrink) const;
+  bool is_periodic() const { return period_x_ > 0 || period_y_ > 0; }
+  double spread() const;
+  void add_rings();
+  void add_periodic();
   void add_level(int number, int last, double shrink);
+  template <class Window>
+  void add_modes(HeatLevel& level, double cutoff, double cells, const Window& window);
+  void finish(HeatLevel level, double scale);
   void require_memory_of(const HeatLevel& level, double scale) const;
   void add_nodes(HeatLevel& level, double scale) const;
   void add_points(HeatLevel& level) const;
 
   double cell_y_, speed_x_, speed_y_;
+  double period_x_, period_y_;  // 0: not periodic
   HeatResolution resolution_;
   HeatScales scales_;
   fft::PaddedTransform transform_;

@@ -27,7 +27,7 @@ struct HeatPlan {
         settings(settings_),
         modes(grid, vx * grid.dx / thermal.diffusivity, vy * grid.dx / thermal.diffusivity,
               {aged(settings.shortest), aged(settings.longest), settings.tolerance,
-               settings.in_depth}),
+               settings.in_depth, settings.track / grid.dx}),
         near(modes) {}
 
   Grid grid;
@@ -50,6 +50,8 @@ struct HeatPlan {
         return elastic.E * alpha / (1 - nu) / k * grid.dx;
     }
   }
+  /// u_z of a laterally held half-space that is heated uniformly, over the limit of long waves.
+  double mean_share() const { return modes.is_doubly_periodic() ? 0.5 / (1 - elastic.nu) : 1.0; }
   double aged(double time) const { return thermal.diffusivity * time / (grid.dx * grid.dx); }
 
   /// Tables at a depth (in units of dx), cached: a simulation uses the same depths in every step.

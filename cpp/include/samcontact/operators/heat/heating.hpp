@@ -27,6 +27,9 @@ struct Heating {
   double reference = 1.0;
 
   bool of_slip = false;
+  /// Periods of the surface along x and y [m], for a source of finite age that does not move along
+  /// these directions; 0: not periodic.
+  double period_x = 0.0, period_y = 0.0;
 
   /// Whether the heat is proportional to the pressure.
   bool is_on() const { return factor != 0 && !of_slip; }

@@ -26,7 +26,8 @@ class SlipHistory {
   /// Slip before the contribution of the plastic strain of the increment, which is to be added to
   /// [2][i][j].
   Field& begin_slip();
-  /// Pressure and shear for a gap. start: initial pressure of the iteration.
+  /// Pressure and shear for a gap, with heat in proportion to the pressure. start: initial pressure
+  /// of the iteration.
   contact::Solution solve(const Field& gap, const Field& start,
                           const contact::ContactSettings& settings);
   /// Stores slip, motion and work of the last solution in the state after the increment. tractions:
@@ -34,6 +35,10 @@ class SlipHistory {
   void remember(const operators::Tractions& tractions, State& state) const;
 
  private:
+  /// Pressure and shear without the displacement due to heat in proportion to the pressure.
+  contact::Solution solve_cold(const Field& gap, const Field& start,
+                               const contact::ContactSettings& settings);
+
   IncrementTask task_;
   bool on_;
   contact::ContactHistory before_;

@@ -28,6 +28,9 @@ class GivenHeat {
 
  private:
   Field power_at(double offset) const;
+  /// Sum of the fields of both kinds of heat.
+  template <class OfPast, class OfSlip>
+  Field sum(const OfPast& of_past, const OfSlip& of_slip) const;
 
   const Grid& grid_;
   std::shared_ptr<const operators::HeatHistory> past_;

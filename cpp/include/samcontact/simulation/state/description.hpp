@@ -118,6 +118,7 @@ void describe(S& s, Visitor& visit) {
   for (int b = 0; b < 2; ++b) {
     const std::string number = std::to_string(b + 1);
     visit("heat_factor" + number, s.heating[b].factor);
+    visit("heat_speed" + number, s.heating[b].speed_x);
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {

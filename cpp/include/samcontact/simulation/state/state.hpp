@@ -100,6 +100,8 @@ class State {
 
   /// Heat history for the next step, including this one.
   PastHeat heat_so_far() const;
+  /// With the heat of bodies that move by some cells, if it follows their travel.
+  PastHeat heat_so_far(const Travel& by) const;
   fft::Symmetry heat_symmetry_so_far() const;
   /// Heat of the bodies that is not proportional to the pressure.
   std::array<GivenHeat, 2> given_heat() const {
