@@ -172,6 +172,14 @@ CONTACT = {
         "maximum equivalent plastic strain",
         "plastic\nstrain", 4,
     ),
+    "plastic_strain_per_cycle": Q(
+        "1", "maximum magnitude of the plastic strain change over the last cycle", "%",
+        "plastic strain per cycle",
+    ),
+    "plastic_flow_per_cycle": Q(
+        "1", "maximum equivalent plastic strain added by the last cycle", "%",
+        "plastic flow per cycle",
+    ),
     "max_residual_von_mises": Q(
         "Pa", "maximum von Mises residual stress", "MPa",
         "maximum residual von Mises stress", "residual\nvon Mises",

@@ -31,7 +31,12 @@ class GridSolution(NamedTuple):
 
     @property
     def half(self) -> tuple[float, float]:
-        """Half-widths along x and y [m] of the region that contains contact and plastic strain."""
+        """Half-widths along x and y [m] of the region that contains contact and plastic strain.
+
+        They are 0 for repeated cycles, of which only some states are known.
+        """
+        if self.repeated is not None:
+            return 0.0, 0.0
         reach = [0, 0]
         for state in self.states:
             nx, ny = state.grid.surface_shape

@@ -117,6 +117,8 @@ class HertzGrids:
         return GridSection(nx=nx, ny=ny, dx=dx, dy=dy, nz=layers, dz=dz)
 
     def settle(self, level: int, half: tuple[float, float]) -> None:
+        if not any(half):  # unknown
+            return
         wide = [1.08 * h + 2.0 * d for h, d in zip(half, self.sizes(level), strict=True)]
         along_x = max(wide[0], self.half[0]) if self.case.moves else wide[0]
         self.half = along_x, wide[1]

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from ..cases import Case
     from ..problem.grid import Grid
+    from ..shakedown import ShakedownResult
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
     from ..wear import FrettingResult, WearResult
@@ -51,7 +52,7 @@ class AccuracyResult(HtmlTable):
     """Case with the finest grid and the increments used on this grid."""
     runs: tuple[tuple[int, int, int, float], ...]
     """Cells along x and y, increments per segment and time [s] of each run."""
-    repeated: WearResult | FrettingResult | None = None
+    repeated: WearResult | FrettingResult | ShakedownResult | None = None
     """Result of repeated cycles on the finest grid; None for a path that is solved once."""
     needs: str = ""
     """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
@@ -62,6 +63,13 @@ class AccuracyResult(HtmlTable):
     a surface that is given as a function."""
     _study: Study = field(kw_only=True, repr=False)
     _solution: GridSolution = field(kw_only=True, repr=False)
+
+    @property
+    def shakedown(self) -> ShakedownResult | None:
+        """Response to repeated cycles on the finest grid; None without [shakedown]."""
+        from ..shakedown import ShakedownResult
+
+        return self.repeated if isinstance(self.repeated, ShakedownResult) else None
 
     @property
     def grid(self) -> Grid:

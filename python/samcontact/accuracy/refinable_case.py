@@ -48,6 +48,8 @@ class GridRun:
     seconds: float
     margins: FloatArray | float = 0.0
     """Errors of the values that a comparison of grids may miss, in the shape of the values."""
+    note: str = ""
+    """Finding in which the finest grids must agree."""
     solved: GridSolution | None = None
 
     @property
@@ -151,6 +153,7 @@ class RefinableCase:
             "cells": solved.simulation.grid.surface_shape,
             "values": self.study.values(solved, self.names),
             "margins": self.study.margins(solved, self.names),
+            "note": self.study.note(solved),
             "half": solved.half,
             "elastic": solved.elastic,
             "memory": solved.memory,

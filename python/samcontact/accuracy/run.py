@@ -116,7 +116,7 @@ class AccuracySearch:
             found = self._estimate(grids)
             worst = float(np.max(self._relative(found) / self.target_values))
             report_progress(self._errors_above_target(found), shown=self.progress and enough)
-            if enough and worst <= 1.0:
+            if enough and worst <= 1.0 and not _disagreement(grids):
                 break
             if enough and self._reduce_increment_error(grids):
                 continue
@@ -302,7 +302,8 @@ class AccuracySearch:
             values={names[i]: float(values[i]) for i in kept},
             errors={names[i]: float(errors[i]) for i in kept},
             accuracy=self.targets,
-            reached=not endless and bool(np.all(self._relative(found) <= self.target_values)),
+            reached=not (endless or _disagreement(grids))
+            and bool(np.all(self._relative(found) <= self.target_values)),
             series={names[i]: found.values[:, i] for i in kept},
             series_errors={names[i]: found.errors[:, i] for i in kept},
             increments=tuple(self.refinable.study.marks(last)),
@@ -311,12 +312,18 @@ class AccuracySearch:
             case=last.case,
             repeated=last.repeated,
             runs=tuple((*run.cells, run.increments, run.seconds) for run in self.runs.values()),
-            needs=self.needs,
+            needs="; ".join(filter(None, (_disagreement(grids), self.needs))),
             surface=interpolated_surface(self.refinable.case),
             slope_beyond=slope_between_samples(self.refinable.case),
             _study=self.refinable.study,
             _solution=last,
         )
+
+
+def _disagreement(grids: list[GridRun]) -> str:
+    """Return, as text, how the findings of the last two grids differ; "" if they do not."""
+    last, before = grids[-1].note, grids[-2].note if len(grids) > 1 else grids[-1].note
+    return "" if last == before else f"{last} on the finest grid, but {before} on the one before"
 
 
 def _warn_of(outcome: AccuracyResult, last: GridSolution) -> None:

@@ -17,6 +17,7 @@ from ..cases.cross_checks import reason_for_grid
 from ..simulation import error_controlled_quantities
 from .grid_errors import of_outline
 from .grid_solution import GridSolution, marks_of
+from .shakedown_study import ShakedownStudy
 from .slip_quantities import SLIP_QUANTITIES, driven, orders_of, values_of
 from .wear_study import WearStudy
 
@@ -67,6 +68,10 @@ class Study(Protocol):
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
         """Return errors of the compared values that a comparison of grids may miss."""
+        ...
+
+    def note(self, solution: GridSolution) -> str:
+        """Return a finding, as text, in which the finest grids must agree; "" without."""
         ...
 
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
@@ -145,6 +150,9 @@ class PathStudy:
             columns += [np.array(found)] * self.parts(name)
         return np.stack(columns, axis=-1)
 
+    def note(self, solution: GridSolution) -> str:
+        return ""
+
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
         return results.to_dataset(
             solution.simulation, solution.states, solution.case, volume=volume
@@ -153,4 +161,6 @@ class PathStudy:
 
 def study_of(case: Case, bodies: Sequence[Body]) -> Study:
     """Return what a case solves on each grid."""
-    return PathStudy(case, bodies) if case.wear is None else WearStudy(case)
+    if case.wear is not None:
+        return WearStudy(case)
+    return PathStudy(case, bodies) if case.shakedown is None else ShakedownStudy(case, bodies)

@@ -105,6 +105,9 @@ class WearStudy:
                 found[:, n] = of_outline(loaded) * loaded.contact_area
         return found
 
+    def note(self, solution: GridSolution) -> str:
+        return ""
+
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
         found: xr.Dataset = solution.repeated.to_dataset()
         return found

@@ -70,9 +70,13 @@ def _require_repeatable(case: Any) -> None:
     """Raise ValueError if [shakedown] lacks an elastic-plastic body or a closed path."""
     if case.shakedown is None:
         return
-    for name in ("wear", "accuracy"):
-        if getattr(case, name) is not None:
-            raise ValueError(f"shakedown cannot be combined with {name}: omit one of them")
+    if case.wear is not None:
+        raise ValueError("shakedown cannot be combined with wear: omit one of them")
+    if case.accuracy is not None and case.fatigue is not None:
+        raise ValueError(
+            "fatigue cannot be combined with both shakedown and accuracy, which store the state "
+            "after the last cycle only: omit one of the three"
+        )
     if not (case.body1.is_plastic or case.body2.is_plastic):
         raise ValueError(
             "shakedown requires an elastic-plastic body: set a hardening law in [body1] or "

@@ -21,15 +21,22 @@ if TYPE_CHECKING:
 
 
 def write_shakedown(
-    case: Case, checkpoints: Checkpoints, console: Console, *, figures: bool
+    case: Case,
+    checkpoints: Checkpoints,
+    console: Console,
+    *,
+    figures: bool,
+    found: ShakedownResult | None = None,
 ) -> list[Path]:
     """Repeat the path, print a table, write shakedown.nc and a figure, and return the files.
 
-    A checkpoint is written after each cycle, because many cycles take long.
+    A checkpoint is written after each cycle, because many cycles take long. If the response has
+    been `found` before, nothing is solved.
     """
     assert case.shakedown is not None
-    kept = checkpoints.remember() / "shakedown"
-    found = case.shakedown.solve(*case.build(), not console.quiet, kept)
+    if found is None:
+        kept = checkpoints.remember() / "shakedown"
+        found = case.shakedown.solve(*case.build(), not console.quiet, kept)
     directory = checkpoints.directory
     rows = rows_of(found)
     sheet = Sheet("Repeated load cycles")

@@ -196,7 +196,10 @@ class _ContactRun:
                 )
         if case.shakedown is not None and not stopped_by:
             shown = case.output.figures and figures
-            written += write_shakedown(case, self.checkpoints, console, figures=shown)
+            repeated = None if self.accurate is None else self.accurate.shakedown
+            written += write_shakedown(
+                case, self.checkpoints, console, figures=shown, found=repeated
+            )
         return written + (self._animations() if animate else [])
 
     def _animations(self) -> list[Path]:

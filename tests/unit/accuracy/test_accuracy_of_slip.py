@@ -50,7 +50,7 @@ def test_a_fretting_loop_is_closer_to_mindlin_than_the_stated_errors():
 def test_a_case_file_of_partial_slip_has_errors_of_the_response(tmp_path, undrawn):
     """A prescribed motion responds by a force; what vanishes by symmetry is exactly zero."""
     text = f"""title = "twisted"
-accuracy = {{tangential_load_x = 0.1, friction_work = 0.2, torque = 0.1, max_shear = 0.95}}
+accuracy = {{tangential_load_x = 0.1, torque = 0.1}}
 [body1]
 law = "elastic"
 E = {E}
@@ -79,8 +79,6 @@ shift_x = 4e-7
     assert float(value) == pytest.approx(float(data["tangential_load_x"][-1]), rel=0.02)
     assert 0 < error < 0.1 * value
     assert data["torque_best"][-1] == data["torque_error"][-1] == 0.0
-    sheared = np.hypot(data["shear_x"], data["shear_y"]).max(("x", "y"))
-    assert float(data["max_shear_best"][-1]) == pytest.approx(float(sheared[-1]), rel=0.1)
     expected = ["approach", "max_pressure", "contact_area", "tangential_load_x", "friction_work"]
     assert RefinableCase(load_case(file)).study.default_names == expected
 

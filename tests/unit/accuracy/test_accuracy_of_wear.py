@@ -54,7 +54,7 @@ load = {LOAD}
 fret = {{shift_x = {SHIFT}}}
 [wear]
 energy = {ENERGY}
-cycles = 2
+cycles = 1
 """
 
 
@@ -72,11 +72,10 @@ def test_worn_volume_of_gross_slip_is_closer_to_its_closed_form_than_the_stated_
     stuck = 3 * MU * LOAD / (16 * HERTZ.a) * compliance
     work = 9 * (MU * LOAD) ** 2 / (10 * HERTZ.a) * compliance / 6
     work += 4 * MU * LOAD * (SHIFT - stuck)
-    for name, exact in (("friction_work", [work, work]), ("worn_volume", [ENERGY * work] * 2)):
-        exact = np.array(exact) * (1 if name == "friction_work" else np.array([1, 2]))
+    for name, exact in (("friction_work", work), ("worn_volume", ENERGY * work)):
         value, error = (data[f"{name}_{part}"].values for part in ("best", "error"))
         assert np.all(np.abs(value - exact) <= error + 2e-5 * exact)  # wear is not infinitesimal
-        assert np.all(error <= 0.02 * exact[-1])
+        assert np.all(error <= 0.02 * exact)
     assert data.attrs["accuracy_reached"] == 1
 
 
