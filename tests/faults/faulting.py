@@ -21,7 +21,7 @@ TRIALS = {
     "interrupt: step": (3, 80),
     "interrupt: run": (2, 50),
     "stop: command": (1, 25),
-    "memory: estimates": (21, 21),
+    "memory: estimates": (11, 21),
     "memory: refusals": (12, 12),
     "threads": (3, 20),
 }
