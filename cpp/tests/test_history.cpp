@@ -59,7 +59,8 @@ TEST_CASE("a history over several zones equals that over one") {
   const PlasticState once(nullptr, Symmetry::none, Tensor::deviator, whole, {}, {{3, 2}});
   // The same strain in pieces, one after the other.
   const Zones left({{5, -20, 13, 30, 6}}), right({{18, -20, 27, 11, 6}, {18, -9, 27, 19, 6}});
-  const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {}, {{3, 2}});
+  const PlasticState half(nullptr, Symmetry::none, Tensor::deviator, once.fields(left), {},
+                          {{3, 2}});
   CHECK(half.equivalent(right) == Field(right.cells(), 0.0));
   CHECK_FALSE(half.reaches_beyond(left));
   CHECK(once.reaches_beyond(left));

@@ -192,6 +192,28 @@ def test_plane_strain_is_the_same_for_any_number_of_rows():
     assert np.abs(several.shear - single.shear).max() < 1e-7 * np.abs(single.shear).max()
 
 
+def test_a_row_of_rollers_tends_to_one_roller():
+    """Marched on a period, against steady rolling: as the square of the inverse period."""
+    cell, width, mu, creepage = 1e-6, 1e-5, 0.3, 2e-3
+    body, radius = sc.Material.elastic(210e9, 0.3), 1e-4
+    E_star = sc.hertz.effective_modulus(body, body)
+    load = 0.25 * math.pi * E_star * (8 * cell) ** 2 / radius * width  # half-width of 8 cells
+    off = []
+    for n in (32, 64):
+        grids = [sc.Grid(n, 1, cell, width, periodic=along) for along in ("y", "xy")]
+        gap, law = sc.surfaces.cylinder(grids[0], radius), sc.Coulomb(mu)
+        steady = sc.rolling.steady(
+            grids[0], body, body, gap, load=load, friction=law, creepage=(creepage, 0.0)
+        )
+        row = sc.Simulation(grids[1], body, body, gap, law, on_border="warn")
+        row.step(load=load)
+        for _ in range(32):
+            state = row.step(load=load, advance=(-cell, -cell), shift=(creepage * cell, 0.0))
+        off.append(abs(state.tangential_load[0] / steady.tangential_load[0] - 1))
+    assert off[0] < 0.2
+    assert off[1] < 0.3 * off[0]
+
+
 @pytest.mark.parametrize("across", [None, 0.0])
 def test_dissimilar_rollers_agree_with_contact(across):
     """CONTACT's example of Bentall & Johnson's rollers, its cases 2, 4, 5 and 6; x is reversed."""

@@ -116,8 +116,7 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
       for (int m = 0; m < points; ++m) {
         if (m != n) weight *= (x - (first + m)) / (n - m);
       }
-      const double* from =
-          gap.data() + static_cast<std::size_t>(row_of(grid, first + n)) * grid.ny;
+      const double* from = gap.data() + static_cast<std::size_t>(row_of(grid, first + n)) * grid.ny;
       for (int j = 0; j < grid.ny; ++j) to[j] += weight * from[j];
     }
     // A row without a body yields infinities of both signs, or NaN.

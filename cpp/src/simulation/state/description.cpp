@@ -60,14 +60,10 @@ void require_consistent(const PlasticIncrementGuess& flow) {
 
 PlasticRecord record(const PlasticState& history) {
   PlasticFields fields = history.fields(history.zones());
-  return {history.symmetry(),
-          history.tensor(),
-          history.lattice().origin,
-          history.box(),
-          fields.zones.boxes(),
-          std::move(fields.strain),
-          std::move(fields.equivalent),
-          std::move(fields.backstress)};
+  return {history.symmetry(),           history.tensor(),
+          history.lattice().origin,     history.box(),
+          fields.zones.boxes(),         std::move(fields.strain),
+          std::move(fields.equivalent), std::move(fields.backstress)};
 }
 
 std::shared_ptr<const PlasticState> from_record(const PlasticRecord& record, const Grid& grid,

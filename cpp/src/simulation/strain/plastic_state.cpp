@@ -21,6 +21,27 @@ int within(int n, int period) { return (n % period + period) % period; }
 
 }  // namespace
 
+std::vector<Box> Lattice::of_body(const Box& box) const {
+  const Box first = box.moved(-origin[0], -origin[1]);
+  if (period == 0) return {first};
+  std::vector<Box> found;
+  for (int i0 = within(first.i0, period) - (first.nx + period - 1) / period * period; i0 < period;
+       i0 += period) {
+    if (i0 + first.nx > 0) found.push_back(first.moved(i0 - first.i0, 0));
+  }
+  return found;
+}
+
+std::vector<Box> Lattice::of_grid(const Box& box) const {
+  Box first = box.moved(origin[0], origin[1]);
+  if (period == 0) return {first};
+  first.i0 = within(first.i0, period);
+  const int beyond = std::max(first.i0 + first.nx - period, 0);
+  if (beyond == 0) return {first};
+  first.nx -= beyond;
+  return {first, {0, first.j0, beyond, first.ny, first.nz}};
+}
+
 PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, Tensor tensor,
                            const PlasticFields& fields, const Box& around, const Lattice& lattice)
     : box_(fields.zones.around().united(around)),
@@ -46,31 +67,8 @@ PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, T
   }
 }
 
-std::vector<Box> PlasticState::of_body(const Box& box) const {
-  const Box first = box.moved(-lattice_.origin[0], -lattice_.origin[1]);
-  const int period = lattice_.period;
-  if (period == 0) return {first};
-  std::vector<Box> found;
-  for (int i0 = within(first.i0, period) - (first.nx + period - 1) / period * period; i0 < period;
-       i0 += period) {
-    if (i0 + first.nx > 0) found.push_back(first.moved(i0 - first.i0, 0));
-  }
-  return found;
-}
-
-std::vector<Box> PlasticState::of_grid(const Box& box) const {
-  Box first = box.moved(lattice_.origin[0], lattice_.origin[1]);
-  const int period = lattice_.period;
-  if (period == 0) return {first};
-  first.i0 = within(first.i0, period);
-  const int beyond = std::max(first.i0 + first.nx - period, 0);
-  if (beyond == 0) return {first};
-  first.nx -= beyond;
-  return {first, {0, first.j0, beyond, first.ny, first.nz}};
-}
-
 void PlasticState::put(const Box& box, const std::vector<const double*>& fields) {
-  for (const Box& part : of_body(box)) {
+  for (const Box& part : lattice_.of_body(box)) {
     Box inside = part;
     if (lattice_.period > 0) {
       inside = part.intersected({0, part.j0, lattice_.period, part.ny, part.nz});
@@ -83,7 +81,7 @@ Zones PlasticState::zones() const {
   std::vector<Box> boxes;
   boxes.reserve(tiles_.tiles().size());
   for (const auto& [tile, part] : tiles_.tiles()) {
-    for (const Box& box : of_grid(part->box)) boxes.push_back(box);
+    for (const Box& box : lattice_.of_grid(part->box)) boxes.push_back(box);
   }
   return Zones(std::move(boxes));
 }
@@ -93,7 +91,7 @@ Field PlasticState::gather(std::size_t first, std::size_t count, const Zones& zo
   Field out(count * cells, 0.0);
   if (out.empty()) return out;
   for (std::size_t zone = 0; zone < zones.count(); ++zone) {
-    for (const Box& box : of_body(zones.boxes()[zone])) {
+    for (const Box& box : lattice_.of_body(zones.boxes()[zone])) {
       tiles_.copy(first, count, box, out.data() + zones.first(zone), cells);
     }
   }

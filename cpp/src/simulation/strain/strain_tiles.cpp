@@ -33,8 +33,7 @@ Box part_in_use(const Field& values, const Box& box) {
 
 }  // namespace
 
-void StrainTiles::put(const Box& box, const std::vector<const double*>& fields,
-                      const Box& inside) {
+void StrainTiles::put(const Box& box, const std::vector<const double*>& fields, const Box& inside) {
   for_each_tile(inside, [&](const Tile& tile, const Box& part) {
     const auto found = tiles_.find(tile);
     const Part* before = found == tiles_.end() ? nullptr : found->second.get();

@@ -27,6 +27,12 @@ struct Lattice {
   std::array<int, 2> origin{};  // of the first cell, along x and y
   int period = 0;               // along x, in cells; 0: the lattice extends beyond the grid
   bool operator==(const Lattice&) const = default;
+
+  /// Boxes of the lattice that have cells in common with a box in the grid: one or, if periodic,
+  /// several, each as long as the box.
+  std::vector<Box> of_body(const Box& box) const;
+  /// Parts in the grid of a box of the lattice.
+  std::vector<Box> of_grid(const Box& box) const;
 };
 
 /// Immutable. Stored in tiles of the lattice of the body, which the states of a rolling contact
@@ -34,10 +40,9 @@ struct Lattice {
 /// grid, or has its period along x. With mirror planes it is the part on one side of them.
 class PlasticState {
  public:
-
   /// `fields` in their zones, and the values of `before` elsewhere, with equal symmetry and tensor;
-  /// null: zero. around: part of the box of the history, like the zones. lattice: in which tiles are
-  /// counted if there is no previous history.
+  /// null: zero. around: part of the box of the history, like the zones. lattice: in which tiles
+  /// are counted if there is no previous history.
   PlasticState(const PlasticState* before, fft::Symmetry symmetry, operators::Tensor tensor,
                const PlasticFields& fields, const Box& around = {}, const Lattice& lattice = {});
 
@@ -75,11 +80,6 @@ class PlasticState {
  private:
   std::size_t strain_parts() const { return tiles_.strain_parts(); }
   std::size_t parts() const { return strain_parts() + 1 + backstress_parts_; }
-  /// Boxes of the lattice that have cells in common with a box in the grid: one or, if periodic,
-  /// several, each as long as the box.
-  std::vector<Box> of_body(const Box& box) const;
-  /// Parts in the grid of a box of the lattice.
-  std::vector<Box> of_grid(const Box& box) const;
   void put(const Box& box, const std::vector<const double*>& fields);
   Field gather(std::size_t first, std::size_t count, const Zones& zones) const;
   /// Adds the mirror image of a part of the history, all fields over a box, across x, y or both.
