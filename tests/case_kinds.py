@@ -82,11 +82,9 @@ KINDS = {
     | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
        "relief2": {"kind": "file", "periodic": True} | MEASURED},
     "coated": BASE | {"body1": COLD, "body2": COATED, "heat": None, "path": [{"load": 2.0}]},
-    "coated by other laws": BASE | {"body1": COLD, "body2": COLD | {"layers": [
-        COLD | {"thickness": 5e-6},
-        *({k: v for k, v in law.items() if k != "thermal"} | {"thickness": 10e-6}
-          for law in (VOCE, TABULATED)),
-    ]}, "heat": None, "path": [{"load": 2.0}]},
+    "coated by other laws": BASE | {"body1": COLD, "body2": SWIFT | {"layers": [
+        SWIFT | {"thickness": 5e-6}, *(law | {"thickness": 10e-6} for law in (VOCE, TABULATED)),
+    ]}, "heat": {"factor": [0.0, 2e-3], "time": 1e-3}, "path": [{"load": 2.0}]},
     "Voce": BASE | {"body1": VOCE},
     "tabulated": BASE | {"body2": TABULATED},
     "rolling": BASE

@@ -12,6 +12,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/fft/padded_transform.hpp"
 #include "samcontact/fft/parity_spectrum.hpp"
+#include "samcontact/operators/heat/heat_medium.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
 #include "samcontact/simulation/simulation.hpp"
 #include "samcontact/simulation/state/strain_fields.hpp"
@@ -123,6 +124,21 @@ TEST_CASE("threads share a contact solver") {
   const double wide = 1.5e6, narrow = 1e4;
   CHECK(at_once(solve(shared, wide), solve(shared, narrow)) ==
         one_by_one(solve(alone, wide), solve(alone, narrow)));
+}
+
+TEST_CASE("threads sum the modes of a wake in layers") {
+  const Stack coated{{{{400e9, 0.25}, 2 * size}}, {210e9, 0.3}};
+  const operators::Heating heating{
+      .factor = 1.0, .thermal = {{{{5.0, 8e-6, 2e-6}, 2 * size}}, warm}, .speed_x = 0.5};
+  const auto body = operators::heated_body(coated);
+  const auto table = [&](int nx) {
+    return [&, nx] {
+      const auto offsets = operators::Offsets::lattice(size, size, nx, 3);
+      const auto parts = body->displacement(heating, size, size, offsets);
+      return std::vector<Field>{parts[0], parts[1]};
+    };
+  };
+  CHECK(at_once(table(4), table(5)) == one_by_one(table(4), table(5)));
 }
 
 TEST_CASE("simulations run in separate threads") {

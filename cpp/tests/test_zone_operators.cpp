@@ -20,8 +20,8 @@ namespace {
 const Grid grid(72, 64, 1e-6, 1.25e-6, 8, 0.9e-6);
 const Elastic steel{210e9, 0.3};
 /// Causes about as much stress in steel as the pressure does.
-const Heating at_rest{0.5, {45.0, 12e-6, 1.2e-5}},
-    moving{5.0, {45.0, 12e-6, 1.2e-5}, -20.0, 35.0, 1e-6};
+const Heating at_rest{0.5, {{}, {45.0, 12e-6, 1.2e-5}}},
+    moving{5.0, {{}, {45.0, 12e-6, 1.2e-5}}, -20.0, 35.0, 1e-6};
 /// Apart, within the margins of each other, and touching.
 const std::vector<Box> zones{
     {4, 6, 14, 11, 5}, {22, 9, 9, 12, 8}, {31, 9, 7, 6, 3}, {40, 40, 20, 18, 6}, {64, 4, 8, 8, 2}};
