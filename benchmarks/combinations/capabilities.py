@@ -91,7 +91,7 @@ def _heated(**heat: object) -> Change:
 def _heated_by_slip(contact: Contact) -> None:
     contact.has_thermal_properties = True
     contact.slips_partially()
-    contact.heat |= {"partition": 0.5, "history": (1e-4, 1.0)}
+    contact.heat |= {"partition": 0.5, "time": 2e-3}
     if contact.pulls is None and not contact.drive:
         contact.drive["shift"] = (2e-6, 0.0)
 

@@ -73,7 +73,7 @@ class Contact:
         if self.prescribes_approach:
             heat["reference"] = 1e-2
         if "history" in heat and self.travels:
-            heat["velocity"] = (-SPEED, 0.0)
+            heat["velocity"] = [(travel / SIZE * SPEED, 0.0) for travel in self.travels]
         return sc.Heat(**heat)
 
     def gap(self, grid: sc.Grid) -> np.ndarray:

@@ -110,7 +110,9 @@ class Heat:
             "track": None if track is None else positive("track", track),
         }
         if track is not None and history is None:
-            raise ValueError(f"track requires history, got {track!r}: set history, or omit track")
+            raise ValueError(
+                f"track requires history, got {in_short(track)}: set history, or omit track"
+            )
         if track is not None and checked["velocity"] != _AT_REST:
             raise ValueError(
                 f"velocity cannot be combined with track, got {in_short(velocity)}: the bodies "

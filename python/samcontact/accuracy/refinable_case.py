@@ -122,7 +122,8 @@ class RefinableCase:
         if heat is None or heat.history is None:
             return case
         # time steps of heating are at most as long as the shortest increment
-        shortest = min([heat.history[0], *(step["duration"] for step in case.steps())])
+        durations = (step["duration"] for step in case.steps() if step["duration"] > 0.0)
+        shortest = min([heat.history[0], *durations])
         history = [shortest, heat.history[1]]
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 

@@ -46,9 +46,9 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
-    period = tuple(
-        length if axis in grid.periodic else 0.0
-        for axis, length in zip("xy", (grid.nx * grid.dx, grid.ny * grid.dy), strict=True)
+    period = (
+        grid.nx * grid.dx if grid.along_x else 0.0,
+        grid.ny * grid.dy if grid.along_y else 0.0,
     )
     of_slip = heat.partition is not None
     name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"

@@ -169,11 +169,9 @@ def test_heat_moves_with_the_body(write):
     assert simulation.heat.march == (1e-6, 1e-2, 200e-6)
     at_once = load_case(write(*heated, (roll[0], f"{roll[1]}, return_time = 0.0"), follows))
     assert at_once.steps()[6]["duration"] == 0.0
-    with pytest.raises(
-        CaseError, match="heat.track is required because the path moves heated body 2"
-    ):
+    with pytest.raises(CaseError, match=r"heat\.track is required because the path moves"):
         load_case(write(*heated, roll))
-    with pytest.raises(CaseError, match="heat.track must be at least the length of the path"):
+    with pytest.raises(CaseError, match=r"heat\.track must be at least the length of the path"):
         load_case(write(*heated, roll, (follows[0], "track = 100e-6")))
     with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
         load_case(write(*heated))

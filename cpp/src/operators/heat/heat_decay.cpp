@@ -31,4 +31,11 @@ Decay::Decay(const HeatLevel& level, double x, double speed)
   }
 }
 
+ComplexField phases_of(const HeatLevel& level, double cells) {
+  ComplexField phases;
+  phases.reserve(level.modes.size());
+  for (const HeatMode& mode : level.modes) phases.push_back(std::polar(1.0, -mode.w1 * cells));
+  return phases;
+}
+
 }  // namespace samcontact::operators

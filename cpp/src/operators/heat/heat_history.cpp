@@ -94,14 +94,6 @@ void HeatHistory::move(double cells) {
   }
 }
 
-/// Factors of the modes of a level due to a motion by some cells.
-ComplexField HeatHistory::phases_of(const HeatLevel& level, double cells) {
-  ComplexField phases;
-  phases.reserve(level.modes.size());
-  for (const HeatMode& mode : level.modes) phases.push_back(std::polar(1.0, -mode.w1 * cells));
-  return phases;
-}
-
 /// Extends the path of the body to a position [cells].
 void HeatHistory::extend_to(double position) {
   const double track = plan_->settings.track, dx = plan_->grid.dx;
@@ -135,7 +127,7 @@ void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t
   const ComplexField phases = phases_of(level, moved_);
   const auto age = [&](double x) {
     const Decay decay(level, x);
-    const Decay since = speed_ == 0 ? decay : Decay(level, x, speed());
+    const Decay since = speed_ == 0 ? decay : Decay(level, x, speed_ / plan_->aged(1.0));
     for (int g = 0; g < generations; ++g) {
       const bool adds = g == youngest_[number];
       for (const HeatBlock& block : level.blocks) {

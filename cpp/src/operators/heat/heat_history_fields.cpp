@@ -49,7 +49,8 @@ class HeatHistory::LevelSum {
         old_(history.generations_of(number, moment.ahead)),
         since_(level_, history.plan_->aged(history.duration_ + moment.ahead)),
         after_(level_, history.plan_->aged(moment.ahead)),
-        during_(level_, history.newest_part(level_, moment.ahead), history.speed()),
+        during_(level_, history.newest_part(level_, moment.ahead),
+                history.speed_ / history.plan_->aged(1.0)),
         phases_(phases_of(level_, history.moved_)),
         cosines_(z.size() + 1, level_.s.size()),
         sines_(z.size(), level_.s.size()) {
@@ -277,8 +278,6 @@ Field HeatHistory::fields(HeatQuantity quantity, double ahead,
   if (!moment.newest && duration_ > 0 && !is_zero(flux_)) add_newest(quantity, ahead, depths, out);
   return out;
 }
-
-double HeatHistory::speed() const { return speed_ / plan_->aged(1.0); }
 
 /// The newest flux by tables: heat since its beginning, less heat since its end.
 void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,

@@ -82,6 +82,39 @@ ComplexField waves(const std::vector<double>& x, double dw, int first, int last)
 
 int wrapped(int number, int m) { return ((number % m) + m) % m; }
 
+/// Properties that all modes share.
+struct ModeSource {
+  const HeatScales& scales;
+  double negligible, cell_y, speed_x, speed_y;
+
+  /// Adds modes whose window is not negligible. cells: number of cells in a period of the lattice.
+  template <class Window>
+  void add_to(HeatLevel& level, double cutoff, double cells, const Window& window) const {
+    for (int b = 0; b <= level.reach_b; ++b) {
+      for (int a = -level.reach_a; a <= level.reach_a; ++a) {
+        HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, 0};
+        mode.w = std::hypot(mode.w1, mode.w2);
+        mode.source = window(mode.w);
+        mode.source *= scales.split(mode.w);
+        if (mode.w > cutoff || std::abs(mode.source) < negligible) continue;
+        mode.decay = {mode.w * mode.w, mode.w1 * speed_x + mode.w2 * speed_y};
+        mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y / 2) / cells;
+        level.modes.push_back(mode);
+      }
+    }
+  }
+};
+
+/// s = scale sinh(theta): integrands have their poles at s = +-i w, w >= scale, where the imaginary
+/// part of theta is pi/2.
+void add_nodes(HeatLevel& level, const HeatScales& scales, double scale) {
+  for (int j = 0; level.s.empty() || level.s.back() < scales.cutoff; ++j) {
+    level.s.push_back(scale * std::sinh(j * scales.step));
+    level.weight.push_back((j == 0 ? 1 : 2) / pi * scales.step * scale *
+                           std::cosh(j * scales.step));
+  }
+}
+
 }  // namespace
 
 HeatScales::HeatScales(const HeatResolution& resolution, bool moves)
@@ -111,31 +144,22 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
     : cell_y_(grid.dy / grid.dx),
       speed_x_(speed_x),
       speed_y_(speed_y),
-      period_x_(grid.period.x),
-      period_y_(grid.period.y * cell_y_),
+      periods_{grid.period.x * 1.0, grid.period.y * cell_y_},
       resolution_(resolution),
-      scales_(resolution, moving() || is_periodic() || resolution.track > 0),
+      scales_(resolution, moving() || periods_.is_on() || resolution.track > 0),
       transform_(padded(grid)) {
-  if (is_doubly_periodic()) {
-    add_periodic();
-  } else {
-    add_rings();
-  }
-}
-
-/// Minimum period of the last disc, in which kernels are not smooth at w = 0: the remaining images
-/// decrease with its third power.
-double HeatModes::spread() const {
-  const double size = std::max(transform_.mx() * 1.0, transform_.my() * cell_y_);
-  double spread = 128 * std::sqrt(resolution_.longest);
-  if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x_, speed_y_));
-  return std::max(64 * size, spread);
-}
-
-void HeatModes::add_rings() {
   const double mx = transform_.mx(), my = transform_.my() * cell_y_;
-  const double shorter = period_x_ > 0 ? my : period_y_ > 0 ? mx : std::min(mx, my);
-  const int last = std::max(1, static_cast<int>(std::ceil(std::log2(spread() / shorter))));
+  double spread = 128 * std::sqrt(resolution.longest);
+  if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
+  // Minimum period of the last disc, in which kernels are not smooth at w = 0: the remaining images
+  // decrease with its third power.
+  spread = std::max(64 * std::max(mx, my), spread);
+  if (periods_.is_double()) {
+    add_periodic(spread);
+    return;
+  }
+  const double shorter = periods_.x > 0 ? my : periods_.y > 0 ? mx : std::min(mx, my);
+  const int last = std::max(1, static_cast<int>(std::ceil(std::log2(spread / shorter))));
   double shrink = 1;
   for (int l = 0; l <= last; ++l, shrink *= 0.5) {
     check_interrupt();
@@ -144,19 +168,21 @@ void HeatModes::add_rings() {
 }
 
 /// Wavenumbers of a surface that is periodic along x and y; heat of the mean spreads without limit.
-void HeatModes::add_periodic() {
+void HeatModes::add_periodic(double spread) {
   levels_.emplace_back();
-  const double cells = period_x_ * period_y_ / cell_y_;
+  const double cells = periods_.x * periods_.y / cell_y_;
+  const ModeSource source{scales_, 0.1 * resolution_.tolerance, cell_y_, speed_x_, speed_y_};
   for (const bool mean : {false, true}) {
     HeatLevel level;
-    level.dw1 = 2 * pi / period_x_;
-    level.dw2 = 2 * pi / period_y_;
+    level.dw1 = 2 * pi / periods_.x;
+    level.dw2 = 2 * pi / periods_.y;
     level.generation = std::numeric_limits<double>::infinity();
-    const double scale = mean ? 2 * pi / spread() : std::min(level.dw1, level.dw2);
+    const double scale = mean ? 2 * pi / spread : std::min(level.dw1, level.dw2);
     level.reach_a = mean ? 0 : static_cast<int>(scales_.cutoff / level.dw1);
     level.reach_b = mean ? 0 : static_cast<int>(scales_.cutoff / level.dw2);
     require_memory_of(level, scale);
-    add_modes(level, scales_.cutoff, cells, [&](double w) { return (w == 0) == mean ? 1.0 : 0.0; });
+    source.add_to(level, scales_.cutoff, cells,
+                  [&](double w) { return (w == 0) == mean ? 1.0 : 0.0; });
     finish(std::move(level), scale);
   }
 }
@@ -179,7 +205,7 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
     if (period > 0) return std::max(cells, 2);
     return fft::convolution_size(cells, 0, static_cast<int>(std::ceil(min_size)));
   };
-  return {grid.nx, grid.ny, size(grid.nx, period_x_, px), size(grid.ny, period_y_, py / cell_y_)};
+  return {grid.nx, grid.ny, size(grid.nx, periods_.x, px), size(grid.ny, periods_.y, py / cell_y_)};
 }
 
 /// Range of the kernels of a level, and time for which it keeps heat.
@@ -188,7 +214,7 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
   level.generation = std::numeric_limits<double>::infinity();
   const double free_x = px - x - resolution_.track, free_y = py - y;
-  level.clear = period_x_ > 0 ? free_y : period_y_ > 0 ? free_x : std::min(free_x, free_y);
+  level.clear = periods_.x > 0 ? free_y : periods_.y > 0 ? free_x : std::min(free_x, free_y);
   if (moving()) {
     // With generations of a path g along the faster direction (in grids): dropped ones have moved 2
     // g >= size + clear, kept ones up to 3 g, and images of these are still clear of the grid.
@@ -200,7 +226,7 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
       return (period - extent - 1.5 * size * ratio) / (1 + 1.5 * ratio);
     };
     const double along = widest(px, x, vx / speed), across = widest(py, y, vy / speed);
-    level.clear = period_x_ > 0 ? across : period_y_ > 0 ? along : std::min(along, across);
+    level.clear = periods_.x > 0 ? across : periods_.y > 0 ? along : std::min(along, across);
     level.generation = (size + level.clear) / (2 * speed);
   }
   // Where the edge of a ring meets that of the split, their ranges add like those of Gaussians.
@@ -212,9 +238,9 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
 void HeatModes::add_level(int number, int last, double shrink) {
   HeatLevel level;
   const double mx = transform_.mx(), my = transform_.my();
-  const double shrink_x = period_x_ > 0 ? 1 : shrink, shrink_y = period_y_ > 0 ? 1 : shrink;
-  const double cells_x = period_x_ > 0 ? period_x_ : mx,
-               cells_y = period_y_ > 0 ? period_y_ / cell_y_ : my;
+  const double shrink_x = periods_.x > 0 ? 1 : shrink, shrink_y = periods_.y > 0 ? 1 : shrink;
+  const double cells_x = periods_.x > 0 ? periods_.x : mx,
+               cells_y = periods_.y > 0 ? periods_.y / cell_y_ : my;
   level.dw1 = 2 * pi / cells_x * shrink_x;
   level.dw2 = 2 * pi / (cells_y * cell_y_) * shrink_y;
   set_reach(level, shrink);
@@ -234,33 +260,16 @@ void HeatModes::add_level(int number, int last, double shrink) {
   level.reach_a = static_cast<int>(end / level.dw1);
   level.reach_b = static_cast<int>(end / level.dw2);
   require_memory_of(level, scale);
-  add_modes(level, cutoff, cells_x * cells_y / (shrink_x * shrink_y), window);
+  const ModeSource source{scales_, 0.1 * resolution_.tolerance, cell_y_, speed_x_, speed_y_};
+  source.add_to(level, cutoff, cells_x * cells_y / (shrink_x * shrink_y), window);
   finish(std::move(level), scale);
-}
-
-/// Adds modes whose window is not negligible. cells: number of cells in a period of the lattice.
-template <class Window>
-void HeatModes::add_modes(HeatLevel& level, double cutoff, double cells, const Window& window) {
-  const double negligible = 0.1 * resolution_.tolerance;
-  for (int b = 0; b <= level.reach_b; ++b) {
-    for (int a = -level.reach_a; a <= level.reach_a; ++a) {
-      HeatMode mode{a, b, a * level.dw1, b * level.dw2, 0, {}, 0};
-      mode.w = std::hypot(mode.w1, mode.w2);
-      mode.source = window(mode.w);
-      mode.source *= scales_.split(mode.w);
-      if (mode.w > cutoff || std::abs(mode.source) < negligible) continue;
-      mode.decay = {mode.w * mode.w, mode.w1 * speed_x_ + mode.w2 * speed_y_};
-      mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y_ / 2) / cells;
-      level.modes.push_back(mode);
-    }
-  }
 }
 
 /// Completes a level with its modes; scale: lower bound of their wavenumbers other than 0.
 void HeatModes::finish(HeatLevel level, double scale) {
   std::stable_sort(level.modes.begin(), level.modes.end(),
                    [](const HeatMode& p, const HeatMode& q) { return p.w < q.w; });
-  add_nodes(level, scale);
+  add_nodes(level, scales_, scale);
   constexpr std::size_t block = 256;
   for (std::size_t first = 0; first < level.modes.size(); first += block) {
     const std::size_t count = std::min(block, level.modes.size() - first);
@@ -284,16 +293,6 @@ void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
   require_memory(modes * (sizeof(HeatMode) + 0.5 * nodes * amplitudes),
                  "the heat history, resolved down to time steps of " +
                      to_short_text(resolution_.shortest) + " dx^2/diffusivity,");
-}
-
-/// s = scale sinh(theta): integrands have their poles at s = +-i w, w >= scale, where the imaginary
-/// part of theta is pi/2.
-void HeatModes::add_nodes(HeatLevel& level, double scale) const {
-  for (int j = 0; level.s.empty() || level.s.back() < scales_.cutoff; ++j) {
-    level.s.push_back(scale * std::sinh(j * scales_.step));
-    level.weight.push_back((j == 0 ? 1 : 2) / pi * scales_.step * scale *
-                           std::cosh(j * scales_.step));
-  }
 }
 
 void HeatModes::add_points(HeatLevel& level) const {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decay factors of the modes of a level over a time, and amplitudes after a constant flux over that
-// time.
+// Decay factors of the modes of a level over a time, amplitudes after a constant flux over that
+// time, and phases due to motion.
 #pragma once
 
 #include <vector>
@@ -28,5 +28,8 @@ class Decay {
   std::vector<double> s_, grown_s_;
   double x_;
 };
+
+/// Factors of the modes of a level due to a motion by some cells along x.
+ComplexField phases_of(const HeatLevel& level, double cells);
 
 }  // namespace samcontact::operators

@@ -71,9 +71,6 @@ class HeatHistory {
                   Field& out) const;
   bool newest_by_modes(double ahead) const;
   void extend_to(double position);
-  static ComplexField phases_of(const HeatLevel& level, double cells);
-  /// Speed of the body during the newest flux [dx per unit of x], see Decay.
-  double speed() const;
   std::vector<const Complex*> generations_of(std::size_t number, double ahead) const;
   double newest_part(const HeatLevel& level, double ahead) const;
   Profiles profiles(const Moment& moment, std::vector<double> z) const;

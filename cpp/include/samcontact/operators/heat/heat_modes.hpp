@@ -71,6 +71,13 @@ struct HeatResolution {
   double track;   // length along x over which a body moves back and forth; 0: it does not
 };
 
+/// Periods of the surface [dx]; 0: not periodic.
+struct HeatPeriods {
+  double x = 0.0, y = 0.0;
+  bool is_on() const { return x > 0 || y > 0; }
+  bool is_double() const { return x > 0 && y > 0; }
+};
+
 /// Resolution of modes, and the part of them that is left to NearHeat.
 struct HeatScales {
   double sharpness;  // sqrt(ln(1/tolerance))
@@ -102,7 +109,7 @@ class HeatModes {
   std::size_t mode_count() const { return mode_count_; }
   /// Number of generations of a level: a single one of all ages for a body at rest.
   int generations() const { return moving() ? 3 : 1; }
-  bool is_doubly_periodic() const { return period_x_ > 0 && period_y_ > 0; }
+  const HeatPeriods& periods() const { return periods_; }
   const fft::PaddedTransform& transform() const { return transform_; }
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
@@ -118,20 +125,14 @@ class HeatModes {
   bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
   fft::PaddedTransform padded(const Grid& grid) const;
   void set_reach(HeatLevel& level, double shrink) const;
-  bool is_periodic() const { return period_x_ > 0 || period_y_ > 0; }
-  double spread() const;
-  void add_rings();
-  void add_periodic();
+  void add_periodic(double spread);
   void add_level(int number, int last, double shrink);
-  template <class Window>
-  void add_modes(HeatLevel& level, double cutoff, double cells, const Window& window);
   void finish(HeatLevel level, double scale);
   void require_memory_of(const HeatLevel& level, double scale) const;
-  void add_nodes(HeatLevel& level, double scale) const;
   void add_points(HeatLevel& level) const;
 
   double cell_y_, speed_x_, speed_y_;
-  double period_x_, period_y_;  // 0: not periodic
+  HeatPeriods periods_;
   HeatResolution resolution_;
   HeatScales scales_;
   fft::PaddedTransform transform_;

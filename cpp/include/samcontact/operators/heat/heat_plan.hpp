@@ -51,7 +51,7 @@ struct HeatPlan {
     }
   }
   /// u_z of a laterally held half-space that is heated uniformly, over the limit of long waves.
-  double mean_share() const { return modes.is_doubly_periodic() ? 0.5 / (1 - elastic.nu) : 1.0; }
+  double mean_share() const { return modes.periods().is_double() ? 0.5 / (1 - elastic.nu) : 1.0; }
   double aged(double time) const { return thermal.diffusivity * time / (grid.dx * grid.dx); }
 
   /// Tables at a depth (in units of dx), cached: a simulation uses the same depths in every step.
