@@ -45,7 +45,7 @@ class Heat:
     ----------
     factor : float or pair of floats, optional
         Q_f >= 0 [m/s]: heat flux per unit pressure, a number for body 2 or a pair for bodies 1 and
-        2; in full sliding see `factors`. In partial slip (in a `Simulation`) it is heat from another
+        2; in full sliding see `factors`. In partial slip (in a `Simulation`), the heat has another
         source. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
         Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
