@@ -60,8 +60,9 @@ class Heat:
         a `duration`.
     reference : float, optional
         Distance [m] at which the displacement due to a steady point source at rest is defined as
-        zero; a definition is needed because this displacement has no limit far away. The choice
-        affects only the approach. Required under approach control; default under load control: 1 m.
+        zero; a definition is needed because this displacement has no limit far away (layered body:
+        the displacement of its substrate). The choice affects only the approach. Required under
+        approach control; default under load control: 1 m.
     partition : float, optional
         Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of

@@ -123,8 +123,8 @@ std::array<typename HeatedWave<Scalar>::Potential, 2> HeatedWave<Scalar>::potent
 }
 
 template <class Scalar>
-typename HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(
-    std::size_t layer, const Potential& potential) const {
+HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(std::size_t layer,
+                                                              const Potential& potential) const {
   const double stress = modulus_[layer] * q_, strain = eigenstrain_[layer] * q_;
   return {{-stress * potential.slope, stress * q_ * potential.value},
           {-strain * q_ * potential.value, strain * potential.slope}};
@@ -176,7 +176,7 @@ void HeatedWave<Scalar>::find_waves() {
 }
 
 template <class Scalar>
-typename HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) const {
+HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) const {
   const auto& own = elastic_.layers()[layer];
   const auto& heat = heat_.layers()[layer];
   const Scalar part = 1.0 / (heat.m + q_);
@@ -185,7 +185,7 @@ typename HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) c
   // Waves that decay downwards (sign 1) or upwards (-1) from a distance.
   const auto add = [&](const Vector& amplitude, Scalar source, double distance, double sign) {
     const double x = q_ * distance, slow = decayed(x);
-    const Scalar fast = decayed<Scalar>(heat.m * distance);
+    const auto fast = decayed<Scalar>(heat.m * distance);
     const Scalar depth = divided_difference(heat.excess, distance, fast, slow) * part;
     const Scalar temperature = source * fast, bent = -c * q_ * q_ * source * depth;
     const Scalar P = amplitude[0] * slow, F = amplitude[1] * slow, plain = P + x * F;

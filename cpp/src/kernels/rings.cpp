@@ -9,7 +9,7 @@
 namespace samcontact::kernels {
 namespace {
 
-using Matrix = ring::Matrix;
+using ring::Matrix;
 
 /// Smallest wavenumber of a strip, times the longest length: the limit at 0 depends on the
 /// direction.

@@ -21,7 +21,7 @@ template <class Scalar>
 class HeatWave {
  public:
   struct Layer {
-    double conductivity, diffusivity, thickness;
+    double conductivity = 0.0, diffusivity = 0.0, thickness = 0.0;
     // For the present mode: exp(-m y) with m^2 = q^2 + rate/diffusivity, and m - q; amplitudes of
     // the waves from the top and from the bottom; decay through the layer.
     Scalar m{}, excess{}, down{}, up{}, decay{}, reflection{};

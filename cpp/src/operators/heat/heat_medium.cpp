@@ -2,6 +2,7 @@
 #include "samcontact/operators/heat/heat_medium.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "samcontact/operators/heat/layered_heat.hpp"
 
@@ -10,7 +11,7 @@ namespace {
 
 class HeatedBody : public HeatMedium {
  public:
-  explicit HeatedBody(const Stack& elastic) : elastic_(elastic) {}
+  explicit HeatedBody(Stack elastic) : elastic_(std::move(elastic)) {}
 
   std::array<ParityParts, 6> stress(const Heating& heating, double dx, double dy, double z,
                                     const Offsets& offsets) const override {

@@ -60,7 +60,7 @@ double highest_heat_wave(const HeatedStack& stack, int layer, double z) {
 /// turn(in, cos, sin, out) from the former to the latter.
 template <class Turn>
 struct Components {
-  int count;
+  int count = 0;
   std::vector<Parity> parities;  // at rest
   Turn turn;
 };

@@ -12,10 +12,10 @@ namespace samcontact::operators {
 /// Counterparts of heat_displacement() and others in heating.hpp. They throw std::invalid_argument
 /// for layers that differ if they move and are heated for a finite time, or if they move neither
 /// along x nor along y.
-ParityParts layered_heat_displacement(const Stack& stack, const Heating& heating, double dx,
+ParityParts layered_heat_displacement(const Stack& elastic, const Heating& heating, double dx,
                                       double dy, const Offsets& offsets);
 /// On an interface, in the layer below it.
-std::array<ParityParts, 6> layered_heat_stress(const Stack& stack, const Heating& heating,
+std::array<ParityParts, 6> layered_heat_stress(const Stack& elastic, const Heating& heating,
                                                double dx, double dy, double z,
                                                const Offsets& offsets);
 ParityParts layered_heat_temperature(const Heating& heating, double dx, double dy, double z,
