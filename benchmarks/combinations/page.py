@@ -33,8 +33,6 @@ class Reason:
     text: str
     is_limit: bool = False
     """Whether physics or mathematics excludes the pairs; otherwise the method is missing."""
-    heat: str = ""
-    """Name of the heating to which the reason applies; empty: any heating."""
 
 
 REASONS = (
@@ -83,11 +81,11 @@ def run(of: str, first: str, second: str) -> Record:
 
 def reason(record: Record) -> Reason:
     """Return the reason of a refused pair."""
-    pair = {record["first"], record["second"]}
     for known in REASONS:
-        if re.search(known.message, record["refusal"]) and (not known.heat or known.heat in pair):
+        if re.search(known.message, record["refusal"]):
             return known
-    raise LookupError(f"no reason is known for {sorted(pair)}: {record['refusal']}")
+    pair = f"{record['first']} with {record['second']}"
+    raise LookupError(f"no reason is known for {pair}: {record['refusal']}")
 
 
 def _refused(records: list[Record], limits: bool) -> str:

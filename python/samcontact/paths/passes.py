@@ -78,6 +78,7 @@ class RollingPasses:
         if self.unload_increments is not None:
             down = step_count("unload_increments", self.unload_increments)
         step_count("number of increments of all passes", count * (len(lengths) + up + down + 1))
+        self._require_speed()
         loading = [self._still(self.value * ((i + 1) / up)) for i in range(up)]
         # load = 0, not approach = 0: a hot or flattened surface may touch at approach 0
         unloading = [self._still(self.value * ((down - i) / down)) for i in range(1, down)]
@@ -117,12 +118,18 @@ class RollingPasses:
         step: dict[str, Any] = {"load": 0.0, "advance": self._advance(length)}
         if self.return_time is None:
             return self._timed(step, length)
+        return step | {"duration": self.return_time}
+
+    def _require_speed(self) -> None:
+        """Raise ValueError if the duration of the return is invalid, or other durations miss."""
+        if self.return_time is None:
+            return
+        non_negative("return_time", self.return_time)
         if self.speed is None:
             raise ValueError(
                 f"return_time requires speed, got {self.return_time!r}: set speed, or omit "
                 "return_time"
             )
-        return step | {"duration": non_negative("return_time", self.return_time)}
 
     def _timed(self, step: dict[str, Any], length: float) -> dict[str, Any]:
         """Return a step with the duration in which the contact travels `length` [m]."""
