@@ -45,8 +45,8 @@ std::vector<ParityParts> parts_of(std::array<ParityParts, 6> stress, Tensor tens
   return parts;
 }
 
-HeatStress::HeatStress(SharedThermalStress body, const Heating& heating)
-    : body_(std::move(body)), heating_(heating) {}
+HeatStress::HeatStress(SharedThermalStress body, Heating heating)
+    : body_(std::move(body)), heating_(std::move(heating)) {}
 
 HeatStress::HeatStress(const Grid& widest, SharedThermalStress body, const Heating& heating)
     : HeatStress(std::move(body), heating) {

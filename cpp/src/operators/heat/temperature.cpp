@@ -7,8 +7,8 @@
 
 namespace samcontact::operators {
 
-Temperature::Temperature(const Grid& grid, const Heating& heating)
-    : grid_(grid), heating_(heating), convolution_(grid) {}
+Temperature::Temperature(const Grid& grid, Heating heating)
+    : grid_(grid), heating_(std::move(heating)), convolution_(grid) {}
 
 std::shared_ptr<const Temperature::Kernels> Temperature::kernels(double depth) const {
   const std::lock_guard lock(mutex_);

@@ -28,7 +28,7 @@ class HeatStress {
   /// For boxes of cells of `widest`.
   HeatStress(const Grid& widest, SharedThermalStress body, const Heating& heating);
   /// Without a cache.
-  HeatStress(SharedThermalStress body, const Heating& heating);
+  HeatStress(SharedThermalStress body, Heating heating);
 
   const Heating& heating() const { return heating_; }
   const SharedThermalStress& body() const { return body_; }

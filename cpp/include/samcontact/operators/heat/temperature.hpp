@@ -17,7 +17,7 @@ namespace samcontact::operators {
 /// For any pressure on a grid; the kernels of all depths are kept after use. Thread-safe.
 class Temperature {
  public:
-  Temperature(const Grid& grid, const Heating& heating);
+  Temperature(const Grid& grid, Heating heating);
 
   const Grid& grid() const { return grid_; }
   const Heating& heating() const { return heating_; }

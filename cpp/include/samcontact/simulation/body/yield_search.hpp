@@ -14,8 +14,8 @@ namespace samcontact::simulation {
 class YieldSearch {
  public:
   /// heating: proportional to the pressure. strength: of the body in the increment.
-  YieldSearch(const Setup& setup, int body, const operators::Heating& heating, Strength strength)
-      : setup_(setup), body_(body), heating_(heating), strength_(std::move(strength)) {}
+  YieldSearch(const Setup& setup, int body, operators::Heating heating, Strength strength)
+      : setup_(setup), body_(body), heating_(std::move(heating)), strength_(std::move(strength)) {}
 
   /// Sets the minimum factor of the yield stress due to softening.
   void soften(double weakest) { weakest_ = weakest; }
