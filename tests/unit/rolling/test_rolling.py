@@ -207,7 +207,7 @@ def test_a_row_of_rollers_tends_to_one_roller():
         )
         row = sc.Simulation(grids[1], body, body, gap, law, on_border="warn")
         row.step(load=load)
-        for _ in range(32):
+        for _ in range(48):
             state = row.step(load=load, advance=(-cell, -cell), shift=(creepage * cell, 0.0))
         off.append(abs(state.tangential_load[0] / steady.tangential_load[0] - 1))
     assert off[0] < 0.2
