@@ -173,13 +173,9 @@ CONTACT = {
         "plastic\nstrain", 4,
     ),
     "plastic_strain_per_cycle": Q(
-        "1", "maximum magnitude of the plastic strain change over the last cycle", "%",
-        "plastic strain per cycle",
-    ),
+        "1", "plastic strain change over the last cycle", "%", "plastic strain per cycle"),
     "plastic_flow_per_cycle": Q(
-        "1", "maximum equivalent plastic strain added by the last cycle", "%",
-        "plastic flow per cycle",
-    ),
+        "1", "plastic strain added by the last cycle", "%", "plastic flow per cycle"),
     "max_residual_von_mises": Q(
         "Pa", "maximum von Mises residual stress", "MPa",
         "maximum residual von Mises stress", "residual\nvon Mises",
@@ -357,9 +353,7 @@ ASPERITIES = {
 }  # fmt: skip
 
 
-def described(
-    name: str, quantities: Mapping[str, Quantity] = CONTACT
-) -> tuple[Quantity, int | None]:
+def described(name: str, among: Mapping[str, Quantity] = CONTACT) -> tuple[Quantity, int | None]:
     """Return the quantity and the body number of a variable; without a body the number is None."""
     kind, _, body = name.partition("_body")
-    return quantities[kind], int(body) if body else None
+    return among[kind], int(body) if body else None

@@ -13,7 +13,6 @@ from .. import hertz
 from .._util.cached_property import cached_property
 from .._util.display import quantity
 from ..bodies.layered import Body, Layered, softest
-from ..cases.cross_checks import reason_for_grid
 from ..simulation import coarsening
 from .estimate import REFINEMENT_RATIO
 
@@ -58,7 +57,7 @@ class Grids(Protocol):
 
 def grids_of(case: Case, bodies: Sequence[Body]) -> Grids:
     """Return grids around the Hertz contact, or of the extent of [grid] where it is needed."""
-    return GivenGrids(case, bodies) if reason_for_grid(case) else HertzGrids(case, bodies)
+    return GivenGrids(case, bodies) if case.reason_for_grid else HertzGrids(case, bodies)
 
 
 class HertzGrids:
@@ -130,7 +129,7 @@ class GivenGrids:
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         if case.grid is None:
             raise ValueError(
-                f"{reason_for_grid(case)}, so that accuracy requires [grid]: add [grid], whose "
+                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid], whose "
                 "extent is kept, and whose cells are those of the first grid"
             )
         self.case, self.grid = case, case.grid
@@ -240,7 +239,7 @@ def samples_of(case: Case) -> list[tuple[float, float]]:
 
 def interpolated_surface(case: Case) -> str:
     """Return, as text, which surface is solved if heights are interpolated; "" if none are."""
-    if not reason_for_grid(case) or not (steps := samples_of(case)):
+    if not case.reason_for_grid or not (steps := samples_of(case)):
         return ""
     along = [quantity(min(axis), "m", 3) for axis in zip(*steps, strict=True)]
     return (
@@ -251,7 +250,7 @@ def interpolated_surface(case: Case) -> str:
 
 def slope_between_samples(case: Case) -> float:
     """Return `slope_beyond` of the gap at the samples of an interpolated surface; NaN without."""
-    if case.grid is None or not reason_for_grid(case) or not (steps := samples_of(case)):
+    if case.grid is None or not case.reason_for_grid or not (steps := samples_of(case)):
         return math.nan
     axes = (case.grid.nx, case.grid.dx), (case.grid.ny, case.grid.dy)
     counts = [

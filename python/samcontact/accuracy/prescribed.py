@@ -35,8 +35,9 @@ def to_accuracy(
 ) -> AccuracyResult:
     """Solve a case on finer and finer grids until all errors are below the prescribed accuracy.
 
-    Grid, layers and increments are chosen automatically; the fields [grid], ``increments`` and
-    ``step`` of the case are not used. docs/theory/accuracy.md explains the error estimates.
+    Grid, layers and increments are chosen automatically; ``increments`` and ``step`` of the case
+    are not used. Periodic, rough and measured surfaces, and wear, keep the extent of [grid]. Errors
+    of interpolated heights refer to the interpolated surface, see docs/theory/accuracy.md.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def to_accuracy(
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. At least three grids are always solved.
+        Limit of the total time [s]. Default: 3600. At least three or four grids are solved.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional
@@ -70,8 +71,8 @@ def to_accuracy(
     Raises
     ------
     ValueError
-        An argument is out of range, `checkpoint` was written for another case, or surfaces of the
-        case are defined on one grid only. The message names the cause and a remedy.
+        An argument is out of range, `checkpoint` was written for another case, or the case needs
+        [grid], or has no limit on finer grids. The message names the cause and a remedy.
 
     Warns
     -----

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import results
 from .._util.checks import FloatArray
 from .._util.quantities import Quantity, described
 from ..bodies.layered import Body
@@ -87,6 +86,8 @@ class ShakedownStudy:
         return f"the response is {solution.repeated.response}"
 
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
+        from .. import results  # here, so that importing the package does not load xarray
+
         return results.to_dataset(
             solution.simulation, solution.states, solution.case, volume=volume
         )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a case solves on each grid (a path, cycles of wear), and the values that are compared."""
+"""Tasks that are solved on each grid (path, cycles of wear), and the values that are compared."""
 
 from __future__ import annotations
 
@@ -9,11 +9,9 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from .. import results
 from .._util.checks import FloatArray
 from .._util.quantities import Quantity, described
 from ..bodies.layered import Body, Layered
-from ..cases.cross_checks import reason_for_grid
 from ..simulation import error_controlled_quantities
 from .grid_errors import of_outline
 from .grid_solution import GridSolution, marks_of
@@ -86,7 +84,7 @@ class PathStudy:
 
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         self.bodies = bodies
-        self._has_spots = bool(reason_for_grid(case))
+        self._has_spots = bool(case.reason_for_grid)
         steps = case.steps()
         drives = {name for step in steps for name in ("load", "approach") if name in step}
         given = drives if len(drives) == 1 else set()
@@ -154,6 +152,8 @@ class PathStudy:
         return ""
 
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
+        from .. import results  # here, so that importing the package does not load xarray
+
         return results.to_dataset(
             solution.simulation, solution.states, solution.case, volume=volume
         )

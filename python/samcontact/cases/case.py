@@ -24,7 +24,7 @@ from ..problem.heating import NO_HEAT, heating
 from .asperities import AsperityCase
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
-from .cross_checks import require_all_used
+from .cross_checks import reason_for_grid, require_all_used
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
@@ -171,6 +171,11 @@ class Case(CaseFile):
     def has_volume(self) -> bool:
         """Whether the grid has layers below the surface."""
         return self.grid is None or self.grid.dz is not None
+
+    @property
+    def reason_for_grid(self) -> str:
+        """Why an accuracy requires [grid], as text; "" if the grid is chosen automatically."""
+        return reason_for_grid(self)
 
     @property
     def sticks(self) -> bool:

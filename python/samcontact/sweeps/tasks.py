@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a sweep computes for a case: path, wear, shakedown, fatigue, or a load search."""
+"""Tasks of a sweep for each case: path, wear, shakedown, fatigue, or a load search."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 
 import samcontact as sc
-from case_texts import BODIES, GRID, MINIMAL, MOVING
+from case_texts import BODIES, MINIMAL, MOVING
 from command import check_failure, invoke, pressed
 from samcontact import cases, report, results, shakedown
 from samcontact.commands.folder import is_own
@@ -99,9 +99,6 @@ Rx = 7.5e-3""")  # fmt: skip
         (ELASTIC, "requires an elastic-plastic body"),
         (MOVING, "requires a closed path"),
         (f"{MINIMAL}\n[wear]\nthreshold = 0.002\n", "cannot be combined with wear"),
-        (MINIMAL.replace(GRID, "").replace("increments", "# ").replace(
-            'title = "two balls"', 'title = "two balls"\naccuracy = 0.1'),
-         "cannot be combined with accuracy"),
     ],
 )  # fmt: skip
 def test_unrepeatable_paths_are_refused_before_the_run(run, text, message):
