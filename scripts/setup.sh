@@ -62,7 +62,7 @@ sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' || packages+=
   if [ "$1" != "" ] && command -v ccache > /dev/null; then
     # Compiled objects are shared between checkouts.
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=true
-    export CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_EXTRAFILES=$PWD/cmake/elsewhere.txt
+    export CCACHE_SLOPPINESS=time_macros CCACHE_EXTRAFILES=$PWD/cmake/elsewhere.txt
     export CXX=${CXX:-g++}  # always one name: ccache regards c++ as another compiler
   fi
   [ -x .venv/bin/python ] || python3 -m venv .venv

@@ -137,8 +137,8 @@ SETUPS = [
     "partial_slip 500 0",
     "rolling 400 0",
 ]
-FEW, ALL = TRIALS["memory: estimates"]
-assert (len(SETUPS[::2]), len(SETUPS)) == (FEW, ALL)
+FEW_SETUPS, ALL_SETUPS = TRIALS["memory: estimates"]
+assert (len(SETUPS[::2]), len(SETUPS)) == (FEW_SETUPS, ALL_SETUPS)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
@@ -146,7 +146,7 @@ assert (len(SETUPS[::2]), len(SETUPS)) == (FEW, ALL)
 def test_memory_estimates_agree_with_measurements(count):
     with contextlib.closing(Nursery(MEASURED)) as nursery:
         ratios = {}
-        for problem in SETUPS if count == ALL else SETUPS[::2]:
+        for problem in SETUPS if count == ALL_SETUPS else SETUPS[::2]:
             result, _ = nursery.run(problem)
             measured, requested = map(float, result.strip("()").split(","))
             assert measured > 15e6, problem  # otherwise the test proves nothing
