@@ -9,14 +9,14 @@ namespace samcontact::kernels {
 
 /// |x| <= a, |y| <= b, in one unit of length; x and y are fixed to the source.
 struct HeatSource {
-  double a, b;
+  double a = 0.0, b = 0.0;
   /// kappa t [length^2]: diffusivity times the time since the source was switched on; infinity:
   /// steady state.
-  double heated;
+  double heated = 0.0;
   /// V / kappa [1/length]: velocity of the body relative to the source, over the diffusivity.
-  double speed_x, speed_y;
-  /// Distances at which the source, which is not steady, is repeated along x and y [length]; it does
-  /// not move along these directions. 0: a single source.
+  double speed_x = 0.0, speed_y = 0.0;
+  /// Distances at which the source, which is not steady, is repeated along x and y [length]; it
+  /// does not move along these directions. 0: a single source.
   double period_x = 0.0, period_y = 0.0;
 
   bool is_steady() const;
