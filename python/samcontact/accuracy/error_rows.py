@@ -10,7 +10,8 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.display import quantity
-from .._util.quantities import CONTACT, WEAR, Quantity, described
+from .._util.quantities import CONTACT, Quantity, described
+from .._util.wear_quantities import WEAR
 
 if TYPE_CHECKING:
     import xarray as xr

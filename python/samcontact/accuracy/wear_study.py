@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._util.checks import FloatArray
-from .._util.quantities import WEAR, Quantity, described
+from .._util.quantities import Quantity, described
+from .._util.wear_quantities import WEAR
 from .grid_errors import of_outline
 from .grid_solution import GridSolution
 

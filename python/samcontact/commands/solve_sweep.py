@@ -15,8 +15,9 @@ import click
 import numpy as np
 
 from .._util.checks import FloatArray
-from .._util.quantities import ASPERITIES, WEAR, Quantity
+from .._util.quantities import ASPERITIES, Quantity
 from .._util.sweep_quantities import SWEEP
+from .._util.wear_quantities import WEAR
 from ..cases import load_case
 from ..cases.asperities import AsperityCase
 from ..solutions.peak import peak_of_dataset

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import xarray as xr
 
-from .._util.quantities import ASPERITIES, CONTACT, WEAR, Quantity
+from .._util.quantities import ASPERITIES, CONTACT, Quantity
 from .._util.version import version
+from .._util.wear_quantities import WEAR
 from ..files.ownership import require_marked
 from ..restart.file import READ_ERRORS, read, require_same, write
 
