@@ -102,8 +102,7 @@ class Simulation(Configured, HtmlTable):
     Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
     reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
     grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
-    initial number of cells. Periodic grids, and grids with heat.history, softening or attraction,
-    are not enlarged.
+    initial number of cells. Not for grids that are periodic, heat.history, softening, attraction.
     """
 
     _last = "engine"
@@ -394,9 +393,8 @@ class Simulation(Configured, HtmlTable):
     ) -> Simulation:
         """Load a checkpoint. On the same machine, further results are bit-identical.
 
-        softening: laws of bodies 1 and 2, if not from `samcontact.softening`; for a layered body, a
-        list of the laws of its materials, from the surface down. gap: the same function of a grid
-        as before; if missing, the grid is not enlarged. Raises CheckpointError
-        (a ValueError) for a damaged file, another kind of file, or a different surface.
+        softening: laws of bodies 1 and 2, if not from `samcontact.softening`; of a layered body, a
+        list of laws from the surface down. gap: the same function of a grid as before; if missing,
+        the grid is not enlarged. Raises CheckpointError (a ValueError) for an unusable file.
         """
         return loaded(cls, path, softening, gap)

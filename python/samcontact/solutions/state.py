@@ -138,8 +138,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         ----------
         body : {1, 2}
         margin : int, optional
-            Cells added at both ends of the plastic strain, >= 0; none along a period. Default: a
-            quarter of the grid.
+            Cells added at both ends of the strain, none along a period. Default: grid/4.
 
         Returns
         -------
