@@ -47,18 +47,19 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []
     period = (
-        grid.nx * grid.dx if grid.along_x else 0.0,
-        grid.ny * grid.dy if grid.along_y else 0.0,
+        grid.nx * grid.dx if "x" in grid.periodic else 0.0,
+        grid.ny * grid.dy if "y" in grid.periodic else 0.0,
     )
     of_slip = heat.partition is not None
     name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
-        thermal, thickness = thermal_of(body), []
+        constants: tuple[tuple[float, float, float], ...] = (_ANY_CONSTANTS,)
+        thickness: list[float] = []
         if factor > 0:
             _require_transient(name, heat, grid, n, factor)
-            thermal = _required_constants(name, n, body, factor)
+            constants = _required_constants(name, n, body, factor)
             _require_in_layers(heat, n, body, grid)
-            lowest, highest = _diffusivities(thermal)
+            lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
             if heat.history is not None:
                 _require_shortest(grid, n, lowest, heat.history[0])
@@ -66,9 +67,8 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
                 _require_time("heat.time", heat.time, highest, grid)
             if duration is not None:
                 _require_time("duration", duration, highest, grid)
-        if thermal is not None and isinstance(body, Layered):
-            thickness = [h for _, h in body.layers]
-        constants = thermal or (_ANY_CONSTANTS,)
+            if isinstance(body, Layered):
+                thickness = [h for _, h in body.layers]
         entries.append(
             _core.Heating(factor, constants, thickness, *v, age, reference, of_slip, period)
         )
