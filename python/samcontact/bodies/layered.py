@@ -22,8 +22,6 @@ from .depth_profiles import checked_depths
 from .display import material_in_short
 from .material import Material
 
-SofteningLaw = Callable[[FloatArray], ArrayLike]
-
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
     if isinstance(given, (Material, str, np.ndarray)) or not isinstance(given, Iterable):
@@ -120,7 +118,7 @@ class Layered(HtmlTable):
         return thermal_of(self)
 
     @property
-    def softening(self) -> tuple[SofteningLaw | None, ...] | None:
+    def softening(self) -> tuple[Callable[[FloatArray], ArrayLike] | None, ...] | None:
         """Softening laws of all materials from the surface down; None if none has a law."""
         laws = tuple(material.softening for material in materials_of(self))
         return laws if any(law is not None for law in laws) else None
