@@ -72,6 +72,11 @@ def test_steps_run_existing_files(job, step):
             tiers = re.findall(r"^    (\w+)\)", (ROOT / "test").read_text(), re.MULTILINE)
             assert len(tiers) > 5
             assert set(words) <= set(tiers)
+        elif program == ".venv/bin/pytest":  # installed by ./test
+            assert any(s.get("run") == "./test" for s in job["steps"])
+            folders = [word for word in words if "/" in word]
+            assert folders
+            assert all((ROOT / folder).is_dir() for folder in folders)
         elif program == "python":
             assert words[0] == "-m"
             assert words[1] in MODULES
