@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
+from ..problem.grid import within_period
 from ..problem.heating import NO_HEAT
 from .base import changed
 from .sections import contact_law_of
@@ -86,7 +87,8 @@ def _require_repeatable(case: Any) -> None:
         math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
     ]
     if case.grid is not None:
-        travels = list(map(case.grid.build().within_period, travels))
+        grid = case.grid.build()
+        travels = [within_period(grid, travel) for travel in travels]
     if max(map(abs, travels)) > 1e-12:
         raise ValueError(
             "shakedown requires a closed path, but at the end of the path body 1 and body 2 have "

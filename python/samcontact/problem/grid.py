@@ -131,10 +131,6 @@ class Grid(HtmlTable):
         """Whether the surfaces are periodic along y."""
         return "y" in self.periodic
 
-    def within_period(self, distance: float) -> float:
-        """Return a distance along x without whole periods, which do not change the surfaces [m]."""
-        return math.remainder(distance, self.nx * self.dx) if self.along_x else distance
-
     @property
     def surface_shape(self) -> tuple[int, int]:
         """Shape of a surface field, (nx, ny)."""
@@ -173,3 +169,8 @@ class Grid(HtmlTable):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+
+
+def within_period(grid: Grid, distance: float) -> float:
+    """Return a distance along x without whole periods, which do not change the surfaces [m]."""
+    return math.remainder(distance, grid.nx * grid.dx) if grid.along_x else distance

@@ -14,6 +14,7 @@ from .._util.errors import attach
 from .._util.frozen import read_only
 from .._util.progress import progress_bar
 from ..bodies.layered import materials_of
+from ..problem.grid import within_period
 from ..simulation.journal import Journal, journal_of
 from ..simulation.simulation import Simulation
 from ..simulation.steps import STEP_ARGUMENTS
@@ -146,9 +147,8 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
     if not any(body.is_plastic for body in (simulation.body1, simulation.body2)):
         raise ValueError("simulation must have an elastic-plastic body, got two elastic bodies")
     dx = simulation.grid.dx
-    within_period = simulation.grid.within_period
     travels = [
-        within_period(math.fsum(
+        within_period(simulation.grid, math.fsum(
             in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
             for step in steps
         )) for n in (0, 1)

@@ -13,7 +13,7 @@ from .._util.field_cache import kept
 from .._util.frozen import FixedAttributes, read_only
 from .._util.quantities import CONTACT, TRACK
 from .._util.tensors import COMPONENTS, von_mises
-from ..problem.grid import Grid
+from ..problem.grid import Grid, within_period
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -54,7 +54,7 @@ class Track(FixedAttributes):
         cells = self.first + np.arange(self.grid.nx)
         self.x: FloatArray = read_only((cells - 0.5 * (grid.nx - 1)) * grid.dx)
         """Positions of the cells on the body [m]."""
-        self.contact = grid.within_period(-core.travel[body - 1] * grid.dx)
+        self.contact = within_period(grid, -core.travel[body - 1] * grid.dx)
         """Current position of the contact on the body [m]."""
         self._core = core
 

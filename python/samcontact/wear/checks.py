@@ -27,8 +27,8 @@ from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..problem.contact_law import in_contact
 from ..problem.domain import SurfaceGeometry
-from ..problem.friction import FrictionLaw, friction_law, is_law
-from ..problem.grid import Grid
+from ..problem.friction import FrictionLaw, is_law
+from ..problem.grid import Grid, within_period
 from ..problem.moving_topography import heights_over
 from ..simulation.steps import STEP_ARGUMENTS
 from .problem import WearProblem
@@ -168,7 +168,7 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
         raise ValueError(
             f"cycle must end unloaded, with a step {{'load': 0.0}}, got {in_short(step)}"
         )
-    end = list(map(grid.within_period, travels(path)[-1].tolist()))
+    end = [within_period(grid, travel) for travel in travels(path)[-1].tolist()]
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
             "cycle must return both bodies to where they started (advances adding up to "
@@ -228,7 +228,9 @@ def _elastic_pressure(setup: WearSetup) -> FloatArray:
 
     gap = gap_over if setup.surfaces.are_known else gap_over(grid)
     body1, body2 = (elastic(body) if body.is_plastic else body for body in setup.bodies)
-    friction = friction_law(setup.friction).sliding_ratio
+    friction = setup.friction
+    if isinstance(friction, FrictionLaw):
+        friction = friction.sliding_ratio
     solver = ContactSolver(
         grid, body1, body2, friction, on_border=setup.settings.get("on_border", "error")
     )
