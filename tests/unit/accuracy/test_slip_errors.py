@@ -75,8 +75,8 @@ def test_rolling_against_finer_cells():
 def test_missing_friction_work_of_rolling():
     """The missing work is that stated on the theory page, of first order in the cell size."""
     stated = re.search(
-        r"force times creepage. With ([\d, ]+) and \d+ cells per contact radius, it is smaller by "
-        r"([\d, ]+) and",
+        r"force times creepage. With ([\d, ]+) and \d+ cells per contact radius, the computed "
+        r"friction work is smaller by ([\d, ]+) and",
         THEORY,
     )
     cells, shares = ([int(n) for n in re.findall(r"\d+", numbers)] for numbers in stated.groups())
