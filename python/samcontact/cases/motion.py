@@ -47,6 +47,9 @@ class _Passes(Section):
     def _moves(self) -> _Passes:
         if self.distance == 0.0:
             raise ValueError("distance must not be 0 [m], got 0")
+        unused = sorted(changed(self, ("back_and_forth", "return_time")))
+        if self.passes == 1 and unused:
+            raise ValueError(f"{unused[0]} has no effect on one pass: set passes, or omit it")
         return self
 
 

@@ -36,10 +36,13 @@ def test_roll_and_slide_are_those_of_paths(write):
     case = load_case(write())
     assert case.steps() == paths.rolling(**options, passes=2, unload_increments=1)
     assert case.moves
-    text = "roll = {distance = 180e-6, step = 60e-6, slide_to_roll = -0.1, back_and_forth = true}"
-    assert load_case(write((ROLL, text))).steps() == paths.rolling(
-        **options, slide_to_roll=-0.1, back_and_forth=True
+    text = "roll = {distance = 180e-6, step = 60e-6, slide_to_roll = -0.1"
+    twice = f"{text}, passes = 2, back_and_forth = true}}"
+    assert load_case(write((ROLL, twice))).steps() == paths.rolling(
+        **options, slide_to_roll=-0.1, passes=2, back_and_forth=True
     )
+    with pytest.raises(CaseError, match="back_and_forth has no effect on one pass"):
+        load_case(write((ROLL, f"{text}, back_and_forth = true}}")))
     text = "slide = {distance = 180e-6, step = 60e-6, slider = 2}"
     assert load_case(write((ROLL, text))).steps() == paths.sliding(**options, slider=2)
 
