@@ -36,9 +36,11 @@ UNIT_OF_FIELD = {
     "y": "m",
     "z": "m",
 }
-# Units of area, each with the minimum area [m²] shown in it; below, factors from m².
-_AREA_UNITS = (("m²", 1e-2), ("mm²", 1e-8), ("µm²", 0.0))
-_AREA_FACTORS = {"m²": 1.0, "mm²": 1e6, "µm²": 1e12}
+# Units of area and volume: name, minimum value shown in it, factor; values in m² or m³.
+_UNITS_OF_SIZE = {
+    "m²": (("m²", 1e-2, 1.0), ("mm²", 1e-8, 1e6), ("µm²", 0.0, 1e12)),
+    "m³": (("m³", 1e-3, 1.0), ("mm³", 1e-12, 1e9), ("µm³", 0.0, 1e18)),
+}
 
 
 def percent(share: float) -> str:
@@ -54,7 +56,7 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     value : float
         Value in SI units.
     unit : str, optional
-        SI unit. With "m²", the value is shown in mm² or µm²; with "", without prefix.
+        SI unit. Areas and volumes are shown in powers of m, mm or µm; with "", without prefix.
     digits : int, optional
         Number of significant digits.
 
@@ -64,9 +66,9 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     """
     if not math.isfinite(value):
         return {math.inf: "∞", -math.inf: "-∞"}.get(value, "none")
-    if unit == "m²":
-        shown = next(name for name, unit_size in _AREA_UNITS if abs(value) >= unit_size)
-        return f"{value * _AREA_FACTORS[shown]:.{digits}g} {shown}"
+    for shown, minimum, factor in _UNITS_OF_SIZE.get(unit, ()):
+        if abs(value) >= minimum:
+            return f"{value * factor:.{digits}g} {shown}"
     mantissa, power = f"{value:.{digits - 1}e}".split("e")
     place, shift = divmod(int(power), 3)
     if unit in ("", "K") or value == 0 or abs(place) > 10:  # no prefix

@@ -74,7 +74,7 @@ def rows_of_maxima(
         if known[at] > 0:
             quantity_of, body = described(name, quantities)
             unit = {"m2": "m²", "m3": "m³", "1": ""}.get(quantity_of.unit, quantity_of.unit)
-            label = quantity_of.heading
+            label = quantity_of.heading or quantity_of.long_name
             label = label if body is None else f"{label}, body {body}"
             shown = quantity(float(values[name][at]), unit, 5)
             target = targets.get(name)  # prescribed relative error of all increments

@@ -254,7 +254,7 @@ def slope_between_samples(case: Case) -> float:
         return math.nan
     axes = (case.grid.nx, case.grid.dx), (case.grid.ny, case.grid.dy)
     counts = [
-        max(1, n * round(d / min(step)) if n > 1 else 1)
+        max(2, 2 * round(n * d / min(step) / 2)) if n > 1 else 1  # even, for periodic grids
         for (n, d), step in zip(axes, zip(*steps, strict=True), strict=True)
     ]
     (nx, dx), (ny, dy) = axes

@@ -183,6 +183,11 @@ def require_refinable(case: Case) -> None:
             "wear.window is a number of cells, so that the results depend on the grid: use "
             "wear.smoothing_length to prescribe accuracy"
         )
+    if case.heat is not None and case.heat.history is not None and case.moves:
+        raise ValueError(
+            "heat.history requires that bodies move by whole cells, so that the path depends on "
+            "the grid: specify [grid] instead of accuracy"
+        )
     surface: Any = case.surface
     straight = surface.radii() is not None and not all(map(math.isfinite, surface.radii()))
     endless = surface.shape == "cylinder" or straight

@@ -101,6 +101,7 @@ def _require_track(case: Any) -> None:
     """Raise ValueError if heated bodies return without a track, or travel beyond it."""
     heat = NO_HEAT if case.heat is None else case.heat.build()
     if heat.history is None:
+        _require_no_return_time(case)
         return
     steps = case.steps()
     for body in (1, 2):
@@ -119,6 +120,12 @@ def _require_track(case: Any) -> None:
                 f"heat.track is required because the path moves heated body {body} back and forth: "
                 f"set heat.track = {length:.9g} instead of heat.velocity"
             )
+
+
+def _require_no_return_time(case: Any) -> None:
+    for number, segment in enumerate(case.path):
+        if segment.passes is not None and segment.passes.return_time is not None:
+            raise ValueError(f"path[{number}]: return_time requires heat.history: omit return_time")
 
 
 def _require_law_of_friction(case: Any) -> None:

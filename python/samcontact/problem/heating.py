@@ -146,6 +146,11 @@ def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: flo
             f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
             "steady state; set heat.time or heat.history"
         )
+    if heat.track is not None and "x" in grid.periodic:
+        raise ValueError(
+            f"heat.track must be None on a grid that is periodic along x, got {heat.track!r}: heat "
+            "that moves along a period is not supported"
+        )
     for axis, speed in zip("xy", heat.velocity[body - 1], strict=True):
         if axis in grid.periodic and speed != 0.0:
             raise ValueError(

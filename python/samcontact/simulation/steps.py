@@ -121,10 +121,14 @@ class StepArguments:
             )
         if heat_factor is not None:
             heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
+        is_loaded = (kind, value) != ("load", 0.0)
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
-            if heat.track is not None and (kind, value) != ("load", 0.0):
+            if heat.track is not None and is_loaded:
                 require_speeds(heat, self.bodies, grid, [n * grid.dx / lasts for n in travels])
+        slips = heat.history is None and heat.partition is not None
+        if slips and lasts is not None and is_loaded and travels != AT_REST:
+            _require_velocity_of_heat(heat, lasts, travels, grid.dx)
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
@@ -229,15 +233,25 @@ def _require_motion_of_heat(
     The heat history is stored for each cell. With a track, the velocity follows from the motion.
     """
     for n, cells in enumerate(advance, 1):
-        moved = cells * dx
         if abs(cells - round(cells)) > 1e-6:
             raise ValueError(
                 f"advance of body {n} must be a multiple of the cell size, {dx!r} m, if "
-                f"heat.history is given, got {moved!r} m"
+                f"heat.history is given, got {cells * dx!r} m"
             )
+    if heat.track is None:
+        _require_velocity_of_heat(heat, duration, advance, dx)
+
+
+def _require_velocity_of_heat(
+    heat: Heat, duration: float, advance: tuple[float, float], dx: float
+) -> None:
+    """Raise ValueError unless heated bodies move at the velocity of the heat; advance in cells."""
+    for n, cells in enumerate(advance, 1):
+        moved = cells * dx
         expected = heat.velocity[n - 1][0] * duration
-        if heat.track is None and heat.shares[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
+        if heat.shares[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
             raise ValueError(
                 f"advance of body {n} must be velocity x duration, {expected!r} m, got {moved!r} "
-                "m: set heat.track instead of heat.velocity for bodies that stop, turn or return"
+                "m: make both equal; for bodies with heat.history that stop, turn or return, set "
+                "heat.track instead of heat.velocity"
             )

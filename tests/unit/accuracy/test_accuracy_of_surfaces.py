@@ -11,6 +11,7 @@ import samcontact as sc
 from command import fields, invoke
 from samcontact import report, surfaces
 from samcontact.accuracy import RefinableCase, estimate
+from samcontact.accuracy.grids import slope_between_samples
 from samcontact.cases import Case
 
 SIDE, CELLS = 1e-4, 16
@@ -139,6 +140,17 @@ def test_errors_of_random_surfaces_cover_the_true_ones():
         found.append(ratios(case | {"surface": surface | {"roughness": rough}}))
     assert np.max(found) < 1.1
     assert np.count_nonzero(np.array(found) > 1.0) <= 1
+
+
+@pytest.mark.parametrize("periodic", ["xy", ""])
+@pytest.mark.parametrize("cells", [2, 3, 4, 5, 8])
+def test_the_slope_between_samples_is_stated_from_8_samples_on(cells, periodic):
+    rough = ROUGH | {"wavelength_min": cells * SIDE / CELLS}
+    round_ball = {"shape": "paraboloid", "Rx": 0.01, "roughness": rough}
+    case = PRESSED | {"grid": GRID | {"periodic": periodic}}
+    case |= {"surface": PRESSED["surface"] | {"roughness": rough} if periodic else round_ball}
+    slope = slope_between_samples(Case.model_validate(case))
+    assert 0.05 < slope < 1.0 if 2 * CELLS / cells >= 8 else math.isnan(slope)
 
 
 def test_finer_grids_keep_the_extent_and_the_waves_of_the_given_one(tmp_path):

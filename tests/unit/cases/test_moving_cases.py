@@ -178,6 +178,10 @@ def test_heat_moves_with_the_body(write):
         load_case(write(*heated, roll, (follows[0], "track = 100e-6")))
     with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
         load_case(write(*heated))
+    slip = THERMAL.replace("factor = 0.02", "partition = 1.0").replace("history", "# history")
+    by_slip = [("n = 0.121\n", slip), ("friction = 0.0", "friction = {coulomb = 0.1}")]
+    with pytest.raises(CaseError, match=r"path\[0\]: return_time requires heat\.history"):
+        load_case(write(*by_slip, (roll[0], f"{roll[1]}, return_time = 0.0")))
     with pytest.raises(
         CaseError, match=r"motion of heated body 2, -0\.5 m/s along x, got 0\.5 m/s"
     ):

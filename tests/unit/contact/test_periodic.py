@@ -303,6 +303,5 @@ def test_options_unsupported_on_periodic_surfaces_are_refused():
         sc.Simulation(grid, RIGID, HARD, gap, residual_stress="exact")
     with pytest.raises(ValueError, match='method must be "fast"'):
         operators.residual_stress(grid, np.zeros((6, *grid.volume_shape)), 1.0, 0.3)
-    simulation = sc.Simulation(grid, RIGID, HARD, gap)
-    with pytest.raises(ValueError, match=r"periodic = 'xy', got \(1e-06, 1e-06\) m"):
-        simulation.step(load=1e-6, advance=(1e-6, 1e-6))
+    with pytest.raises(ValueError, match=r"heat\.track must be None on a grid that is periodic"):
+        sc.Simulation(grid, hot, hot, gap, heat=sc.Heat(0.1, history=(1e-6, 1e-3), track=1e-5))

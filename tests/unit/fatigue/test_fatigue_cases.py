@@ -85,12 +85,6 @@ def test_unsupported_criteria_are_refused_before_the_run(run):
     check_failure(outcome, 2, "fatigue.yield_stress is required")
 
 
-def test_sweeps_refuse_it(tmp_path):
-    case = cases.parse_case(f"{MINIMAL}\n{FATIGUE}")
-    with pytest.raises(ValueError, match=r"\[fatigue\] is not supported"):
-        sc.sweep(case, {"body2.n": [0.1, 0.12]}, output=tmp_path, progress=False)
-
-
 WEAR = "[wear]\nthreshold = 2e-3\n"
 SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
 
