@@ -226,10 +226,12 @@ def test_pages_in_a_browser_without_a_network(site):
             size = {"width": 390, "height": 900, "deviceScaleFactor": 1, "mobile": True}
             driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
             driver.get(f"{address}/{page}.html")
-            driver.execute_async_script(
+            failed = driver.execute_async_script(
                 "const done = arguments[0];"
-                "window.MathJax?.startup ? MathJax.startup.promise.then(done) : done()"
+                "const begun = window.MathJax?.startup?.promise ?? Promise.resolve();"
+                "begun.then(() => done(null), error => done(String(error)))"
             )
+            assert failed is None, (page, failed)  # e.g. an extension that is not in the site
             found = driver.execute_script(CUT)
             assert found.pop("formulas") == found.pop("raw"), page
             assert found.pop("wider") == 0, page

@@ -56,9 +56,9 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         constants: tuple[tuple[float, float, float], ...] = (_ANY_CONSTANTS,)
         thickness: list[float] = []
         if factor > 0:
-            _require_transient(name, heat, grid, n, factor)
             constants = _required_constants(name, n, body, factor)
             _require_in_layers(heat, n, body, grid)
+            _require_transient(name, heat, grid, n, factor)
             lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
             if heat.history is not None:
