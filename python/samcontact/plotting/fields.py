@@ -14,13 +14,12 @@ from matplotlib.ticker import MaxNLocator
 from .._util.checks import BoolArray, FloatArray, boolean
 from .._util.lazy_scipy import scipy
 from .._util.quantities import Quantity
-from .parts import MAX_FLAT_MAP_RATIO, axes_or_new, without_seams
+from .parts import MAX_FLAT_MAP_RATIO, MIN_SECTION_RATIO, axes_or_new, without_seams
 from .ticks import FittedLocator, fit_ticks
 
 _FLAT_SECTION_RATIO = (
     0.45  # depth/width below which the label of the colour bar would exceed the section
 )
-_MIN_SECTION_RATIO = 0.2  # minimum height/width shown; the depth of flatter sections is stretched
 _SHORT_LABEL_RATIO = 0.22  # depth/width below which the label of the depth would exceed the section
 _BANDS_PER_CONTOUR = 8  # colour bands between contour lines: more cannot be distinguished
 _MIN_SHOWN_STRAIN = 1e-2  # strain, relative to its maximum, below which no colour is drawn
@@ -79,8 +78,8 @@ def show_section(
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT_SECTION_RATIO
     _show(ax, plane, values, quantity, titled=titled, equal=equal, cells=cells)
-    if equal and plane.ratio < _MIN_SECTION_RATIO:
-        ax.set_aspect(_MIN_SECTION_RATIO / plane.ratio)
+    if equal and plane.ratio < MIN_SECTION_RATIO:
+        ax.set_aspect(MIN_SECTION_RATIO / plane.ratio)
     ax.set_xlabel(f"{name} [µm]")
     ax.set_ylabel("z [µm]" if equal and plane.ratio < _SHORT_LABEL_RATIO else "depth z [µm]")
     ax.invert_yaxis()

@@ -36,6 +36,8 @@ SURFACES = {
 }  # fmt: skip
 """Quantity of each surface field, by the name of the field in figures."""
 INTERFACE_STYLE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
+MIN_SECTION_RATIO = 0.2
+"""Minimum ratio of height to width of a section; the depth of flatter sections is stretched."""
 MAX_FLAT_MAP_RATIO = 0.2
 """Ratio of height to width below which the colour bar of a map is placed below the map."""
 MIN_LONG_CONTACT_RATIO = 2.5
@@ -138,14 +140,18 @@ def require_volume(grid: Grid) -> None:
         raise ValueError("grid must have layers, got a grid without dz")
 
 
+def _panel_height(width: float, across: float, down: float) -> float:
+    return min(max(0.75 * width * down / across, 0.5), 1.5 * width) + 0.95
+
+
 def section_height(width: float, across: float, depth: float) -> float:
     """Return the figure height [in] at which a single section leaves no blank space."""
-    return min(max(0.75 * width * depth / across, 0.5), 1.5 * width) + 0.95
+    return _panel_height(width, across, max(depth, MIN_SECTION_RATIO * across))
 
 
 def map_height(width: float, across: float, down: float) -> float:
     """Return the figure height [in] of a map, with space for the colour bar below a flat map."""
-    return section_height(width, across, down) + (
+    return _panel_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )
 
