@@ -55,6 +55,8 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         constants: tuple[tuple[float, float, float], ...] = (_ANY_CONSTANTS,)
         thickness: list[float] = []
+        if heat.history is not None:  # of a body that may no longer be heated
+            constants = thermal_of(body) or constants
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
             _require_in_layers(heat, n, body, grid)
