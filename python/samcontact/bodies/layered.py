@@ -252,10 +252,14 @@ def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
 
 def elastic(body: Body) -> Body:
     """Return a body with the elastic constants of `body`, which cannot yield."""
-    if isinstance(body, Layered):
-        layers = [(elastic(material), h) for material, h in body.layers]
-        return Layered(layers, elastic(body.substrate))  # type: ignore[arg-type]
-    return body if body.is_rigid else Material.elastic(body.E, body.nu)
+    *layers, substrate = (
+        material if material.is_rigid else Material.elastic(material.E, material.nu)
+        for material in materials_of(body)
+    )
+    if isinstance(body, Material):
+        return substrate
+    thickness = [h for _, h in body.layers]
+    return Layered(list(zip(layers, thickness, strict=True)), substrate)
 
 
 def materials_of(body: Body) -> list[Material]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
@@ -23,7 +24,7 @@ P = TypeVar("P", bound="WearProblem")
 
 
 @dataclass(frozen=True)
-class WearProblem:
+class WearProblem(ABC):
     """Checked arguments of a wear computation, constant over all cycles, on one grid."""
 
     surfaces: SurfaceGeometry
@@ -38,13 +39,13 @@ class WearProblem:
     settings: dict[str, Any]
 
     @property
+    @abstractmethod
     def record(self) -> type[AnyCycle]:
         """Class of the results of a cycle."""
-        raise NotImplementedError
 
+    @abstractmethod
     def rows(self, body: int) -> tuple[int, int]:
         """Return the first row and the number of rows of a body that can wear."""
-        raise NotImplementedError
 
     @property
     def arguments(self) -> dict[str, Any]:

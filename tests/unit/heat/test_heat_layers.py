@@ -191,7 +191,10 @@ COATED = sc.Layered([(material(4.0, 0.25, 0.05, 0.6, 0.02), 2.0)], material())
 def test_coefficients_turn_with_the_direction_of_motion():
     along_x = Cell(COATED, 9, 3, (3.0, 0.0), at=(4, 1))
     against_y = Cell(COATED, 3, 9, (0.0, -3.0), at=(1, 4))
-    of = lambda cell: [cell.temperature(1.0), cell.displacement(), *cell.stress(1.0)]  # noqa: E731
+
+    def of(cell):
+        return [cell.temperature(1.0), cell.displacement(), *cell.stress(1.0)]
+
     fields = of(along_x)
     # Mirrored in x, then x and y exchanged: odd are xz and xy.
     order, signs = [0, 1, 3, 2, 4, 6, 5, 7], [1, 1, 1, 1, 1, -1, 1, -1]
