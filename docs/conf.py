@@ -26,7 +26,6 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
     "sphinx.ext.napoleon",
-    "sphinx.ext.viewcode",
     "cards",
     "case_schema",
     "code_links",
@@ -34,6 +33,8 @@ extensions = [
     "figures",
     "modules",
 ]
+if not tags.has("without_sources"):  # noqa: F821 - from Sphinx
+    extensions.append("sphinx.ext.viewcode")
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
 nitpicky = False  # units in numpydoc types are not references
 

@@ -31,11 +31,15 @@ def with_long_notebooks(request):
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory, with_long_notebooks):
-    """Return the folder of the built site; without outputs of long notebooks by default."""
+    """Return the folder of the built site.
+
+    By default, it has no outputs of long notebooks and no pages of source code.
+    """
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html"]
     if not with_long_notebooks:
         command += ["-D", f"unexecuted_notebooks={','.join(LONG_NOTEBOOKS)}"]
+        command += ["-t", "without_sources"]
     built = subprocess.run(
         [*command, "-d", str(folder / "doctrees"), str(DOCS), str(folder / "html")],
         capture_output=True,

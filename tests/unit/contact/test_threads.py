@@ -44,7 +44,7 @@ perfect = sc.Material.perfect_plastic(210e9, 0.3, 1.3e9)
 grid = sc.Grid(31, 31, 4.3e-5, 4.3e-5, 18, 4.3e-5)
 gap = sc.surfaces.paraboloid(grid, 7.5e-3) + {tilt} * grid.x[:, None] * grid.y
 sim = sc.Simulation(grid, steel, perfect, gap, residual_stress="fast")
-state = sim.run([{{"load": 700.0}}, {{"load": 1400.0}}], progress=False)[1]
+state = sim.run([{{"load": 1000.0}}], progress=False)[0]
 parts = (state.pressure, state.stress(1), state.stress(2), state.plastic_strain(2))
 digest = hashlib.sha256(b"".join(part.tobytes() for part in parts))
 print(state.iterations, digest.hexdigest())
