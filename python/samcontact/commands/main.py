@@ -14,6 +14,7 @@ import click
 
 from .._util.version import version
 from .doctor import doctor
+from .examples import cases, new
 from .find import find
 from .hertz import hertz
 from .results import export, report
@@ -54,5 +55,5 @@ def main() -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""
 
 
-for _command in (run, resume, sweep, find, report, export, hertz, doctor):
+for _command in (new, cases, run, resume, sweep, find, report, export, hertz, doctor):
     main.add_command(_command)

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Case files that come with the package, to read and to start from."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+FOLDER = Path(__file__).parents[1] / "examples"
+FIRST_CASES = {
+    "bearing": "b1_ball_in_groove",
+    "gear": "b2_gear_tooth",
+    "dent": "r1_rolling_over_dent",
+    "rough": "w2_running_in",
+    "fretting": "s1_fretting_ball",
+    "rail": "s2_wheel_that_pulls",
+    "indentation": "v1_nano_indentation",
+}
+"""Name of the example to start from, by kind of problem."""
+
+
+def example_names() -> list[str]:
+    """Return the names of all examples, sorted."""
+    return sorted(file.stem for file in FOLDER.glob("*.toml"))
+
+
+def example_text(name: str, path: str | None = None) -> str:
+    """Return the text of an example.
+
+    Parameters
+    ----------
+    name : str
+        Name of the example, e.g. "t1_two_balls".
+    path : str, optional
+        Path of the copy, for the commands in the comments.
+
+    Raises
+    ------
+    ValueError
+        There is no example of this name.
+    """
+    names = example_names()
+    if name not in names:
+        raise ValueError(f"name: must be one of {', '.join(names)}, got {name!r}")
+    text = (FOLDER / f"{name}.toml").read_text(encoding="utf-8")
+    return re.sub(rf"cases/{name}\.toml", lambda _: path or f"{name}.toml", text)
+
+
+def example_title(name: str) -> str:
+    """Return the title of an example."""
+    title = tomllib.loads(example_text(name))["title"]
+    assert isinstance(title, str)
+    return title

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Commands that write case files to start from."""
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from samcontact.cases import load_case
+from samcontact.cases.examples import FIRST_CASES, example_names, example_text
+from samcontact.commands.main import main
+
+
+def invoke(*arguments):
+    return CliRunner().invoke(main, list(map(str, arguments)))
+
+
+@pytest.mark.parametrize("kind", FIRST_CASES)
+def test_a_new_case_is_valid_and_names_its_own_path(kind, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    outcome = invoke("new", kind)
+    assert outcome.exit_code == 0, outcome.output
+    assert f"samcontact run {kind}.toml" in outcome.stdout
+    text = Path(f"{kind}.toml").read_text(encoding="utf-8")
+    assert f"#   samcontact run {kind}.toml" in text
+    assert "cases/" not in text
+    assert load_case(f"{kind}.toml").title
+
+
+def test_an_existing_file_is_kept(tmp_path):
+    file = tmp_path / "mine.toml"
+    file.write_text("mine")
+    outcome = invoke("new", "dent", file)
+    assert outcome.exit_code == 2
+    assert outcome.stderr.startswith(f"error: {file} exists already")
+    assert file.read_text() == "mine"
+    link = tmp_path / "link.toml"
+    link.symlink_to(tmp_path / "nowhere.toml")
+    assert invoke("new", "dent", link).exit_code == 2
+    assert not (tmp_path / "nowhere.toml").exists()
+
+
+def test_all_examples_are_listed_and_written(tmp_path):
+    listed = invoke("cases").stdout
+    for name in example_names():
+        assert f"\n{name} " in f"\n{listed}"
+    folder = tmp_path / "cases"
+    assert invoke("cases", folder).exit_code == 0
+    assert {file.stem for file in folder.iterdir()} == set(example_names())
+    changed = folder / f"{example_names()[-1]}.toml"
+    assert "0 case files written" in invoke("cases", folder).stdout
+    changed.write_text("mine")
+    outcome = invoke("cases", folder)
+    assert outcome.exit_code == 2
+    assert changed.read_text() == "mine"
+
+
+def test_an_unknown_example_is_refused_by_name():
+    with pytest.raises(ValueError, match=r"^name: must be one of .*t1_two_balls.*, got 'none'"):
+        example_text("none")
