@@ -12,6 +12,8 @@ if sys.version_info >= (3, 11):
 else:
     import tomli as tomllib
 
+from .._util.short_text import in_short
+
 FOLDER = Path(__file__).parents[1] / "examples"
 FIRST_CASES = {
     "bearing": "b1_ball_in_groove",
@@ -47,7 +49,7 @@ def example_text(name: str, path: str | None = None) -> str:
     """
     names = example_names()
     if name not in names:
-        raise ValueError(f"name: must be one of {', '.join(names)}, got {name!r}")
+        raise ValueError(f"name: must be one of {', '.join(names)}, got {in_short(name)}")
     text = (FOLDER / f"{name}.toml").read_text(encoding="utf-8")
     return re.sub(rf"cases/{name}\.toml", lambda _: path or f"{name}.toml", text)
 
