@@ -14,7 +14,7 @@ else:
 
 from .._util.short_text import in_short
 
-FOLDER = Path(__file__).parents[1] / "examples"
+FOLDER = Path(__file__).parent / "example_files"
 FIRST_CASES = {
     "bearing": "b1_ball_in_groove",
     "gear": "b2_gear_tooth",
