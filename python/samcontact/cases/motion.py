@@ -49,7 +49,8 @@ class _Passes(Section):
             raise ValueError("distance must not be 0 [m], got 0")
         unused = sorted(changed(self, ("back_and_forth", "return_time")))
         if self.passes == 1 and unused:
-            raise ValueError(f"{unused[0]} has no effect on one pass: set passes, or omit it")
+            name = unused[0]
+            raise ValueError(f"{name} has no effect on one pass: set passes, or omit {name}")
         return self
 
 
