@@ -249,7 +249,7 @@ def interpolated_surface(case: Case) -> str:
 
 
 def slope_between_samples(case: Case) -> float:
-    """Return `slope_beyond` of the gap at the samples of an interpolated surface; NaN without."""
+    """Return `slope_beyond` of the gap at the samples; NaN if no surface is interpolated."""
     if case.grid is None or not case.reason_for_grid or not (steps := samples_of(case)):
         return math.nan
     axes = (case.grid.nx, case.grid.dx), (case.grid.ny, case.grid.dy)
