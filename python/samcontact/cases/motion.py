@@ -226,7 +226,7 @@ class FileRelief(HeightsFile):
     def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
         """Return the relief for a grid.
 
-        cells: grid of heights that are given in each cell, if they are evaluated on another one.
+        cells: grid on which the heights are given, if they are evaluated on another grid.
         """
         heights = self.plain(grid if cells is None else cells, folder)
         if heights is None:
