@@ -151,7 +151,7 @@ def forces(results: Results) -> list[Number | Statement]:
 
 
 def at_exit(result: CollisionResult) -> float:
-    """Return the load ratio at the end of contact, extrapolated by a parabola (4 increments)."""
+    """Return the load ratio at the end of contact, by a parabola through the last 4 values."""
     series = result.series.isel({"pass": 0})
     touching = np.flatnonzero(series["normal_force"].values > 0)[-4:]
     end = result.collision.half_distance

@@ -17,7 +17,7 @@ MICRO_STRAIN = 20e-6
 
 
 def tolerance(quick: bool) -> float:
-    """Return the tolerance; the larger tolerance, if quick, changes results by less than 0.1 %."""
+    """Return the tolerance; it is larger if quick, which changes results by less than 0.1 %."""
     return 1e-3 if quick else 1e-6
 
 

@@ -39,7 +39,7 @@ SHOWN = 4
 
 @dataclass(frozen=True)
 class Results:
-    """States of both runs, with prescribed load or approach; each run loads and unloads."""
+    """States of two runs (prescribed load, prescribed approach); each run loads and unloads."""
 
     grid: sc.Grid
     by_load: list[sc.State]

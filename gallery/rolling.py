@@ -31,7 +31,7 @@ bearing. In the second part, the flat is of steel 52100 and the Hertz pressure i
 cycle consists of loading, rolling to the right, unloading, and returning unloaded. a is the Hertz
 contact radius at 5.7 GPa. Section 3.2.1.1 of the thesis gives the moduli as 310 and 210 MPa; 310
 GPa (ceramic) and 210 GPa (steel) are used here. Sections across the track are taken at 60 % of the
-distance. Tensile stress is positive.
+rolling distance. Tensile stress is positive.
 """
 
 BEARING_LOAD = 460.0
@@ -275,8 +275,7 @@ def imprints(results: Results) -> Picture:
         "rolling_imprints",
         "Figures 3.10 to 3.12. Top: imprint of a ball that is only pressed, and of a ball that "
         f"rolls to the right once by {run.distance * 1e3:.2g} mm. Bottom: imprints after one to "
-        "three cycles of 2 mm, along and across the track (of figure 3.12 only the computed "
-        "profiles).",
+        "three cycles of 2 mm, along and across the track (figure 3.12: computed profiles only).",
         figure,
     )
 

@@ -33,7 +33,7 @@ figures below therefore use these radii and loads. The rows and figures labelled
 nominal values, and R_x falls from 4.7625 mm (k = 1) to 3.76 mm (k = 16). In all rows, lengths are
 divided by a = 310.8 µm and stresses by p0 = 5.7 GPa. These are the nominal values of the semi-minor
 axis and the Hertz pressure, whatever the actual values in the contact. Profiles are taken at 60 %
-of the distance.
+of the rolling distance.
 """
 
 BODIES = (CERAMIC, STEEL_52100)

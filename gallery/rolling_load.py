@@ -32,8 +32,8 @@ pressure 15 % below the value stated in the thesis.
 The strains, stresses and imprints stated in the thesis are results for these radii and loads. These
 radii and loads are therefore used here as well. The results are labelled with the Hertz pressures
 stated in the thesis. For an actual Hertz pressure of 5.7 GPa see [influence of the
-ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of the distance, after two cycles.
-Tensile stress is positive.
+ellipticity](rolling_ellipticity.md). Profiles are taken at 60 % of the rolling distance, after two
+cycles. Tensile stress is positive.
 """
 
 K = 8

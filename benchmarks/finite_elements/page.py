@@ -97,7 +97,7 @@ def draw(records: list[Record]) -> dict[str, Any]:
             ax.loglog(seconds, [100 * e for e in errors], marker=marker, label=label)
         ax.set(xlabel="processor time [s]", ylabel="maximum error [%]")
         ax.grid(which="major", alpha=0.3)
-        ax.legend()
+        figure.legend(loc="outside upper center", ncols=3, fontsize="small")
     return figures
 
 

@@ -107,7 +107,7 @@ def onset_and_strain(results: Results) -> Picture:
     left.plot(mu, [f.interference / found[0].interference for f in found], "C3",
               label="critical interference")  # fmt: skip
     left.axvline(
-        0.3, color="k", linestyle="--", linewidth=1, label="Boucly (2008): at the surface above 0.3"
+        0.3, color="k", linestyle="--", linewidth=1, label="Boucly (2008): surface yields above 0.3"
     )
     left.set_ylim(0, 1.1)
     finish(left, "friction coefficient µ", "value / value for µ = 0 [-]")
@@ -200,7 +200,7 @@ def maximum(results: Results) -> Picture:
             color="k",
             linestyle="--",
             linewidth=1,
-            label="Boucly (2008): at the surface above 0.32",
+            label="Boucly (2008): maximum at z = 0 above 0.32",
         )
     finish(left, "friction coefficient µ", "maximum von Mises stress [GPa]")
     finish(right, "friction coefficient µ", "position of the maximum [-]")

@@ -37,7 +37,7 @@ class Elastic:
 
 @dataclass
 class Plastic:
-    """Results for one friction coefficient at each load, at the largest load, and unloaded."""
+    """Results for one friction coefficient: at each load, at the largest load, and unloaded."""
 
     x: np.ndarray
     z: np.ndarray

@@ -26,7 +26,7 @@ def peak_position(x: np.ndarray, pressure: np.ndarray) -> float:
 
 
 def contact_radius(x: np.ndarray, pressure: np.ndarray) -> float:
-    """Return the contact radius; the squared pressure is linear in the squared distance."""
+    """Return the contact radius, by a line fitted to squared pressure over squared distance."""
     rim = (x > 0.75) & (x < 0.95)
     slope, at_centre = np.polyfit(x[rim] ** 2, pressure[rim] ** 2, 1)
     return float(np.sqrt(-at_centre / slope))

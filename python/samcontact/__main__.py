@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command ``samcontact``, started by ``python -m samcontact`` or its script."""
+"""Command ``samcontact``, started by its script or by ``python -m samcontact``."""
 
 from .commands import array_libraries
 from .commands.main import main

@@ -150,8 +150,8 @@ class EnergyBalance(HtmlTable):
     eigenstrain_energy : float
         Elastic energy of prescribed eigenstrain alone [J]; not part of the external work.
     expansion_work : float
-        Work of thermal expansion [J]: against the pressure, which heated surfaces push back, and of
-        the thermal stress on the plastic strain. Heat supplies it.
+        Work of thermal expansion [J]: work of the rising surfaces against the pressure, plus work
+        of the thermal stress on the plastic strain. The heat supplies this work.
     """
 
     work_input: float

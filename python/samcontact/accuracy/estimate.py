@@ -134,12 +134,12 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
-    """Estimate the relative change of a correction for increments from a coarse to the finest grid.
+    """Estimate how much a correction for increments changes between two grids, relatively.
 
     Parameters
     ----------
     coarse, finest : ndarray
-        Values on both grids, computed with equal numbers of increments.
+        Values on a coarse and on the finest grid, computed with equal numbers of increments.
     """
     size = np.abs(finest)
     change = np.divide(np.abs(finest - coarse), size, out=np.zeros_like(size), where=size > 0)

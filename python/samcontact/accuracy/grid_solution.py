@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of a case on one grid: states, and what later grids need to know of it."""
+"""Solution of a case on one grid: states, and the data from which later grids are chosen."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ class GridSolution(NamedTuple):
 
 
 def _is_sheared(state: State) -> bool:
-    """Whether the shear of a state is an unknown that differs from zero."""
+    """Whether a state has shear traction under a law of partial slip."""
     if not state.setup.friction.sticks:
         return False
     return bool(np.abs(state.shear).max() > ROUNDING_ERROR * np.abs(state.pressure).max())
@@ -87,8 +87,8 @@ def _is_sheared(state: State) -> bool:
 def marks_of(case: Case) -> list[int]:
     """Return the indices of the increments at which values are compared.
 
-    They are the last increment of each segment, the last loaded one of passes, and the increments
-    at which the direction of fretting changes.
+    These are the last increment of each segment, the last increment under load of passes, and the
+    increments at which the direction of fretting changes.
     """
     marks: list[int] = []
     count = 0

@@ -56,12 +56,12 @@ class Grids(Protocol):
 
 
 def grids_of(case: Case, bodies: Sequence[Body]) -> Grids:
-    """Return grids around the Hertz contact, or of the extent of [grid] where it is needed."""
+    """Return grids around the Hertz contact or, if [grid] is needed, grids with its extent."""
     return GivenGrids(case, bodies) if case.reason_for_grid else HertzGrids(case, bodies)
 
 
 class HertzGrids:
-    """Grids around the Hertz contact of a case at maximum load; their extent is chosen."""
+    """Grids around the Hertz contact of a case at maximum load, whose extent is chosen."""
 
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         self.case, self.bodies = case, bodies
@@ -124,13 +124,13 @@ class HertzGrids:
 
 
 class GivenGrids:
-    """Grids of the extent of [grid], at least as fine as its cells and the details of surfaces."""
+    """Grids with the extent of [grid], and cells that resolve surfaces at least as well."""
 
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         if case.grid is None:
             raise ValueError(
-                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid], whose "
-                "extent is kept, and whose cells are those of the first grid"
+                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid]; its extent "
+                "is kept, and its cells are those of the first grid"
             )
         self.case, self.grid = case, case.grid
         widest = max(d for n, d in self._axes if n > 1)
@@ -181,9 +181,9 @@ class GivenGrids:
 
 
 class Depths:
-    """Cell sizes along z, divisors of the thicknesses of all elastic-plastic layers.
+    """Cell sizes along z that divide the thicknesses of the layers of elastic-plastic bodies.
 
-    first: cell size along z on the first grid without layers [m].
+    first: cell size along z on the first grid, for bodies without layers [m].
     """
 
     def __init__(self, bodies: Sequence[Body], first: float) -> None:
@@ -207,7 +207,7 @@ class Depths:
         self._part = part
 
     def size(self, level: int, wanted: float) -> float:
-        """Return the cell size [m] at a level; `wanted`: size without layers."""
+        """Return the cell size [m] at a grid level; `wanted`: size for bodies without layers."""
         if self._part is None:
             return wanted
         cells = max(_MIN_CELLS_IN_LAYER, math.ceil(self._part / self._first))
@@ -249,7 +249,7 @@ def interpolated_surface(case: Case) -> str:
 
 
 def slope_between_samples(case: Case) -> float:
-    """Return `slope_beyond` of the gap at the samples of an interpolated surface; NaN without."""
+    """Return `slope_beyond` of the gap at the samples; NaN if no surface is interpolated."""
     if case.grid is None or not case.reason_for_grid or not (steps := samples_of(case)):
         return math.nan
     axes = (case.grid.nx, case.grid.dx), (case.grid.ny, case.grid.dy)

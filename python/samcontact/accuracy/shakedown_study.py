@@ -60,7 +60,7 @@ class ShakedownStudy:
         return [0]
 
     def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return the values after the last cycle; a change below the tolerance of cycles is 0."""
+        """Return the values after the last cycle; strains below the tolerance of cycles are 0."""
         found, section = solution.repeated, solution.case.shakedown
         assert section is not None
         row: list[float] = []

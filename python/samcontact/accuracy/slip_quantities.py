@@ -53,8 +53,8 @@ def _component(given: Any, axis: int | None) -> float:
 def values_of(states: Sequence[State], name: str, tol: float) -> list[float]:
     """Return a quantity of states [SI units].
 
-    A force, motion or work below `tol` times its scale (load, approach, contact size) is the
-    rounding of a value that vanishes, and is returned as 0.
+    A force, motion or work below `tol` times its scale (load, approach, contact size) is a
+    rounding error, and is returned as 0.
     """
     if name == SHEAR:
         return [peak_value(np.hypot(*state.shear)) for state in states]

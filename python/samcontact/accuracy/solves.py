@@ -95,7 +95,7 @@ class Solves:
         return on_common_grid(solve.states)
 
     def file(self, name: str, file: str) -> Path | None:
-        """Return the path of a checkpoint file of the solution `name`; None if nothing is kept."""
+        """Return the path of a checkpoint file of the solution `name`; None without files."""
         if self._folder is None:
             return None
         folder = self._folder / name

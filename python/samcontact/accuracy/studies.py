@@ -53,11 +53,11 @@ class Study(Protocol):
         ...
 
     def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
-        """Solve the case on its grid, continuing from what is stored under a name."""
+        """Solve the case on its grid, continuing from the increments stored under a name."""
         ...
 
     def marks(self, solution: GridSolution) -> list[int]:
-        """Return the indices, along the dimension, of the values that are compared."""
+        """Return the indices, along `dimension`, of the values that are compared."""
         ...
 
     def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
@@ -69,11 +69,11 @@ class Study(Protocol):
         ...
 
     def note(self, solution: GridSolution) -> str:
-        """Return a finding, as text, in which the finest grids must agree; "" without."""
+        """Return, as text, a finding in which the finest grids must agree; "" if there is none."""
         ...
 
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
-        """Return the results of a grid as in a results file."""
+        """Return the results on a grid, in the form of a results file."""
         ...
 
 
@@ -160,7 +160,7 @@ class PathStudy:
 
 
 def study_of(case: Case, bodies: Sequence[Body]) -> Study:
-    """Return what a case solves on each grid."""
+    """Return the task that a case solves on each grid."""
     if case.wear is not None:
         return WearStudy(case)
     return PathStudy(case, bodies) if case.shakedown is None else ShakedownStudy(case, bodies)

@@ -113,7 +113,7 @@ class Layered(HtmlTable):
     def thermal(self) -> tuple[tuple[float, float, float], ...] | None:
         """Thermal constants of all materials from the surface down; None unless each has them.
 
-        Each is (conductivity, expansion, diffusivity), see `Material.with_thermal`.
+        Those of a material are (conductivity, expansion, diffusivity), see `Material.with_thermal`.
         """
         return thermal_of(self)
 
@@ -242,7 +242,7 @@ def top_thickness(body: Body) -> float:
 
 
 def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
-    """Return a homogeneous body with the compliance of `body` for a pressure wave [1/m]."""
+    """Return a homogeneous body as compliant as `body` under a wave of pressure [1/m]."""
     if isinstance(body, Material):
         return body
     nu = body.layers[0][0].nu
@@ -251,7 +251,7 @@ def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
 
 
 def elastic(body: Body) -> Body:
-    """Return a body with the elastic constants of `body`, which cannot yield."""
+    """Return an elastic body with the elastic constants of `body`."""
     *layers, substrate = (
         material if material.is_rigid else Material.elastic(material.E, material.nu)
         for material in materials_of(body)
@@ -270,7 +270,7 @@ def materials_of(body: Body) -> list[Material]:
 
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
-    """Return thermal constants of all materials from the surface down; None if one has none."""
+    """Return thermal constants of all materials from the surface down; None if any has none."""
     constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
     return constants if len(constants) == len(materials_of(body)) else None
 

@@ -174,7 +174,7 @@ class Case(CaseFile):
 
     @property
     def reason_for_grid(self) -> str:
-        """Why an accuracy requires [grid], as text; "" if the grid is chosen automatically."""
+        """Text why accuracy requires [grid]; "" if the grid can be chosen automatically."""
         return reason_for_grid(self)
 
     @property

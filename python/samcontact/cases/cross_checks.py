@@ -181,7 +181,7 @@ def _require_accuracy(case: Any) -> None:
 
 
 def reason_for_grid(case: Any) -> str:
-    """Return why a case to an accuracy requires [grid]; "" if its grid is chosen automatically."""
+    """Return why accuracy requires [grid], as text; "" if the grid can be chosen automatically."""
     if case.grid is not None and case.grid.periodic:
         return "grid.periodic prescribes the period"
     if case.wear is not None:

@@ -13,7 +13,7 @@ from .bodies import field_of
 
 
 class _FrictionLaw(Section):
-    """Friction law with partial slip, by name: a coefficient (inf: no slip) or a table."""
+    """Section with one field for each law of partial slip, of which exactly one is given."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:

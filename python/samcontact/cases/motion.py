@@ -49,7 +49,8 @@ class _Passes(Section):
             raise ValueError("distance must not be 0 [m], got 0")
         unused = sorted(changed(self, ("back_and_forth", "return_time")))
         if self.passes == 1 and unused:
-            raise ValueError(f"{unused[0]} has no effect on one pass: set passes, or omit it")
+            name = unused[0]
+            raise ValueError(f"{name} has no effect on one pass: set passes, or omit {name}")
         return self
 
 
@@ -225,7 +226,7 @@ class FileRelief(HeightsFile):
     def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
         """Return the relief for a grid.
 
-        cells: grid of heights that are given in each cell, if they are evaluated on another one.
+        cells: grid on which the heights are given, if they are evaluated on another grid.
         """
         heights = self.plain(grid if cells is None else cells, folder)
         if heights is None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Libraries of arrays that xarray would load in each command, to ask whether values are theirs.
+"""Array libraries (Dask, Pint, ...) that xarray would load in each command if they are installed.
 
-Values in a command are NumPy arrays. Loading the others takes a second of a process, if installed.
+Loading them takes a second, only to find that the values in a command are NumPy arrays.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ _NAMES = "dask", "pint", "cupy", "sparse"
 
 
 def hide() -> None:
-    """Let imports of the libraries fail in this process, unless they are loaded already.
+    """Make imports of the libraries fail in this process, unless they are loaded already.
 
-    Only a process that runs nothing but a command may do so.
+    Only a process that runs nothing but a command may call this function.
     """
     modules: dict[str, Any] = sys.modules
     for name in _NAMES:

@@ -59,7 +59,9 @@ def tangential(
     count = step_count("increments", increments)
     if name == "shift":
         if np.any(finite_array("start", start, (2,))):
-            raise ValueError(f"start must be 0 with shift, got {in_short(start)}: start is a force")
+            raise ValueError(
+                f"start must be 0 if shift is given, got {in_short(start)}: start is a force"
+            )
         return _to(_pressed(load, approach), name, [end / count] * count)
     first = finite_array("start", start, (2,))
     fractions = np.arange(1, count + 1)[:, None] / count

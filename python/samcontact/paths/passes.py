@@ -121,7 +121,7 @@ class RollingPasses:
         return step | {"duration": self.return_time}
 
     def _require_speed(self) -> None:
-        """Raise ValueError if the duration of the return is invalid, or other durations miss."""
+        """Raise ValueError if `return_time` is invalid, or is given without `speed`."""
         if self.return_time is None:
             return
         non_negative("return_time", self.return_time)

@@ -8,7 +8,7 @@ from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Return whether any layered body can yield; raise ValueError if this is not supported."""
+    """Return whether any layered body can yield; raise ValueError if such a body is unsupported."""
     flows = False
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Layered) or not body.is_plastic:

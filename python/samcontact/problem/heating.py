@@ -98,7 +98,7 @@ def _required_constants(
 
 
 def _of_missing(body: Body) -> str:
-    """Part of a message that names the materials of a layered body without thermal constants."""
+    """Part of a message: which materials of a layered body have no thermal constants."""
     if not isinstance(body, Layered):
         return ""
     names = [*(f"layers[{n}]" for n in range(len(body.layers))), "substrate"]
@@ -181,7 +181,7 @@ def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: 
 
 
 def require_speeds(heat: Heat, bodies: Bodies, grid: Grid, speeds: Sequence[float]) -> None:
-    """Raise ValueError if a heated body moves too fast in an increment; speeds along x [m/s]."""
+    """Raise ValueError if a heated body moves too fast in an increment; speeds: along x [m/s]."""
     for n, (body, share, speed) in enumerate(zip(bodies, heat.shares, speeds, strict=True), 1):
         thermal = thermal_of(body)
         if share > 0 and thermal is not None:

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Distinction of own and foreign files in a folder of checkpoints, so that foreign files are
-kept."""
+"""Removal of checkpoints from a folder; files of other programs are kept."""
 
 from __future__ import annotations
 

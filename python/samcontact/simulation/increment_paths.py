@@ -21,7 +21,7 @@ _MAX_REMAINING_FRACTION = 0.65
 
 
 def cleaned(step: Step) -> dict[str, Any]:
-    """Return the arguments of a step, without arguments that are None or an advance of zero."""
+    """Return the arguments of a step; those that are None, and an advance of zero, are omitted."""
     kept = dict(step)
     for name, value in step.items():
         if value is None or (name == "advance" and tuple(value) == (0.0, 0.0)):
@@ -91,7 +91,7 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
 def _before(
     number: int, path: Sequence[Step], states: Sequence[State], start: float
 ) -> dict[str, Any]:
-    """Return load, approach and other targets before an increment, prescribed or else computed."""
+    """Return load, approach and other targets before an increment; computed if not prescribed."""
     if number == 0:
         return {"load": 0.0, "approach": start, "torque": 0.0, "tangential_load": (0.0, 0.0)}
     step, state = path[number - 1], states[number - 1]

@@ -49,7 +49,7 @@ def describe(engine: Engine, **what: Any) -> Identity:
 def journal_of(
     folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
-    """Context manager: lock a folder and give the journal of the run, or None without a folder."""
+    """Context manager: lock a folder and provide the journal of the run; None if no folder."""
     if folder is None:
         yield None
         return

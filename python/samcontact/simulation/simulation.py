@@ -102,7 +102,7 @@ class Simulation(Configured, HtmlTable):
     Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
     reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
     grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
-    initial number of cells. Periodic grids, heat.history, softening or attraction exclude this.
+    initial number of cells. With a period, heat.history, softening or attraction the grid is fixed.
     """
 
     _last = "engine"

@@ -245,7 +245,7 @@ def _require_motion_of_heat(
 def _require_velocity_of_heat(
     heat: Heat, duration: float, advance: tuple[float, float], dx: float
 ) -> None:
-    """Raise ValueError unless heated bodies move at the velocity of the heat; advance in cells."""
+    """Raise ValueError unless heated bodies move at heat.velocity; advance: distances [cells]."""
     for n, cells in enumerate(advance, 1):
         moved = cells * dx
         expected = heat.velocity[n - 1][0] * duration

@@ -297,7 +297,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         """Maximum magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
 
         Reversed flow decreases this magnitude, but increases the equivalent plastic strain. The
-        small-strain theory limits it. It is 0 for an elastic body. Boucly (2008), eq. (2.163).
+        small-strain theory requires values below 5 %. Boucly (2008), eq. (2.163). 0 if elastic.
         """
         return self.max_strains[choice("body", body, (1, 2)) - 1][1]
 

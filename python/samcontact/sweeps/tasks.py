@@ -86,7 +86,7 @@ def _of_case(values: Mapping[str, float]) -> xr.Dataset:
 
 
 def _of_wear(case: Case) -> xr.Dataset:
-    """Return the results of all cycles of wear; the values of each body are own variables."""
+    """Return the results of all cycles of wear, with a separate variable for each body."""
     from ..accuracy import to_accuracy
 
     assert case.wear is not None

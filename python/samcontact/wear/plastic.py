@@ -61,7 +61,7 @@ def flow_between(problem: WearProblem, start: State, end: State) -> float:
 
 
 def rows_of(problem: WearProblem, body: int, kept: BodyStrain) -> slice:
-    """Return the rows of a plastic state among the rows of a body that can wear."""
+    """Return which of the rows of a body that can wear belong to its plastic state."""
     start = kept.first - problem.rows(body)[0]
     return slice(start, start + len(kept.equivalent))
 

@@ -103,9 +103,9 @@ class WearProgress:
         return WearProgress(problem.grid, heights)
 
     def over(self, problem: WearProblem) -> WearProgress:
-        """Return the state on the grid of `problem`, which is equal or larger, without more wear.
+        """Return the state on the grid of `problem`, which is at least as large; no wear is added.
 
-        `problem` may be on any grid; its surfaces describe the new cells.
+        The surfaces of `problem` describe the new cells.
         """
         grid, old = problem.grid, self.grid
         if grid == old:

@@ -305,5 +305,5 @@ def test_a_tangential_path_comes_to_its_force():
     assert moved == [{"approach": 1e-6, "shift": (1e-6, 0.0)}] * 4
     with pytest.raises(ValueError, match="exactly one of force and shift"):
         paths.tangential(load=1.0)
-    with pytest.raises(ValueError, match="start must be 0 with shift"):
+    with pytest.raises(ValueError, match="start must be 0 if shift is given"):
         paths.tangential(load=1.0, shift=(1e-6, 0.0), start=(1.0, 0.0))
