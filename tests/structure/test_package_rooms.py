@@ -26,7 +26,7 @@ FLOORS = [
     {"contact", "fatigue"},
     {"simulation", "rolling"},
     {"shakedown", "wear", "energy"},
-    {"asperities"},
+    {"asperities", "overrolling"},
     {"cases"},
     {"results"},
     {"accuracy", "plotting"},
