@@ -34,6 +34,7 @@ from .problem.grid import Grid
 from .simulation.simulation import Simulation
 from .solutions.state import State
 from .solutions.track import Track
+from .surfaces import require_surface
 
 __all__ = ["Overrolling", "Particle", "indent", "particles", "roll_over"]
 
@@ -79,6 +80,7 @@ class Particle:
 
     def gap(self, grid: Grid) -> FloatArray:
         """Gap of the particle above the surface [m]; inf beside it."""
+        require_surface(grid)
         r2 = (grid.x[:, None] - self.x) ** 2 + (grid.y[None, :] - self.y) ** 2
         inside = r2 < self.radius**2
         height = np.sqrt(self.radius**2 - np.where(inside, r2, 0.0))
@@ -153,11 +155,11 @@ def particles(
 
 def indent(
     grid: Grid,
-    body: Body,
+    body2: Body,
     particles: Sequence[Particle],
     *,
     increments: int = 8,
-    particle: Material | None = None,
+    body1: Body | None = None,
     progress: bool = False,
     **settings: Any,
 ) -> Track:
@@ -167,13 +169,13 @@ def indent(
     ----------
     grid : Grid
         Grid with layers (dz) that contains the particles' contacts.
-    body : Material or Layered
+    body2 : Material or Layered
         Elastic-plastic body.
     particles : sequence of Particle
         At least one.
     increments : int, optional
         Number of increments of each loading.
-    particle : Material, optional
+    body1 : Material or Layered, optional
         Material of the particles; rigid by default.
     progress : bool, optional
         Whether to show a progress bar for each particle.
@@ -196,10 +198,10 @@ def indent(
     if not particles:
         raise ValueError("particles must contain at least one Particle, got an empty list")
     count = integer("increments", increments, 1)
-    upper = Material.rigid() if particle is None else particle
+    upper = Material.rigid() if body1 is None else body1
     dented: Track | None = None
     for one in particles:
-        simulation = Simulation(grid, upper, body, one.gap(grid), **settings)
+        simulation = Simulation(grid, upper, body2, one.gap(grid), **settings)
         if dented is not None:
             start_from(simulation, dented)
         dented = simulation.run(one.path(count), progress=progress)[-1].track(2)
@@ -229,6 +231,9 @@ class Overrolling:
 
     dented: Track
     states: list[State]
+
+    def __repr__(self) -> str:
+        return f"Overrolling(states={len(self.states)}, dented={self.dented!r})"
 
     @cached_property
     def position(self) -> FloatArray:

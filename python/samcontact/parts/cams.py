@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -39,7 +39,7 @@ class Cam:
     """
 
     base_radius: float
-    lift: Lift
+    lift: Lift = field(repr=False)
 
     def __post_init__(self) -> None:
         positive("base_radius", self.base_radius)

@@ -18,6 +18,7 @@ from ..surfaces import SurfaceGrid, require_surface
 from .involute import Flank, involute, involute_angle
 
 _PAIRS = ("teeth", "profile_shift", "tip_relief", "tip_diameter", "relief_length")
+_OPTIONAL_PAIRS = _PAIRS[3:]
 SHARING = ("equal", "linear")
 
 
@@ -81,7 +82,7 @@ class GearPair:
 
     def __post_init__(self) -> None:
         for name in _PAIRS:
-            if getattr(self, name) is not None:
+            if name not in _OPTIONAL_PAIRS or getattr(self, name) is not None:
                 object.__setattr__(self, name, _pair(name, getattr(self, name)))
         for z in self.teeth:
             integer("teeth", z, 4, 100_000)
@@ -338,8 +339,9 @@ class FlankContact:
 
 def _pair(name: str, values: Any) -> tuple[Any, Any]:
     """Return two numbers as a tuple."""
-    if isinstance(values, (list, tuple, np.ndarray)) and len(values) == 2:
-        first, second = (v.item() if isinstance(v, np.generic) else v for v in values)
+    listed = values.tolist() if isinstance(values, np.ndarray) else values
+    if isinstance(listed, (list, tuple)) and len(listed) == 2:
+        first, second = listed
         return _finite_or_int(name, first), _finite_or_int(name, second)
     raise ValueError(f"{name} must be a pair of numbers for gears 1 and 2, got {in_short(values)}")
 
