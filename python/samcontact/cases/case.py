@@ -24,7 +24,7 @@ from ..problem.heating import NO_HEAT, heating
 from .asperities import AsperityCase
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
-from .cross_checks import reason_for_grid, require_all_used
+from .cross_checks import path_with_loads, reason_for_grid, require_all_used
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
@@ -113,7 +113,7 @@ class Case(CaseFile):
             raise ValueError(
                 "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
             )
-        self._resolve_loads()
+        object.__setattr__(self, "path", path_with_loads(self))  # the case is frozen
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
@@ -137,19 +137,6 @@ class Case(CaseFile):
         require_all_used(self)
         self.steps()
         return self
-
-    def _resolve_loads(self) -> None:
-        """Replace loads relative to the load of the part by loads in newtons."""
-        path = []
-        for index, segment in enumerate(self.path):
-            try:
-                path.append(segment.with_load(self.surface.nominal_load(self._given_grid())))
-            except ValueError as error:
-                raise ValueError(f"path[{index}]: {error}") from error
-        object.__setattr__(self, "path", path)  # the case is frozen
-
-    def _given_grid(self) -> Grid | None:
-        return None if self.grid is None else self.grid.build()
 
     def _show_a_body_with_stresses(self) -> None:
         selected = self.output.body

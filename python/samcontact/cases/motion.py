@@ -129,8 +129,9 @@ class Segment(TangentialSection):
                 "load_factor requires a part with a load, such as a gear with surface.torque: add "
                 "it, or set load"
             )
-        load = self.load_factor * nominal
-        return self.model_copy(update={"load": load, "load_factor": None})
+        loaded = self.model_copy(update={"load": self.load_factor * nominal})
+        loaded.model_fields_set.discard("load")  # a sweep of the part computes the load again
+        return loaded
 
     @model_validator(mode="after")
     def _one_movement(self) -> Segment:

@@ -11,7 +11,6 @@ from pydantic import Field, model_validator
 from .. import parts
 from .._util.checks import FloatArray
 from ..measured.plain import plain_heights
-from ..parts.gears import SHARING
 from ..parts.indenters import BERKOVICH_HALF_ANGLE, VICKERS_HALF_ANGLE
 from .base import Finite, Length, NonNegative, Pair, Position, Positive, in_unit
 from .surface_shape import SurfaceShape
@@ -102,7 +101,7 @@ class GearSurface(SurfaceShape):
     relief_exponent: Positive = 1.0
     position: Position | Literal["A", "B", "C", "D", "E"] = "C"
     torque: Annotated[Positive, in_unit("N*m")] | None = None
-    sharing: Literal[SHARING] = "equal"
+    sharing: Literal["equal", "linear"] = "equal"
 
     @model_validator(mode="after")
     def _meshes(self) -> GearSurface:
@@ -155,6 +154,11 @@ class WheelRailSurface(SurfaceShape):
     yaw: Angle = 0.0
     roll: Angle = 0.0
     smoothing: Rounding = 0.0
+
+    @property
+    def files(self) -> dict[str, str]:
+        """Names of the files, by field."""
+        return {"rail": self.rail, "wheel": self.wheel}
 
     @property
     def reason_for_grid(self) -> str:

@@ -31,6 +31,14 @@ def test_the_torque_gives_the_pressure_of_a_line_contact():
     assert found == pytest.approx(expected, rel=5e-3)
 
 
+def test_a_changed_part_has_another_load():
+    """As in a sweep, which changes the fields that were given."""
+    given = Case.model_validate(PLAIN).model_dump(exclude_unset=True)
+    given["surface"]["torque"] *= 2.0
+    doubled = Case.model_validate(given).path[0].load
+    assert doubled == pytest.approx(2.0 * Case.model_validate(PLAIN).path[0].load, rel=1e-14)
+
+
 def test_the_load_of_a_part_requires_one():
     other = PLAIN | {"surface": {"shape": "cone", "half_angle": 1.4}}
     with pytest.raises(CaseError, match=r"path\[0\]: load_factor requires a part with a load"):
