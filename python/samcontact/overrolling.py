@@ -79,7 +79,7 @@ class Particle:
         finite("y", self.y)
 
     def gap(self, grid: Grid) -> FloatArray:
-        """Gap of the particle above the surface [m]; inf beside it."""
+        """Gap of the particle above the surface [m]; inf outside the particle."""
         require_surface(grid)
         r2 = (grid.x[:, None] - self.x) ** 2 + (grid.y[None, :] - self.y) ** 2
         inside = r2 < self.radius**2

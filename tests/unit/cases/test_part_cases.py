@@ -32,7 +32,7 @@ def test_the_torque_gives_the_pressure_of_a_line_contact():
 
 
 def test_a_changed_part_has_another_load():
-    """As in a sweep, which changes the fields that were given."""
+    """A sweep changes the fields that were given, and computes the load again."""
     given = Case.model_validate(PLAIN).model_dump(exclude_unset=True)
     given["surface"]["torque"] *= 2.0
     doubled = Case.model_validate(given).path[0].load
