@@ -203,7 +203,8 @@ class GearPair:
             where = finite("position", position)
         if not p["A"] <= where <= p["E"]:
             raise ValueError(
-                f"position must be between A = {p['A']!r} m and E = {p['E']!r} m, got {in_short(position)}"
+                f"position must be between A = {p['A']!r} m and E = {p['E']!r} m, got "
+                f"{in_short(position)}"
             )
         first = self.base_radii[0] * math.tan(self.working_pressure_angle) + where
         return FlankContact(self, where, (first, self._length - first))
