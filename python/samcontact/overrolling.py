@@ -88,8 +88,7 @@ class Particle:
 
     def path(self, increments: int) -> paths.Path:
         """Steps of loading and unloading."""
-        name, value = load_or_approach(self.load, self.approach)
-        loading = paths.ramp(**{name: value, "increments": increments, "start": 0.0})
+        loading = paths.ramp(load=self.load, approach=self.approach, increments=increments)
         return [*loading, {"load": 0.0}]
 
 
