@@ -36,7 +36,7 @@ INDENT = {
 }  # fmt: skip
 ROLL = {
     "grid": CELLS, "body1": sc.Material.elastic(210e9, 0.3), "body2": STEEL,
-    "gap": sc.surfaces.paraboloid(CELLS, 1e-4), "load": 5e-4, "distance": 2e-6, "step": 1e-6,
+    "gap": sc.surfaces.paraboloid(CELLS, 1e-4), "load": 5e-4, "distance": 2e-6, "step": 2e-6,
     "middle": 1e-6, "slide_to_roll": 0.0, "increments": 1, "progress": False,
 }  # fmt: skip
 ROLL["dented"] = sc.overrolling.indent(**INDENT)

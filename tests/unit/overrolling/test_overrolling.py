@@ -75,6 +75,7 @@ def test_a_dent_elsewhere_is_the_same_dent(rolled):
     assert moved.position == pytest.approx(rolled.position + shift, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_distant_dents_do_not_interact(dented):
     """The second particle finds the first dent; far away, imprints add up."""
     wide = sc.Grid(49, 15, CELL, CELL, dz=6e-6)
