@@ -134,7 +134,7 @@ def curve_table(rows: Prints) -> list[dict[str, Any]]:
                 "on coarser grids": ", ".join(f"{one.constraint:.3f}" for one in grids[:-1]),
                 "Hertz": f"{hertz(x):.3f}" if x < 5 else "",
                 "cavity": f"{float(cavity(x)):.3f}" if grows else "",
-                "maximum plastic strain R/a": f"{last.max_strain / last.radius:.2f}",
+                "maximum plastic strain × R/a": f"{last.max_strain / last.radius:.2f}",
             }
         )
     return lines

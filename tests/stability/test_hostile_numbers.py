@@ -27,6 +27,7 @@ MADE_BY_THE_PACKAGE = {
     "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution",
     "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult",
+    "parts.Cam", "parts.FlankContact", "parts.TappetContact", "overrolling.Overrolling",
     "PartialSlipSolution", "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip
@@ -37,6 +38,7 @@ INTENDED = {
     ("surfaces.paraboloid", "Rx", math.inf),
     ("surfaces.paraboloid", "Ry", math.inf),
     ("bearings.roller_on_race", "crown_radius", math.inf),
+    ("parts.TappetContact.surface", "crown_radius", math.inf),
     # no slip
     ("Coulomb", "coefficient", math.inf),
     ("Tresca", "limit", math.inf),
@@ -53,6 +55,7 @@ INTENDED = {
     ("ContactSolver.solve", "gap", math.inf),
     ("Simulation", "gap", math.inf),
     ("rolling.steady", "gap", math.inf),
+    ("overrolling.roll_over", "gap", math.inf),
     ("surfaces.from_heights", "heights_lower", -math.inf),
     ("surfaces.from_heights", "heights_upper", math.inf),
     ("measured.MeasuredSurface.on", "fill", -math.inf),

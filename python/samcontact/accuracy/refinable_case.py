@@ -165,7 +165,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Take half-widths of later grids, and segments without plastic flow, from a run."""
+        """Store what a run shows: half-widths for later grids, and segments without flow."""
         self.grids.settle(run.level, run.half)
         if self.case.heat is None or self.case.heat.history is None:
             self.elastic = set(run.elastic)

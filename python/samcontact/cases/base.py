@@ -182,6 +182,11 @@ class HeightsFile(Section):
     average: bool | None = None
     fill: Position | None = None
 
+    @property
+    def files(self) -> dict[str, str]:
+        """Names of the files, by field."""
+        return {"path": self.path}
+
     def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
         """Heights [m] at the cell centres if the file is plain text with one number per cell."""
         path = folder / self.path

@@ -24,7 +24,7 @@ from ..problem.heating import NO_HEAT, heating
 from .asperities import AsperityCase
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
-from .cross_checks import reason_for_grid, require_all_used
+from .cross_checks import path_with_loads, reason_for_grid, require_all_used
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
 from .sections import (
@@ -113,6 +113,7 @@ class Case(CaseFile):
             raise ValueError(
                 "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
             )
+        object.__setattr__(self, "path", path_with_loads(self))  # the case is frozen
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")

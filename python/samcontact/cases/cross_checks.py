@@ -15,6 +15,7 @@ from .sections import contact_law_of
 
 if TYPE_CHECKING:
     from .bodies import BodySection
+    from .motion import Segment
 
 
 def require_all_used(case: Any) -> None:
@@ -42,6 +43,18 @@ def require_all_used(case: Any) -> None:
             f"output.volume = {case.output.volume!r} requires grid.dz: set grid.dz, or omit "
             "output.volume"
         )
+
+
+def path_with_loads(case: Any) -> list[Segment]:
+    """Return the path of a `Case` with loads relative to the load of the part in newtons."""
+    grid = None if case.grid is None else case.grid.build()
+    path = []
+    for index, segment in enumerate(case.path):
+        try:
+            path.append(segment.with_load(case.surface.nominal_load(grid)))
+        except ValueError as error:
+            raise ValueError(f"path[{index}]: {error}") from error
+    return path
 
 
 def _require_cycle(case: Any) -> None:
@@ -192,10 +205,8 @@ def reason_for_grid(case: Any) -> str:
         relief = getattr(case, name)
         if relief is not None and not relief.is_known:
             return f"the heights of {name} are given at samples"
-    radii = case.surface.radii()
-    if radii is None or not all(map(math.isfinite, radii)):
-        return f"surface.shape = {case.surface.shape!r} gives a contact of infinite length"
-    return ""
+    reason: str = case.surface.reason_for_grid
+    return reason
 
 
 def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:

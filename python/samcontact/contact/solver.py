@@ -112,8 +112,8 @@ class ContactSolver(ContactFields):
         require_heat_of(self._law, self.heat)
         if self._law.sticks and any(self.heat.factor):
             raise ValueError(
-                f"heat.factor must be 0 for a single contact with friction = {friction!r}, got "
-                f"{self.heat.factor!r}: in partial slip use Simulation"
+                f"heat.factor must be 0 in a ContactSolver with partial slip, got "
+                f"{self.heat.factor!r} and friction = {friction!r}: use Simulation"
             )
         self.contact_law.require_possible(self.heat, {})
         self._heating = heating(self.heat, (body1, body2), grid)

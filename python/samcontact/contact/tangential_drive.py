@@ -252,9 +252,9 @@ def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:
         )
     if drive.given.is_force[2] and not drive.given.is_force[1]:
         raise ValueError(
-            "torque with advance requires tangential_load along y, because spin also moves the "
-            f"bodies along y, got a shift of {drive.given.values[1]!r} m: prescribe both forces, "
-            "or twist"
+            "torque with advance requires tangential_load along y instead of a shift, because spin "
+            f"also moves the bodies along y; got a shift of {drive.given.values[1]!r} m: prescribe "
+            "the tangential loads along x and y, or twist instead of torque"
         )
 
 

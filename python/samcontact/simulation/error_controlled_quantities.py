@@ -142,7 +142,7 @@ def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
 
 
 def _count(materials: int) -> int:
-    """Return the number of values from `parts` for a body with this number of materials."""
+    """Return how many values `parts` gives for a body that consists of several materials."""
     return 3 * materials - 1
 
 

@@ -108,18 +108,23 @@ def case_key(
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:
-    """Return the hash of the height file of a section; None if the section has no such file."""
+    """Return the hash of the files of a section; None if the section has no file."""
+    files = getattr(getattr(case, name, None), "files", {})
+    found = [
+        _hash(case, f"{name}.{field}", case.source.parent / path, digests)
+        for field, path in files.items()
+    ]
+    return " ".join(found) or None
+
+
+def _hash(case: CaseFile, field: str, file: Path, digests: dict[Path, str]) -> str:
     from ..cases.base import CaseError
 
-    path = getattr(getattr(case, name, None), "path", None)
-    if path is None:
-        return None
-    file = case.source.parent / path
     if file not in digests:
         try:
             digests[file] = hashlib.sha256(file.read_bytes()).hexdigest()
         except OSError as error:
             reason = error.strerror or error
-            message = f"{name}.path: cannot read heights from {file}: {reason}"
+            message = f"{field}: cannot read heights from {file}: {reason}"
             raise CaseError(f"{case.source}: {message}") from error
     return digests[file]

@@ -228,9 +228,9 @@ def _advance(
         if left > (_MAX_PARTS - parts) * max_repeats:
             raise ValueError(
                 f"{setup.law} and repeats are too large: a cycle may be divided into at "
-                f"most {_MAX_PARTS} solutions, and each can stand for only {max_repeats:.3g} "
-                f"repeats; got {max(setup.coefficients)!r} 1/Pa and {setup.repeats} "
-                "repeats: use fewer repeats, or check the unit of the coefficient"
+                f"most {_MAX_PARTS} solutions, and one solution can represent at most "
+                f"{max_repeats:.3g} repeats; got {setup.law} = {max(setup.coefficients)!r} 1/Pa "
+                f"and repeats = {setup.repeats}: use fewer repeats, or check the unit"
             )
         count = min(left, max_repeats)
         removed = removed + count * solved.worn

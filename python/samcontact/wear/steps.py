@@ -208,7 +208,9 @@ class Gaussian:
 
 
 def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatArray:
-    """Map a volume field to depths z_k below the worn surface: z_k + depth below the old surface.
+    """Interpolate a volume field at layer depths z_k below the worn surface.
+
+    These points lie z_k + depth below the old surface.
 
     Parameters
     ----------

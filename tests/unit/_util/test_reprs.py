@@ -239,6 +239,15 @@ load = 1.0
 ASPERITIES = "[asperities]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
 
 
+GEARS = sc.parts.GearPair(0.013 / 3, (16, 24), 0.043 / 3, 1 / 3, (0.1, 0.1), crowning=1e-5 / 3)
+CAM = sc.parts.Cam.harmonic(0.1 / 3, 0.01 / 3, 2.5)
+LINE = np.column_stack([np.linspace(-0.03, 0.03, 31), np.linspace(-0.03, 0.03, 31) ** 2])
+PARTS = [
+    GEARS, GEARS.at("B"), CAM, CAM.at(1 / 3), sc.parts.WheelRail(LINE, LINE * [1, -1], 0.46),
+    sc.overrolling.Particle(1e-3 / 3, approach=1e-6 / 3),
+]  # fmt: skip
+
+
 def public_objects():
     """Return one object of each public class."""
     grid = sc.Grid(40, 30, 60e-6, 60e-6, 3, 60e-6)
@@ -274,7 +283,8 @@ def public_objects():
         sc.to_accuracy(balls, 0.5),
         accuracy.RefinableCase(sc.to_accuracy(balls, 0.5).case),
         sc.Layered([(BALL, 1e-6 / 3)] * 3, BALL),
-        grid, steel, relief, heat, simulation, state, state.track(), solver, collision, cycle, load,
+        grid, steel, relief, heat, simulation, state, state.track(), solver,
+        sc.overrolling.Overrolling(state.track(), [state] * 50), collision, cycle, load,
         sc.IncrementErrors({"pressure": 0.1}, {}, "half as many"),
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
@@ -293,7 +303,7 @@ def public_objects():
         sc.fatigue.steady_cycle(state), sc.fatigue.findley(sc.fatigue.steady_cycle(state), k=1 / 3),
         sc.shakedown.line(0.3), pass_, sc.shakedown.ShakedownResult(
             "ratcheting", 1e-3 / 3, 1e-3 / 7, (pass_,) * 50, 60, 1e-4 / 3, 1, 1e-3 / 9, state, {}),
-        steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
+        *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(asperities=CONTACT, **fields)),
         parse_case(CASE.format(asperities=ASPERITIES, **fields)),

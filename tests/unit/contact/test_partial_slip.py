@@ -270,7 +270,7 @@ def test_invalid_friction_is_refused():
     with pytest.raises(ValueError, match="coefficient must be a number >= 0"):
         sc.Coulomb(-0.1)
     warm = SOFT.with_thermal(1.0, 1e-5, 1.0)
-    with pytest.raises(ValueError, match=r"heat\.factor must be 0 for a single contact with"):
+    with pytest.raises(ValueError, match=r"heat\.factor must be 0 in a ContactSolver with"):
         sc.ContactSolver(SMALL_GRID, warm, warm, sc.Coulomb(0.1), heat=sc.Heat(0.1))
     solver = sc.ContactSolver(SMALL_GRID, SOFT, SOFT, sc.Coulomb(0.1))
     found = solver.solve(BALL, load=0.01)

@@ -1,0 +1,342 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Dents pressed into a surface by hard particles, and a body that rolls over them.
+
+`indent` simulates the indentations. The dented body keeps its imprint, its residual stress and its
+hardening. `roll_over` starts from it: another body passes over the dents.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import fatigue, paths
+from ._util.cached_property import cached_property
+from ._util.checks import (
+    FloatArray,
+    finite,
+    in_cells,
+    integer,
+    load_or_approach,
+    non_negative,
+    positive,
+    require_list,
+    require_type,
+)
+from .bodies.layered import Body, backstresses_of
+from .bodies.material import Material
+from .problem.grid import Grid
+from .simulation.simulation import Simulation
+from .solutions.state import State
+from .solutions.track import Track
+from .surfaces import require_surface
+
+__all__ = ["Overrolling", "Particle", "indent", "particles", "roll_over"]
+
+_MAX_PARTICLES = 10_000
+
+
+@dataclass(frozen=True)
+class Particle:
+    """Hard spherical particle that is pressed into a surface.
+
+    Parameters
+    ----------
+    radius : float
+        Radius [m], > 0.
+    load : float, optional
+        Maximum load [N], > 0.
+    approach : float, optional
+        Maximum depth below the undeformed surface [m], > 0, smaller than the radius. Exactly one of
+        load and approach must be given.
+    x, y : float, optional
+        Position on the body [m].
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range.
+    """
+
+    radius: float
+    load: float | None = None
+    approach: float | None = None
+    x: float = 0.0
+    y: float = 0.0
+
+    def __post_init__(self) -> None:
+        R = positive("radius", self.radius)
+        name, value = load_or_approach(self.load, self.approach)
+        positive(name, value)
+        if name == "approach" and value >= R:
+            raise ValueError(f"approach must be < radius = {R!r} m, got {value!r}")
+        finite("x", self.x)
+        finite("y", self.y)
+
+    def gap(self, grid: Grid) -> FloatArray:
+        """Gap of the particle above the surface [m]; inf outside the particle."""
+        require_surface(grid)
+        r2 = (grid.x[:, None] - self.x) ** 2 + (grid.y[None, :] - self.y) ** 2
+        inside = r2 < self.radius**2
+        height = np.sqrt(self.radius**2 - np.where(inside, r2, 0.0))
+        return np.where(inside, r2 / (self.radius + height), math.inf)
+
+    def path(self, increments: int) -> paths.Path:
+        """Steps of loading and unloading."""
+        loading = paths.ramp(load=self.load, approach=self.approach, increments=increments)
+        return [*loading, {"load": 0.0}]
+
+
+def particles(
+    length: float,
+    width: float,
+    density: float,
+    radius: float,
+    *,
+    spread: float = 0.0,
+    depth_ratio: float = 0.05,
+    seed: int,
+) -> list[Particle]:
+    """Random particles on a rectangle around the origin, as left by a contaminated lubricant.
+
+    The number of particles has a Poisson distribution, positions are uniform, and radii have a
+    log-normal distribution.
+
+    Parameters
+    ----------
+    length, width : float
+        Sides of the rectangle along x and y [m], > 0.
+    density : float
+        Mean number of particles per area [1/m^2], >= 0.
+    radius : float
+        Median radius [m], > 0.
+    spread : float, optional
+        Standard deviation of the logarithm of the radius [-], >= 0.
+    depth_ratio : float, optional
+        Approach of each particle divided by its radius [-], in (0, 1).
+    seed : int
+        Seed of `numpy.random.default_rng`: equal seeds give equal particles.
+
+    Returns
+    -------
+    list of Particle
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range, or the mean number of particles exceeds 10000.
+    """
+    sides = positive("length", length), positive("width", width)
+    mean = non_negative("density", density) * sides[0] * sides[1]
+    if mean > _MAX_PARTICLES:
+        raise ValueError(
+            f"density must give at most {_MAX_PARTICLES} particles on length * width, got {mean:g}"
+        )
+    median, deviation = positive("radius", radius), non_negative("spread", spread)
+    if deviation > 2.0:
+        raise ValueError(f"spread must be in [0, 2], got {spread!r}")
+    if not 0.0 < finite("depth_ratio", depth_ratio) < 1.0:
+        raise ValueError(f"depth_ratio must be in (0, 1), got {depth_ratio!r}")
+    rng = np.random.default_rng(integer("seed", seed, 0, None))
+    count = int(rng.poisson(mean))
+    x, y = ((rng.random(count) - 0.5) * side for side in sides)
+    radii = median * np.exp(deviation * rng.standard_normal(count))
+    return [
+        Particle(float(R), approach=float(depth_ratio * R), x=float(a), y=float(b))
+        for R, a, b in zip(radii, x, y, strict=True)
+    ]
+
+
+def indent(
+    grid: Grid,
+    body2: Body,
+    particles: Sequence[Particle],
+    *,
+    increments: int = 8,
+    body1: Body | None = None,
+    progress: bool = False,
+    **settings: Any,
+) -> Track:
+    """Press particles into a body, one after the other.
+
+    Parameters
+    ----------
+    grid : Grid
+        Grid with layers (dz) that contains the particles' contacts.
+    body2 : Material or Layered
+        Elastic-plastic body.
+    particles : sequence of Particle
+        At least one.
+    increments : int, optional
+        Number of increments of each loading.
+    body1 : Material or Layered, optional
+        Material of the particles; rigid by default.
+    progress : bool, optional
+        Whether to show a progress bar for each particle.
+    **settings
+        Further settings of `Simulation`, such as `tol` or `friction`.
+
+    Returns
+    -------
+    Track
+        Residual fields of the unloaded body with its dents: `residual_displacement`,
+        `residual_stress`, `plastic_strain` and others.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument is outside its range, or a `Simulation` raises an error.
+    """
+    require_type("grid", grid, Grid)
+    require_list("particles", particles, Particle)
+    if not particles:
+        raise ValueError("particles must contain at least one Particle, got an empty list")
+    count = integer("increments", increments, 1)
+    upper = Material.rigid() if body1 is None else body1
+    dented: Track | None = None
+    for one in particles:
+        simulation = Simulation(grid, upper, body2, one.gap(grid), **settings)
+        if dented is not None:
+            start_from(simulation, dented)
+        dented = simulation.run(one.path(count), progress=progress)[-1].track(2)
+    assert dented is not None
+    return dented
+
+
+def start_from(simulation: Simulation, dented: Track) -> None:
+    """Give body 2 of a simulation the plastic strain and the hardening of a track."""
+    backstress = dented.backstress() if backstresses_of(simulation.body2) else None
+    simulation.set_plastic_strain(
+        2, dented.plastic_strain(), dented.equivalent_plastic_strain(), backstress, dented.first
+    )
+
+
+@dataclass(frozen=True)
+class Overrolling:
+    """Pass of a body over a dented surface, from `roll_over`.
+
+    Attributes
+    ----------
+    dented : Track
+        Residual fields before the pass.
+    states : list of State
+        States of the pass; the last one is unloaded.
+    """
+
+    dented: Track
+    states: list[State]
+
+    def __repr__(self) -> str:
+        return f"Overrolling(states={len(self.states)}, dented={self.dented!r})"
+
+    @cached_property
+    def position(self) -> FloatArray:
+        """Position of the contact on the body at each state [m], shape (n,)."""
+        return np.array([-state.travel[1] for state in self.states])
+
+    @cached_property
+    def max_pressure(self) -> FloatArray:
+        """Maximum pressure of each state [Pa], shape (n,)."""
+        return np.array([state.pressure.max() for state in self.states])
+
+    @cached_property
+    def peak(self) -> int:
+        """Index of the state with the largest pressure."""
+        return int(np.argmax(self.max_pressure))
+
+    @property
+    def peak_place(self) -> tuple[float, float]:
+        """Position of the largest pressure of the pass on the body [m], e.g. the rim of a dent."""
+        state = self.states[self.peak]
+        i, j = np.unravel_index(np.argmax(state.pressure), state.pressure.shape)
+        x = state.grid.x[i] - state.origin + self.position[self.peak]
+        return float(x), float(state.grid.y[j])
+
+    @cached_property
+    def track(self) -> Track:
+        """Residual fields after the pass."""
+        return self.states[-1].track(2)
+
+    def dang_van(self, slope: float) -> fatigue.FatigueField:
+        """Dang Van's criterion over the pass: see `fatigue.dang_van`.
+
+        slope: weight of the mean normal stress [-].
+        """
+        return fatigue.dang_van(self.states, 2, slope)
+
+
+def roll_over(
+    grid: Grid,
+    body1: Body,
+    body2: Body,
+    dented: Track,
+    gap: ArrayLike | Callable[[Grid], ArrayLike],
+    *,
+    load: float,
+    distance: float,
+    step: float,
+    middle: float = 0.0,
+    slide_to_roll: float = 0.0,
+    increments: int = 4,
+    progress: bool = False,
+    **settings: Any,
+) -> Overrolling:
+    """Roll another body over a dented surface.
+
+    Parameters
+    ----------
+    grid : Grid
+        Grid with the cells of `dented`.
+    body1, body2 : Material or Layered
+        Upper body, and the body with the dents.
+    dented : Track
+        Residual fields of body 2, from `indent` or from an earlier pass (`Overrolling.track`).
+    gap : array_like, shape (nx, ny), or callable
+        Gap of the undeformed bodies without dents [m], as in `Simulation`.
+    load : float
+        Normal load [N].
+    distance, step : float
+        Distance that is rolled, and length of an increment [m], whole numbers of cells.
+    middle : float, optional
+        Position of the middle of the path on body 2 [m], a whole number of cells.
+    slide_to_roll : float, optional
+        Slide-to-roll ratio, as in `paths.rolling`.
+    increments : int, optional
+        Number of increments of the loading before the pass.
+    progress : bool, optional
+        Whether to show a progress bar.
+    **settings
+        Further settings of `Simulation`, such as `tol` or `friction`.
+
+    Returns
+    -------
+    Overrolling
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument is outside its range, the cells of `dented` differ from those of the grid, or
+        `Simulation` raises an error.
+    """
+    require_type("grid", grid, Grid)
+    require_type("dented", dented, Track)
+    cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
+    if cells[0] != cells[1]:
+        raise ValueError(
+            "dented must have the cells of the grid: (ny, dx, dy, dz, periodic) are "
+            f"{cells[0]} and {cells[1]}"
+        )
+    start = finite("middle", middle) - 0.5 * positive("distance", distance)
+    first = grid.dx * round(in_cells("distance", start, grid.dx))
+    simulation = Simulation(grid, body1, body2, gap, **settings)
+    start_from(simulation, dented)
+    simulation.step(load=0.0, advance=(-first, -first))
+    path = paths.rolling(
+        load=load, distance=distance, step=step, slide_to_roll=slide_to_roll, increments=increments
+    )
+    return Overrolling(dented, simulation.run(path, progress=progress))
