@@ -92,7 +92,7 @@ class SurfaceShape(Section):
     def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         """Return the gap on a grid.
 
-        cells: grid of heights that are given in each cell, if they are evaluated on another one.
+        cells: grid on which the heights are given, if they are evaluated on another grid.
         """
         gap = self.shape_gap(grid, folder, cells)
         return gap if self.roughness is None else gap + self.roughness.build(grid, cells)
