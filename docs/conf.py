@@ -32,6 +32,7 @@ extensions = [
     "code_links",
     "executed",
     "figures",
+    "materials",
     "modules",
 ]
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]

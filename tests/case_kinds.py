@@ -86,6 +86,7 @@ KINDS = {
         SWIFT | {"thickness": 5e-6}, *(law | {"thickness": 10e-6} for law in (VOCE, TABULATED)),
     ]}, "heat": {"factor": [0.0, 2e-3], "time": 1e-3}, "path": [{"load": 2.0}]},
     "Voce": BASE | {"body1": VOCE},
+    "library": BASE | {"body2": {"material": "52100", "law": "swift"}},
     "tabulated": BASE | {"body2": TABULATED},
     "rolling": BASE
     | {"path": [{"load": 2.0, "increments": 2, "heat_factor": 0.0, "roll": ROLL}]},

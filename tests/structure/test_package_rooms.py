@@ -19,7 +19,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 FLOORS = [
     {"_util"},
     {"bodies", "files", "hertz", "paths", "hardness", "kernels", "softening", "surfaces", "units"},
-    {"bearings", "critical", "restart", "heat", "heat_kernels"},
+    {"bearings", "critical", "restart", "heat", "heat_kernels", "materials"},
     {"problem", "flattening"},
     {"measured", "solutions", "dents", "operators"},
     {"diagnostics"},

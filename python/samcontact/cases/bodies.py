@@ -7,12 +7,21 @@ from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, create_model, model_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ModelWrapValidatorHandler,
+    create_model,
+    model_validator,
+)
 
+from .. import materials
 from ..bodies.hardening_laws import LAWS, Constant, Law
 from .base import Finite, NonNegative, Positive, Section, in_unit
 
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
     from ..bodies.layered import Body
     from ..bodies.material import Material
 
@@ -94,17 +103,26 @@ class _Solid(Section):
         law: str
 
     @property
-    def material(self) -> Material:
+    def known(self) -> materials.MaterialData | None:
+        """Entry of the library that `material` names."""
+        name = getattr(self, "material", None)
+        return None if name is None else materials.get(name)
+
+    @property
+    def solid(self) -> Material:
+        """Material of the section, without layers."""
         from ..bodies.material import Material
         from ..softening import JohnsonCook
 
-        parameters = self.model_dump(exclude={"layers", "thickness"})
+        parameters = self.model_dump(exclude={"layers", "thickness", "material"})
         extra = {name: parameters.pop(name, None) for name in _BODY_TABLES}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
             material = material.with_kinematic_hardening(**extra["kinematic"])
         if extra["thermal"] is not None:
             material = material.with_thermal(**extra["thermal"])
+        elif self.known is not None and self.known.thermal is not None:
+            material = material.with_thermal(*self.known.thermal)
         if extra["softening"] is not None:
             del extra["softening"]["kind"]
             material = material.with_softening(JohnsonCook(**extra["softening"]))
@@ -115,7 +133,43 @@ class _Solid(Section):
         return material
 
 
+def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of a body with the constants that the library has for its material."""
+    law, name = given.get("law"), given.get("material")
+    if not isinstance(law, str) or not isinstance(name, str):
+        return given  # refused by the types of the fields
+    try:
+        known = materials.get(name).constants(law)
+    except ValueError as error:
+        raise ValueError(str(error).replace("name must", "material must", 1)) from None
+    for field in ("E", "nu"):
+        if field in given:
+            raise ValueError(
+                f"{field} cannot be combined with material = {name!r}, which has {field}: omit one "
+                "of them"
+            )
+    missing = [field for field in LAWS[law].constants if field not in known | given]
+    if missing:
+        raise ValueError(
+            f"{', '.join(missing)} must be given: the library has no such value of {name!r} for "
+            f"law = {law!r}"
+        )
+    return known | given
+
+
 class _ElasticSolid(_Solid):
+    material: str | None = None
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _from_library(cls, given: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        """Take constants from the library; only fields of the file count as set."""
+        if not isinstance(given, dict) or given.get("material") is None:
+            return handler(given)
+        made = handler(_with_constants(given))
+        made.model_fields_set.intersection_update(given)
+        return made
+
     residual_stress: InitialStress | None = None
     thermal: ThermalConstants | None = None
 
@@ -180,6 +234,11 @@ def _layer_law(given: Any) -> Any:
     return [{"law": "elastic"} | part if isinstance(part, dict) else part for part in given]
 
 
+def _body_law(given: Any) -> Any:
+    """Add law = "elastic" to a body with a material of the library but no law."""
+    return {"law": "elastic"} | given if isinstance(given, dict) and "material" in given else given
+
+
 if TYPE_CHECKING:
     LayerSection = _Layer
 else:
@@ -224,8 +283,8 @@ class _Body(_Solid):
         """Create the `Material`, or a `Layered` body if there are layers."""
         from ..bodies.layered import Layered
 
-        layers = tuple((part.material, part.thickness) for part in self.coating)
-        return Layered(layers, self.material) if layers else self.material
+        layers = tuple((part.solid, part.thickness) for part in self.coating)
+        return Layered(layers, self.solid) if layers else self.solid
 
 
 class _ElasticBody(_ElasticSolid, _Body):
@@ -239,4 +298,6 @@ class _PlasticBody(_PlasticSolid, _ElasticBody):
 if TYPE_CHECKING:
     BodySection = _Body
 else:
-    BodySection = _models("Body", _Body, _ElasticBody, _PlasticBody)
+    BodySection = Annotated[
+        _models("Body", _Body, _ElasticBody, _PlasticBody), BeforeValidator(_body_law)
+    ]

@@ -16,6 +16,7 @@ from .._util.version import version
 from .doctor import doctor
 from .find import find
 from .hertz import hertz
+from .materials import materials
 from .results import export, report
 from .run import resume, run
 from .signals import stoppable
@@ -54,5 +55,5 @@ def main() -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""
 
 
-for _command in (run, resume, sweep, find, report, export, hertz, doctor):
+for _command in (run, resume, sweep, find, report, export, hertz, materials, doctor):
     main.add_command(_command)

@@ -35,7 +35,7 @@ OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
     "lateral_creepage": [2e-3], "spin": [1.0],
-    "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
+    "material": ["M50"], "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
     "heat_factor": [[1e-3, 4e-3], 0.5, [0.0, 4e-3]], "factor": [[1e-3, 4e-3], [0.0, 4e-3],
@@ -49,6 +49,7 @@ OTHER = {
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
+    "material": "52100",
     "steady_axis": "x",
     "window": 3, "order": 1, "smoothing_length": 8e-6,
     "time": 1e-3, "reference": 0.5, "history": [1e-6, 1e-3], "speed": 2.0, "heat": HEAT,
