@@ -1,7 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A valid call of the library of materials and of hardening laws from tests."""
+"""A valid call of the library of materials, hardness profiles, exposures and lives."""
 
 import samcontact as sc
+
+FLANK = sc.hertz.line(1e-2, 1e11, p0=1e9)
+STEEL = sc.Material.linear_hardening(2e11, 0.3, 1e9, 1e10)
+CASE = sc.hardness.HardnessProfile((0.0, 1e-3), (390.0, 300.0))
+CYCLE = sc.fatigue.hertz_cycle(FLANK, STEEL, z=[1e-5, 2e-5])
+SHEAR = sc.fatigue.orthogonal_shear(CYCLE)
+LIFE = sc.fatigue.life(SHEAR, depth_exponent=0.0)
+EXPOSURE = sc.fatigue.exposure(CYCLE, CASE)
 
 CALLS = [
     (
@@ -16,6 +24,7 @@ CALLS = [
             "offset": 1e-3,
         },
     ),
+    ("materials.names", sc.materials.names, {}),
     ("materials.get", sc.materials.get, {"name": "100Cr6"}),
     *(
         (f"materials.MaterialData.{method}", getattr(sc.materials.get("M50"), method), {name: text})
@@ -26,4 +35,49 @@ CALLS = [
             ("value", "constant", "E"),
         )
     ),
+    ("hardness.HardnessProfile", sc.hardness.HardnessProfile, {"z": [0.0], "HV": [300.0]}),
+    ("hardness.HardnessProfile.at", CASE.at, {"z": [0.0, 1e-4]}),
+    ("hardness.HardnessProfile.depth_of", CASE.depth_of, {"HV": 350.0}),
+    ("hardness.HardnessProfile.applied_to", CASE.applied_to, {"material": STEEL}),
+    (
+        "hardness.hardened_case",
+        sc.hardness.hardened_case,
+        {"surface": 600.0, "core": 300.0, "depth": 1e-3, "limit": 500.0},
+    ),
+    (
+        "hardness.bending_limit_from_vickers",
+        sc.hardness.bending_limit_from_vickers,
+        {"HV": [300.0], "defect": 2e-5, "location": "surface"},
+    ),
+    (
+        "fatigue.hertz_cycle",
+        sc.fatigue.hertz_cycle,
+        {"contact": FLANK, "body": STEEL, "z": [1e-5], "friction": 0.1},
+    ),
+    ("fatigue.max_von_mises", sc.fatigue.max_von_mises, {"states": CYCLE}),
+    (
+        "fatigue.exposure",
+        sc.fatigue.exposure,
+        {"states": CYCLE, "hardness": CASE, "slope": 0.3, "axis": "y", "defect": 2e-5},
+    ),
+    ("fatigue.Exposure.to_dataset", EXPOSURE.to_dataset, {}),
+    ("fatigue.Exposure.max_value", EXPOSURE.max_value, {"criterion": "yield"}),
+    ("fatigue.Exposure.depth", EXPOSURE.depth, {"criterion": "yield"}),
+    (
+        "fatigue.life",
+        sc.fatigue.life,
+        {
+            "field": SHEAR,
+            "model": "ioannides_harris",
+            "limit": 1e7,
+            "exponent": 9.0,
+            "depth_exponent": 1.0,
+            "weibull": 1.1,
+            "length": 0.1,
+            "stress_depth": 1e-5,
+        },
+    ),
+    ("fatigue.Life.relative_to", LIFE.relative_to, {"reference": LIFE}),
+    ("fatigue.Life.constant_for", LIFE.constant_for, {"cycles": 1e6, "reliability": 0.9}),
+    ("fatigue.Life.cycles", LIFE.cycles, {"log_constant": -200.0, "reliability": 0.9}),
 ]

@@ -17,7 +17,8 @@ from pydantic import (
 
 from .. import materials
 from ..bodies.hardening_laws import LAWS, Constant, Law
-from .base import Finite, NonNegative, Positive, Section, in_unit
+from ..hardness import HardnessProfile, hardened_case
+from .base import Finite, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -93,7 +94,40 @@ class InitialStress(Section):
     sxy: Stresses | None = None
 
 
+Vickers = Annotated[float, Field(ge=20.0, le=3000.0)]
+
+
+class HardnessSection(Section):
+    """Hardness over depth, which determines the yield stress, see `samcontact.hardness`."""
+
+    surface: Vickers | None = None
+    core: Vickers | None = None
+    depth: Annotated[Positive, in_unit("m")] | None = None
+    limit: Vickers = 550.0
+    z: Depths | None = None
+    HV: list[Vickers] | None = None
+
+    @model_validator(mode="after")
+    def _one_form(self) -> HardnessSection:
+        case = [self.surface, self.core, self.depth]
+        points = [self.z, self.HV]
+        other = points if None not in case else case
+        if (None in case) == (None in points) or any(value is not None for value in other):
+            raise ValueError("surface, core and depth, or z and HV must be given")
+        if self.z is not None and changed(self, ["limit"]):
+            raise ValueError("limit belongs to depth: omit it with z and HV")
+        self.build()
+        return self
+
+    def build(self) -> HardnessProfile:
+        """Create the profile."""
+        if self.surface is not None and self.core is not None and self.depth is not None:
+            return hardened_case(self.surface, self.core, self.depth, self.limit)
+        return HardnessProfile(tuple(self.z or ()), tuple(self.HV or ()))
+
+
 _BODY_TABLES = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
+_OTHER_FIELDS = {"layers", "thickness", "material", "hardness"}
 
 
 class _Solid(Section):
@@ -109,12 +143,18 @@ class _Solid(Section):
         return None if name is None else materials.get(name)
 
     @property
+    def profile(self) -> HardnessProfile | None:
+        """Hardness over depth; None if it is not given."""
+        section: HardnessSection | None = getattr(self, "hardness", None)
+        return None if section is None else section.build()
+
+    @property
     def solid(self) -> Material:
         """Material of the section, without layers."""
         from ..bodies.material import Material
         from ..softening import JohnsonCook
 
-        parameters = self.model_dump(exclude={"layers", "thickness", "material"})
+        parameters = self.model_dump(exclude=_OTHER_FIELDS)
         extra = {name: parameters.pop(name, None) for name in _BODY_TABLES}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
@@ -128,6 +168,10 @@ class _Solid(Section):
             material = material.with_softening(JohnsonCook(**extra["softening"]))
         if extra["yield_profile"] is not None:
             material = material.with_yield_profile(**extra["yield_profile"])
+        if self.profile is not None and material.is_plastic:
+            if extra["yield_profile"] is not None:
+                raise ValueError("hardness cannot be combined with yield_profile: omit one of them")
+            material = self.profile.applied_to(material)
         if extra["residual_stress"] is not None:
             material = material.with_residual_stress(**extra["residual_stress"])
         return material
@@ -170,6 +214,7 @@ class _ElasticSolid(_Solid):
         made.model_fields_set.intersection_update(given)
         return made
 
+    hardness: HardnessSection | None = None
     residual_stress: InitialStress | None = None
     thermal: ThermalConstants | None = None
 
