@@ -54,6 +54,11 @@ CALLS = [
         sc.fatigue.hertz_cycle,
         {"contact": FLANK, "body": STEEL, "z": [1e-5], "friction": 0.1},
     ),
+    (
+        "fatigue.hertz_cycle",
+        sc.fatigue.hertz_cycle,
+        {"contact": sc.hertz.point(1e-2, 1e11, p0=1e9), "body": STEEL, "z": [1e-5], "y": [0.0]},
+    ),
     ("fatigue.max_von_mises", sc.fatigue.max_von_mises, {"states": CYCLE}),
     (
         "fatigue.exposure",
