@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._util.checks import FloatArray, choice, number, positive, real_array, require_type
-from ._util.display import HtmlTable, Rows, lengths
+from ._util.display import HtmlTable, Rows, ShortRepr, lengths
 from .bodies.depth_profiles import MAX_PROFILE_POINTS, checked_depths
 from .bodies.material import Material
 
@@ -184,8 +184,8 @@ def bending_limit_from_vickers(
     return np.asarray(np.minimum(smooth, C * (hardness + 120.0) / (size * 1e6) ** (1 / 6)))
 
 
-@dataclass(frozen=True)
-class HardnessProfile(HtmlTable):
+@dataclass(frozen=True, repr=False)
+class HardnessProfile(ShortRepr, HtmlTable):
     """Vickers hardness over depth, piecewise linear, constant beyond its ends.
 
     Parameters

@@ -171,4 +171,4 @@ class MaterialData(HtmlTable):
         return rows
 
     def __repr__(self) -> str:
-        return f"samcontact.materials.get({self.name!r})"
+        return f"MaterialData({self.name!r})"

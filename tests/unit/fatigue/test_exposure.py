@@ -66,24 +66,26 @@ def test_point_contacts_have_lines_across_and_wrong_contacts_are_refused():
         sc.fatigue.exposure(np.zeros((2, 6, 3)), DEEP)
 
 
+FLANK_CASE = {
+    "title": "flank",
+    "grid": {"nx": 16, "ny": 12, "dx": 2e-5, "dy": 2e-5, "dz": 2e-5, "nz": 8},
+    "body1": {"law": "rigid"},
+    "body2": {
+        "material": "18CrNiMo7-6",
+        "hardness": {"surface": 620.0, "core": 380.0, "depth": "0.2 mm"},
+    },
+    "surface": {"shape": "paraboloid", "Rx": 5e-3},
+    "path": [{"load": 20.0, "increments": 1}],
+    "estimate_error": False,
+    "fatigue": {
+        "orthogonal_shear": "x", "steady_axis": "x", "exposure": {"defect": "20 um"},
+        "life": {"criterion": "orthogonal_shear"},
+    },
+}  # fmt: skip
+
+
 def test_a_case_file_writes_exposure_and_life(tmp_path, undrawn):
-    case = Case.model_validate(
-        {
-            "title": "flank",
-            "grid": {"nx": 16, "ny": 12, "dx": 2e-5, "dy": 2e-5, "dz": 2e-5, "nz": 8},
-            "body1": {"law": "rigid"},
-            "body2": {
-                "law": "elastic", "E": 206e9, "nu": 0.3,
-                "hardness": {"surface": 620.0, "core": 380.0, "depth": "0.2 mm"},
-            },
-            "surface": {"shape": "paraboloid", "Rx": 5e-3},
-            "path": [{"load": 20.0, "increments": 1}],
-            "fatigue": {
-                "orthogonal_shear": "x", "steady_axis": "x", "exposure": {"defect": "20 um"},
-                "life": {"criterion": "orthogonal_shear"},
-            },
-        }
-    )  # fmt: skip
+    case = Case.model_validate(FLANK_CASE)
     simulation, path = case.build()
     states = simulation.run(path, progress=False)
     written = write_fatigue(case, states, tmp_path, new_console(True), figures=True)
@@ -97,3 +99,12 @@ def test_a_case_file_writes_exposure_and_life(tmp_path, undrawn):
         assert stored.attrs["governing_criterion"] == expected.criterion
         integral = sc.fatigue.life(sc.fatigue.orthogonal_shear(cycle)).log_integral
         assert stored.attrs["life_log_integral"] == pytest.approx(integral, rel=1e-12)
+
+
+def test_a_study_of_depth_and_material():
+    studied = {"body2.hardness.depth": [1e-4, 2e-4], "body2.material": ["52100", "16MnCr5"]}
+    found = sc.sweep(Case.model_validate(FLANK_CASE), studied, progress=False)
+    exposed, lives = found["exposure_yield"].values, found["life_log_integral"].values
+    assert (exposed[0] > exposed[1]).all()  # a thinner case is weaker
+    assert (exposed[:, 0] > exposed[:, 1]).all()  # E = 210 and 206 GPa
+    assert (lives[0] == lives[1]).all()  # the elastic stress does not depend on the hardness
