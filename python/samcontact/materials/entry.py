@@ -56,10 +56,10 @@ class SourcedValue:
         if self.unit == "1/K":
             return f"{self.value * 1e6:.4g}e-6 1/K"
         if self.unit == "m^2/s":
-            return f"{self.value * 1e6:.4g} mm^2/s"
+            return f"{self.value * 1e6:.4g} mm²/s"
         if self.unit == "Pa":
             return quantity(self.value, "Pa")
-        return f"{self.value:.4g} {self.unit}".strip()
+        return f"{self.value:.4g} {self.unit.replace('^3', '³')}".strip()
 
 
 @dataclass(frozen=True, repr=False)

@@ -130,3 +130,22 @@ def test_stress_at_the_surface_is_told_and_wrong_input_refused():
     ):
         with pytest.raises(ValueError, match=says):
             call()
+
+
+def test_a_dent_shortens_the_life():
+    """Relative life of a pass over a dent: its rim adds stress close to the surface."""
+    contact = sc.hertz.point(10e-3, E_STAR, p0=2e9)
+    cell = contact.a / 8
+    grid = sc.Grid(41, 29, cell, cell, 16, cell / 2)
+    gap = sc.surfaces.paraboloid(grid, 10e-3)
+    path = sc.paths.rolling(load=contact.load, distance=8 * cell, step=2 * cell, increments=1)
+
+    def life(**relief):
+        simulation = sc.Simulation(grid, BODY, BODY, gap, **relief)
+        states = [one for one in simulation.run(path, progress=False) if one.load > 0]
+        stress = sc.fatigue.dang_van(sc.fatigue.cycle(states), slope=0.3)
+        assert stress.values.ndim == 3  # volumes of cells: no length of a raceway
+        return sc.fatigue.life(stress, model="zaretsky")
+
+    dent = sc.dents.spherical(grid, depth=3e-6, radius=0.4 * contact.a)
+    assert life(relief2=dent).relative_to(life()) < 0.8
