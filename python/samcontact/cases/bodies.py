@@ -210,6 +210,8 @@ class _ElasticSolid(_Solid):
         """Take constants from the library; only fields of the file count as set."""
         if not isinstance(given, dict) or given.get("material") is None:
             return handler(given)
+        if type(given["material"]) is int:  # 52100 and 4140 without quotes
+            given = given | {"material": str(given["material"])}
         made = handler(_with_constants(given))
         made.model_fields_set.intersection_update(given)
         return made
