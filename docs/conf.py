@@ -31,6 +31,7 @@ extensions = [
     "code_links",
     "executed",
     "figures",
+    "materials",
     "modules",
 ]
 if not tags.has("without_sources"):  # noqa: F821 - from Sphinx

@@ -22,6 +22,7 @@ TABULATED = {
 LAYER = {"E": 420e9, "nu": 0.22, "thickness": 2e-6}
 COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
+HARDENED = {name: value for name, value in SWIFT.items() if name != "yield_profile"}
 GRID = {"nx": 16, "ny": 14, "dx": 5e-6, "dy": 6e-6, "nz": 4, "dz": 5e-6}
 ROUGH = {
     "kind": "self_affine", "rms_height": 1e-8, "hurst": 0.7, "seed": 1, "wavelength_min": 15e-6,
@@ -107,6 +108,7 @@ KINDS = {
         SWIFT | {"thickness": 5e-6}, *(law | {"thickness": 10e-6} for law in (VOCE, TABULATED)),
     ]}, "heat": {"factor": [0.0, 2e-3], "time": 1e-3}, "path": [{"load": 2.0}]},
     "Voce": BASE | {"body1": VOCE},
+    "library": BASE | {"body2": {"material": "52100", "law": "swift"}},
     "tabulated": BASE | {"body2": TABULATED},
     "rolling": BASE
     | {"path": [{"load": 2.0, "increments": 2, "heat_factor": 0.0, "roll": ROLL}]},
@@ -118,6 +120,13 @@ KINDS = {
                    "orthogonal_shear": "x", "yield_stress": 1e9,
                    "limit": {"dang_van": 3e8, "crossland": 3e8, "findley": 3e8,
                              "fatemi_socie": 4e-3, "orthogonal_shear": 4e8}}},
+    "hardened": BASE
+    | {"body1": HARDENED | {"hardness": {"z": [0.0, 3e-5], "HV": [600.0, 450.0]}},
+       "body2": HARDENED | {"hardness": {"surface": 600.0, "core": 380.0, "depth": 2e-5,
+                                         "limit": 500.0}},
+       "fatigue": {"dang_van": 0.3, "exposure": {"slope": 0.2, "defect": 2e-5},
+                   "life": {"criterion": "dang_van", "limit": 1e8, "exponent": 9.0,
+                            "depth_exponent": 1.0, "weibull": 1.2, "length": 0.1}}},
     "repeated": BASE
     | {"path": [{k: v for k, v in RAMP.items() if k != "advance"}],
        "shakedown": {"cycles": 7, "tol": 2e-3, "accelerate": False}},

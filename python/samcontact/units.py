@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import re
+import sys
 from decimal import Decimal, DecimalException
 from functools import lru_cache
 from typing import Any
@@ -23,6 +24,8 @@ _TEXT = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*",
 
 @lru_cache(maxsize=1)
 def _registry() -> Any:
+    if sys.modules.get("pint", sys) is None:  # hidden from xarray in a process of a command
+        del sys.modules["pint"]
     try:
         import pint
     except ImportError as error:

@@ -229,6 +229,8 @@ CALLS = [
             "dang_van": {"slope": 0.3},
             "crossland": {"slope": 0.3},
             "findley": {"k": 0.3},
+            "max_von_mises": {},
+            "exposure": {"hardness": sc.hardness.HardnessProfile((0.0,), (390.0,))},
             "fatemi_socie": {"k": 0.3},
             "orthogonal_shear": {},
             "cycle": {},

@@ -18,8 +18,8 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 # only, types included.
 FLOORS = [
     {"_util"},
-    {"bodies", "files", "hertz", "paths", "hardness", "kernels", "softening", "surfaces", "units"},
-    {"bearings", "critical", "restart", "heat", "heat_kernels"},
+    {"bodies", "files", "hertz", "paths", "kernels", "softening", "surfaces", "units"},
+    {"bearings", "critical", "hardness", "restart", "heat", "heat_kernels", "materials"},
     {"problem", "flattening", "parts"},
     {"measured", "solutions", "dents", "operators"},
     {"diagnostics"},

@@ -17,6 +17,7 @@ from .._util.short_text import in_short
 from .depth_profiles import PROFILE_ARGUMENTS, HasDepthProfiles, Profile, profile
 from .display import material_rows
 from .hardening_laws import checked_constants, core_material
+from .tension_test import FromTest
 
 
 def _as_list(value: Any) -> list[Any]:
@@ -33,7 +34,7 @@ def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
 
 
 @dataclass(frozen=True, repr=False)
-class Material(HasDepthProfiles, HtmlTable):
+class Material(HasDepthProfiles, FromTest, HtmlTable):
     """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes

@@ -12,7 +12,12 @@ from ..asperities import Collision, CollisionResult, collide
 from ..problem.moving_topography import Relief, relief_rows
 from .base import CaseError, CaseFile, Count, Length, OutputPlace, Positive, Section
 from .bodies import BodySection
-from .cross_checks import require_cold, require_image_tol, require_no_layers
+from .cross_checks import (
+    require_cold,
+    require_hardness_used,
+    require_image_tol,
+    require_no_layers,
+)
 from .motion import ReliefSection
 from .sections import GridSection, settings_section
 
@@ -79,6 +84,7 @@ class AsperityCase(CaseFile):
         bodies = (("body1", self.body1), ("body2", self.body2))
         require_cold(bodies, "omit it, [asperities] does not support heat")
         require_no_layers(bodies, "[asperities]")
+        require_hardness_used(bodies)
         require_image_tol(self.contact)
         return self
 

@@ -7,12 +7,22 @@ from functools import reduce
 from operator import or_
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, create_model, model_validator
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ModelWrapValidatorHandler,
+    create_model,
+    model_validator,
+)
 
+from .. import materials
 from ..bodies.hardening_laws import LAWS, Constant, Law
-from .base import Finite, NonNegative, Positive, Section, in_unit
+from ..hardness import HardnessProfile, hardened_case
+from .base import Finite, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
+    from typing_extensions import Self
+
     from ..bodies.layered import Body
     from ..bodies.material import Material
 
@@ -84,7 +94,40 @@ class InitialStress(Section):
     sxy: Stresses | None = None
 
 
+Vickers = Annotated[float, Field(ge=20.0, le=3000.0)]
+
+
+class HardnessSection(Section):
+    """Hardness over depth, which determines the yield stress, see `samcontact.hardness`."""
+
+    surface: Vickers | None = None
+    core: Vickers | None = None
+    depth: Annotated[Positive, in_unit("m")] | None = None
+    limit: Vickers = 550.0
+    z: Depths | None = None
+    HV: list[Vickers] | None = None
+
+    @model_validator(mode="after")
+    def _one_form(self) -> HardnessSection:
+        case = [self.surface, self.core, self.depth]
+        points = [self.z, self.HV]
+        other = points if None not in case else case
+        if (None in case) == (None in points) or any(value is not None for value in other):
+            raise ValueError("surface, core and depth, or z and HV must be given")
+        if self.z is not None and changed(self, ["limit"]):
+            raise ValueError("limit belongs to depth: omit it with z and HV")
+        self.build()
+        return self
+
+    def build(self) -> HardnessProfile:
+        """Create the profile."""
+        if self.surface is not None and self.core is not None and self.depth is not None:
+            return hardened_case(self.surface, self.core, self.depth, self.limit)
+        return HardnessProfile(tuple(self.z or ()), tuple(self.HV or ()))
+
+
 _BODY_TABLES = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
+_OTHER_FIELDS = {"layers", "thickness", "material", "hardness"}
 
 
 class _Solid(Section):
@@ -94,28 +137,86 @@ class _Solid(Section):
         law: str
 
     @property
-    def material(self) -> Material:
+    def known(self) -> materials.MaterialData | None:
+        """Entry of the library that `material` names."""
+        name = getattr(self, "material", None)
+        return None if name is None else materials.get(name)
+
+    @property
+    def profile(self) -> HardnessProfile | None:
+        """Hardness over depth; None if it is not given."""
+        section: HardnessSection | None = getattr(self, "hardness", None)
+        return None if section is None else section.build()
+
+    @property
+    def solid(self) -> Material:
+        """Material of the section, without layers."""
         from ..bodies.material import Material
         from ..softening import JohnsonCook
 
-        parameters = self.model_dump(exclude={"layers", "thickness"})
+        parameters = self.model_dump(exclude=_OTHER_FIELDS)
         extra = {name: parameters.pop(name, None) for name in _BODY_TABLES}
         material: Material = getattr(Material, parameters.pop("law"))(**parameters)
         if extra["kinematic"] is not None:
             material = material.with_kinematic_hardening(**extra["kinematic"])
         if extra["thermal"] is not None:
             material = material.with_thermal(**extra["thermal"])
+        elif self.known is not None and self.known.thermal is not None:
+            material = material.with_thermal(*self.known.thermal)
         if extra["softening"] is not None:
             del extra["softening"]["kind"]
             material = material.with_softening(JohnsonCook(**extra["softening"]))
         if extra["yield_profile"] is not None:
             material = material.with_yield_profile(**extra["yield_profile"])
+        if self.profile is not None and material.is_plastic:
+            if extra["yield_profile"] is not None:
+                raise ValueError("hardness cannot be combined with yield_profile: omit one of them")
+            material = self.profile.applied_to(material)
         if extra["residual_stress"] is not None:
             material = material.with_residual_stress(**extra["residual_stress"])
         return material
 
 
+def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
+    """Return the fields of a body with the constants that the library has for its material."""
+    law, name = given.get("law"), given.get("material")
+    if not isinstance(law, str) or not isinstance(name, str):
+        return given  # refused by the types of the fields
+    try:
+        known = materials.get(name).constants(law)
+    except ValueError as error:
+        raise ValueError(str(error).replace("name must", "material must", 1)) from None
+    for field in ("E", "nu"):
+        if field in given:
+            raise ValueError(
+                f"{field} cannot be combined with material = {name!r}, which has {field}: omit one "
+                "of them"
+            )
+    missing = [field for field in LAWS[law].constants if field not in known | given]
+    if missing:
+        raise ValueError(
+            f"{', '.join(missing)} must be given: the library has no such value of {name!r} for "
+            f"law = {law!r}"
+        )
+    return known | given
+
+
 class _ElasticSolid(_Solid):
+    material: str | None = None
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _from_library(cls, given: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        """Take constants from the library; only fields of the file count as set."""
+        if not isinstance(given, dict) or given.get("material") is None:
+            return handler(given)
+        if type(given["material"]) is int:  # 52100 and 4140 without quotes
+            given = given | {"material": str(given["material"])}
+        made = handler(_with_constants(given))
+        made.model_fields_set.intersection_update(given)
+        return made
+
+    hardness: HardnessSection | None = None
     residual_stress: InitialStress | None = None
     thermal: ThermalConstants | None = None
 
@@ -180,6 +281,11 @@ def _layer_law(given: Any) -> Any:
     return [{"law": "elastic"} | part if isinstance(part, dict) else part for part in given]
 
 
+def _body_law(given: Any) -> Any:
+    """Add law = "elastic" to a body with a material of the library but no law."""
+    return {"law": "elastic"} | given if isinstance(given, dict) and "material" in given else given
+
+
 if TYPE_CHECKING:
     LayerSection = _Layer
 else:
@@ -224,8 +330,8 @@ class _Body(_Solid):
         """Create the `Material`, or a `Layered` body if there are layers."""
         from ..bodies.layered import Layered
 
-        layers = tuple((part.material, part.thickness) for part in self.coating)
-        return Layered(layers, self.material) if layers else self.material
+        layers = tuple((part.solid, part.thickness) for part in self.coating)
+        return Layered(layers, self.solid) if layers else self.solid
 
 
 class _ElasticBody(_ElasticSolid, _Body):
@@ -239,4 +345,6 @@ class _PlasticBody(_PlasticSolid, _ElasticBody):
 if TYPE_CHECKING:
     BodySection = _Body
 else:
-    BodySection = _models("Body", _Body, _ElasticBody, _PlasticBody)
+    BodySection = Annotated[
+        _models("Body", _Body, _ElasticBody, _PlasticBody), BeforeValidator(_body_law)
+    ]

@@ -30,6 +30,7 @@ def require_all_used(case: Any) -> None:
     _require_law_of_friction(case)
     _require_law_of_contact(case)
     _require_cycle(case)
+    _require_hardness(case)
     _require_repeatable(case)
     _require_track(case)
     given = changed(case.output, ("body", "volume"))
@@ -78,6 +79,32 @@ def _require_cycle(case: Any) -> None:
             'increments, or set fatigue.steady_axis = "x" for material that passes through a '
             "steady contact"
         )
+
+
+def _require_hardness(case: Any) -> None:
+    """Raise ValueError if hardness has no effect, or the exposure lacks the hardness."""
+    judged = None if case.fatigue is None else case.fatigue.exposure
+    if judged is not None and (case.body1, case.body2)[case.output.body - 1].profile is None:
+        raise ValueError(
+            f"fatigue.exposure requires the hardness of body{case.output.body}: add "
+            f"[body{case.output.body}.hardness]"
+        )
+    bodies = {"body1": case.body1, "body2": case.body2}
+    selected = None if judged is None else bodies[f"body{case.output.body}"]
+    require_hardness_used(bodies.items(), selected)
+
+
+def require_hardness_used(
+    bodies: Iterable[tuple[str, BodySection]], judged: BodySection | None = None
+) -> None:
+    """Raise ValueError for the hardness of an elastic material, except the body `judged`."""
+    for name, body in bodies:
+        for part in body.parts:
+            if part.profile is not None and part.law == "elastic" and part is not judged:
+                raise ValueError(
+                    f"{name}: hardness has no effect on an elastic body: choose a hardening law, "
+                    "or add [fatigue.exposure]"
+                )
 
 
 def _require_repeatable(case: Any) -> None:

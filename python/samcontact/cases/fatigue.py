@@ -3,14 +3,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Field, model_validator
 
-from ..fatigue import Cycle, FatigueField, cycle, steady_cycle
+from ..fatigue import Cycle, Exposure, FatigueField, Life, cycle, exposure, life, steady_cycle
 from ..fatigue import criteria as _criteria
+from ..hardness import HardnessProfile
 from ..solutions.state import State
-from .base import Finite, Positive, Section, in_unit
+from .base import Finite, Length, NonNegative, Positive, Section, in_unit
 
 Slope = Annotated[Finite, Field(ge=0.0, le=10.0)]
 Stress = Annotated[Positive, in_unit("Pa")]
@@ -27,6 +28,26 @@ class LimitSection(Section):
     orthogonal_shear: Stress | None = None
 
 
+class ExposureSection(Section):
+    """[fatigue.exposure]: exposure of a hardened case over depth, see `fatigue.exposure`."""
+
+    slope: Slope = 0.3
+    axis: Literal["x", "y"] = "x"
+    defect: Length | None = None
+
+
+class LifeSection(Section):
+    """[fatigue.life]: integral for the life, see `fatigue.life`."""
+
+    criterion: Literal["dang_van", "crossland", "findley", "orthogonal_shear"]
+    model: Literal["ioannides_harris", "zaretsky"] = "ioannides_harris"
+    limit: Annotated[NonNegative, in_unit("Pa")] = 0.0
+    exponent: Positive | None = None
+    depth_exponent: NonNegative | None = None
+    weibull: Positive | None = None
+    length: Length = 1.0
+
+
 class FatigueSection(Section):
     """[fatigue]: fatigue criteria over the path, see `samcontact.fatigue`."""
 
@@ -38,11 +59,20 @@ class FatigueSection(Section):
     steady_axis: Literal["x", "y"] | None = None
     yield_stress: Stress | None = None
     limit: LimitSection = LimitSection()
+    exposure: ExposureSection | None = None
+    life: LifeSection | None = None
 
     @model_validator(mode="after")
     def _go_together(self) -> FatigueSection:
-        if not self.criteria:
-            raise ValueError(f"at least one of {', '.join(CRITERIA)} must be given, got none")
+        if not self.criteria and self.exposure is None:
+            raise ValueError(
+                f"at least one of {', '.join(CRITERIA)}, exposure must be given, got none"
+            )
+        if self.life is not None and self.life.criterion not in self.criteria:
+            raise ValueError(
+                f"life.criterion requires {self.life.criterion}: add {self.life.criterion}, or "
+                "choose another criterion"
+            )
         for name in CRITERIA:
             if getattr(self.limit, name) is not None and name not in self.criteria:
                 raise ValueError(f"limit.{name} requires {name}: add {name}, or remove the limit")
@@ -64,12 +94,31 @@ class FatigueSection(Section):
         With `steady_axis`, the cycle is the stress history of material that passes through the
         steady stress field of the increment with the highest load.
         """
-        seen: Cycle
-        if self.steady_axis is None:
-            seen = cycle(states, body)
-        else:
-            seen = steady_cycle(max(states, key=lambda state: state.load), body, self.steady_axis)
+        seen = self._cycle(states, body)
         return [self._field(name, seen) for name in self.criteria]
+
+    def _cycle(self, states: list[State], body: int) -> Cycle:
+        if self.steady_axis is None:
+            return cycle(states, body)
+        return steady_cycle(max(states, key=lambda state: state.load), body, self.steady_axis)
+
+    def exposed(
+        self, states: list[State], body: int, profile: HardnessProfile | None
+    ) -> Exposure | None:
+        """Evaluate the exposure over depth of a body with this hardness; None if not requested."""
+        if self.exposure is None:
+            return None
+        assert profile is not None  # checked with the case
+        given: dict[str, Any] = self.exposure.model_dump()
+        return exposure(self._cycle(states, body), profile, **given)
+
+    def life_of(self, fields: list[FatigueField]) -> Life | None:
+        """Evaluate the integral for the life from the fields of `fields`; None if not requested."""
+        if self.life is None:
+            return None
+        given = self.life.model_dump()
+        name = given.pop("criterion")
+        return life(next(field for field in fields if field.criterion == name), **given)
 
     def _field(self, name: str, seen: Cycle) -> FatigueField:
         given = getattr(self, name)

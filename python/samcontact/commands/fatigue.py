@@ -16,7 +16,7 @@ from .tables import Sheet
 
 if TYPE_CHECKING:
     from ..cases import Case
-    from ..fatigue import FatigueField
+    from ..fatigue import Exposure, FatigueField, Life
     from ..solutions.state import State
 
 
@@ -28,13 +28,48 @@ def write_fatigue(
     body = case.output.body
     with console.status("fatigue"):
         fields = case.fatigue.fields(states, body)
+        profile = (case.body1, case.body2)[body - 1].profile
+        exposed = case.fatigue.exposed(states, body, profile)
+        life = case.fatigue.life_of(fields)
     limits = {name: getattr(case.fatigue.limit, name) for name in case.fatigue.criteria}
-    console.print(_sheet(fields, limits, body))
-    dataset = xr.merge([field.to_dataset() for field in fields], combine_attrs="override")
-    written = [directory / "fatigue.nc"]
+    if fields:
+        console.print(_sheet(fields, limits, body))
+    parts = [field.to_dataset() for field in fields]
     attributes = {"title": case.title, "body": body, "samcontact_version": version}
+    if exposed is not None:
+        console.print(_exposure_sheet(exposed, body))
+        parts.append(exposed.to_dataset())
+        attributes |= parts[-1].attrs
+    if life is not None:
+        console.print(f"Life ({life.model}): {_life_text(life)}")
+        attributes |= {f"life_{name}": value for name, value in life_values(life).items()}
+    dataset = xr.merge(parts, combine_attrs="override")
+    written = [directory / "fatigue.nc"]
     results.save(dataset.assign_attrs(attributes), written[0])
-    return written + (_figures(fields, limits, directory) if figures else [])
+    return written + (_figures(fields, limits, exposed, directory) if figures else [])
+
+
+def life_values(life: Life) -> dict[str, float]:
+    """Return the numbers of a life that ratios of lives require."""
+    return {"log_integral": life.log_integral, "weibull": life.constants["weibull"]}
+
+
+def _life_text(life: Life) -> str:
+    return (
+        f"logarithm of the integral {life.log_integral:.6g}, Weibull slope "
+        f"{life.constants['weibull']:.4g}; life / reference = exp((reference - logarithm)/slope)"
+    )
+
+
+def _exposure_sheet(exposed: Exposure, body: int) -> Sheet:
+    names = list(exposed.values)
+    governs = ["governs" if name == exposed.criterion else "" for name in names]
+    sheet = Sheet(f"Exposure of body {body} over depth: stress / local strength")
+    sheet.add("criterion", [name.replace("_", " ") for name in names])
+    sheet.add("maximum", [f"{exposed.max_value(name):.4g}" for name in names])
+    sheet.add("depth\n[µm]", [f"{exposed.depth(name) * 1e6:.4g}" for name in names])
+    sheet.add("", governs)
+    return sheet
 
 
 def _sheet(fields: list[FatigueField], limits: dict[str, float | None], body: int) -> Sheet:
@@ -58,10 +93,13 @@ def _text(field: FatigueField, value: float) -> str:
 
 
 def _figures(
-    fields: list[FatigueField], limits: dict[str, float | None], directory: Path
+    fields: list[FatigueField],
+    limits: dict[str, float | None],
+    exposed: Exposure | None,
+    directory: Path,
 ) -> list[Path]:
     """Draw depth profiles (one figure for each unit) and a section of the first criterion."""
-    from ..plotting.fatigue import fatigue_depth, fatigue_section
+    from ..plotting.fatigue import exposure_depth, fatigue_depth, fatigue_section
     from ..plotting.parts import new_figure, save
 
     drawn = {}
@@ -71,6 +109,10 @@ def _figures(
             drawn[name] = new_figure()
             limit = limits[shown[0].criterion] if len(shown) == 1 else None
             fatigue_depth(shown, drawn[name].subplots(), limit=limit)
-    drawn["fatigue_section"] = new_figure()
-    fatigue_section(fields[0], drawn["fatigue_section"].subplots())
+    if fields:
+        drawn["fatigue_section"] = new_figure()
+        fatigue_section(fields[0], drawn["fatigue_section"].subplots())
+    if exposed is not None:
+        drawn["fatigue_exposure"] = new_figure()
+        exposure_depth(exposed, drawn["fatigue_exposure"].subplots())
     return [save(figure, directory / f"{name}.png") for name, figure in drawn.items()]

@@ -23,7 +23,7 @@ _FIGURES = (
     "flash_temperature", "temperature", "track_imprint", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
-    "shakedown",
+    "fatigue_exposure", "shakedown",
 )  # fmt: skip
 _RESULT_FILES = re.compile(r"(results|series|wear|fatigue|shakedown)\.nc")
 _OUTPUT_FILES = re.compile(

@@ -17,6 +17,7 @@ from .doctor import doctor
 from .examples import cases, new
 from .find import find
 from .hertz import hertz
+from .materials import materials
 from .results import export, report
 from .run import resume, run
 from .signals import stoppable
@@ -55,5 +56,7 @@ def main() -> None:
     """Semi-analytical elastic-plastic contact of two half-spaces."""
 
 
-for _command in (new, cases, run, resume, sweep, find, report, export, hertz, doctor):
+for _command in (
+    new, cases, run, resume, sweep, find, report, export, hertz, materials, doctor,
+):  # fmt: skip
     main.add_command(_command)

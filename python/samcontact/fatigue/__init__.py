@@ -11,18 +11,34 @@ initial residual stress. Determine the limits of a material by fatigue tests: se
 "Fatigue".
 """
 
-from .criteria import crossland, dang_van, fatemi_socie, findley, orthogonal_shear
+from .criteria import (
+    crossland,
+    dang_van,
+    fatemi_socie,
+    findley,
+    max_von_mises,
+    orthogonal_shear,
+)
 from .cycle import Cycle, cycle, steady_cycle
+from .exposure import Exposure, exposure
 from .field import FatigueField
+from .hertz_cycle import hertz_cycle
+from .life import Life, life
 
 __all__ = [
     "Cycle",
+    "Exposure",
     "FatigueField",
+    "Life",
     "crossland",
     "cycle",
     "dang_van",
+    "exposure",
     "fatemi_socie",
     "findley",
+    "hertz_cycle",
+    "life",
+    "max_von_mises",
     "orthogonal_shear",
     "steady_cycle",
 ]

@@ -13,6 +13,7 @@ from .. import _core
 from .._util.checks import FloatArray, choice, non_negative, positive, require_type
 from .._util.frozen import FrozenDict, read_only
 from .._util.short_text import in_short
+from .._util.tensors import von_mises
 from ..bodies.layered import Layered
 from ..bodies.material import Material
 from ..diagnostics.plausibility import strength, warn_if_implausible
@@ -20,7 +21,14 @@ from ..solutions.state import State
 from .cycle import Cycle, blocks, cycle, has_plastic_strain, plastic_strain_in, stress_in
 from .field import FatigueField
 
-__all__ = ["crossland", "dang_van", "fatemi_socie", "findley", "orthogonal_shear"]
+__all__ = [
+    "crossland",
+    "dang_van",
+    "fatemi_socie",
+    "findley",
+    "max_von_mises",
+    "orthogonal_shear",
+]
 
 _MAX_SLOPE = 10.0
 """Maximum slope. For metals, slopes are pure numbers below 1; a value above the maximum is probably
@@ -132,6 +140,33 @@ def orthogonal_shear(
         return np.asarray((shear.max(axis=0) - shear.min(axis=0)) / 2)
 
     return _scalar("orthogonal_shear", {"axis": axis}, states, body, half_range)
+
+
+def max_von_mises(
+    states: Cycle | Sequence[State] | ArrayLike, body: int | None = None
+) -> FatigueField:
+    """Maximum von Mises stress over the cycle, to be compared with the yield stress.
+
+    Parameters
+    ----------
+    states, body
+        As for `dang_van`.
+
+    Returns
+    -------
+    FatigueField
+        Von Mises stress [Pa].
+
+    Raises
+    ------
+    ValueError, TypeError
+        `cycle` raises an error.
+    """
+
+    def maximum(stress: FloatArray) -> FloatArray:
+        return np.asarray(von_mises(np.moveaxis(stress, 1, 0)).max(axis=0))
+
+    return _scalar("max_von_mises", {}, states, body, maximum)
 
 
 def findley(

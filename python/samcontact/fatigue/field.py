@@ -26,6 +26,7 @@ _CRITERION_NAMES = {
     "findley": "Findley",
     "fatemi_socie": "Fatemi-Socie",
     "orthogonal_shear": "orthogonal shear",
+    "max_von_mises": "von Mises",
 }
 
 

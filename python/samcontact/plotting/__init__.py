@@ -15,7 +15,7 @@ from .contact import (
     pressure_profile,
     temperature_profile,
 )
-from .fatigue import fatigue_depth, fatigue_map, fatigue_section
+from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
 from .interface import interface_profile
 from .maps import surface_map, track_map
 from .parts import journal_column
@@ -31,6 +31,7 @@ __all__ = [
     "asperities",
     "axis_profile",
     "creep_curve",
+    "exposure_depth",
     "fatigue_depth",
     "fatigue_map",
     "fatigue_section",

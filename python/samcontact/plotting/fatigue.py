@@ -19,7 +19,7 @@ from .fields import Plane, show_surface
 from .parts import axes_or_new, edges, finish, nearest, place
 
 if TYPE_CHECKING:
-    from ..fatigue import FatigueField
+    from ..fatigue import Exposure, FatigueField
 
 _UNITS = {"Pa": "MPa", "-": "%"}
 
@@ -74,6 +74,40 @@ def fatigue_depth(
         ax.set_xlabel(f"maximum criterion value at this depth [{unit}]")
         ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     ax.set_ylabel("depth z [µm]")
+    return finish(ax)
+
+
+def exposure_depth(found: Exposure, ax: Axes | None = None) -> Axes:
+    """Draw the exposure of a hardened case versus depth, with the depth that governs.
+
+    Parameters
+    ----------
+    found : Exposure
+        Result of `fatigue.exposure`. The maximum of each criterion is marked; a circle marks the
+        one that governs. The dashed line is the limit, exposure 1.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: a new figure.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
+    from ..fatigue.exposure import NAMES
+
+    ax = axes_or_new(ax)
+    for name, values in found.values.items():
+        (line,) = ax.plot(values, found.z * 1e6, linewidth=1.4, label=NAMES[name])
+        peak = (found.max_value(name), found.depth(name) * 1e6)
+        ax.plot(*peak, "o", color=line.get_color(), markersize=4)
+        if name == found.criterion:
+            ax.plot(*peak, "o", color="0.2", markersize=9, fillstyle="none", label="governs")
+            ax.set_title(f"maximum {peak[0]:.3g} at {peak[1]:.3g} µm", fontsize="medium")
+    ax.axvline(1.0, color="0.35", linewidth=1.0, linestyle=(0, (5, 3)), label="limit")
+    ax.set_xlim(left=0.0)
+    ax.set_ylim(float(found.z[-1]) * 1e6, 0.0)
+    ax.set_xlabel("exposure: stress / local strength [-]")
+    ax.set_ylabel("depth z [µm]")
+    ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     return finish(ax)
 
 

@@ -105,15 +105,25 @@ def _of_wear(case: Case) -> xr.Dataset:
 
 
 def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
-    """Return the maximum of each criterion of [fatigue], and its margin if there is a limit."""
+    """Return maxima, margins, exposures and the life of [fatigue], as far as they are given."""
     if case.fatigue is None:
         return {}
     found = {}
-    for field in case.fatigue.fields(states, case.output.body):
+    body = case.output.body
+    fields = case.fatigue.fields(states, body)
+    for field in fields:
         found[f"fatigue_{field.criterion}"] = field.max_value
         limit = getattr(case.fatigue.limit, field.criterion)
         if limit is not None:
             found[f"fatigue_margin_{field.criterion}"] = field.margin(limit)
+    exposed = case.fatigue.exposed(states, body, (case.body1, case.body2)[body - 1].profile)
+    if exposed is not None:
+        for name in exposed.values:
+            found[f"exposure_{name}"] = exposed.max_value(name)
+            found[f"exposure_depth_{name}"] = exposed.depth(name)
+    life = case.fatigue.life_of(fields)
+    if life is not None:
+        found["life_log_integral"] = life.log_integral
     return found
 
 

@@ -301,6 +301,7 @@ def public_objects():
         scar, sc.wear.FrettingResult(grid, (2,), [scar] * 50, True, None, relief, worn, {2: 0},
                                      (state,) * 4, None),
         sc.fatigue.steady_cycle(state), sc.fatigue.findley(sc.fatigue.steady_cycle(state), k=1 / 3),
+        *hardened_flank(), sc.materials.get("52100"), sc.materials.get("52100").values["E"],
         sc.shakedown.line(0.3), pass_, sc.shakedown.ShakedownResult(
             "ratcheting", 1e-3 / 3, 1e-3 / 7, (pass_,) * 50, 60, 1e-4 / 3, 1, 1e-3 / 9, state, {}),
         *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
@@ -308,6 +309,14 @@ def public_objects():
         parse_case(CASE.format(asperities=CONTACT, **fields)),
         parse_case(CASE.format(asperities=ASPERITIES, **fields)),
     ]  # fmt: skip
+
+
+def hardened_flank():
+    case = sc.hardness.hardened_case(390.0, 300.0, 1e-3 / 3, limit=350.0)
+    body = sc.Material.elastic(206e9, 0.3)
+    cycle = sc.fatigue.hertz_cycle(sc.hertz.line(1e-2, 1e11, p0=1e9 / 3), body)
+    life = sc.fatigue.life(sc.fatigue.orthogonal_shear(cycle))
+    return case, sc.fatigue.exposure(cycle, case), life
 
 
 def public_classes():

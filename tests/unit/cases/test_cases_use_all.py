@@ -35,6 +35,7 @@ OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
     "lateral_creepage": [2e-3], "spin": [1.0],
+    "material": ["M50"], "HV": [[610.0, 450.0]], "surface": [620.0], "axis": ["y"],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
@@ -52,6 +53,7 @@ OTHER = {
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
+    "material": "52100", "defect": 1e-5,
     "steady_axis": "x",
     "window": 3, "order": 1, "smoothing_length": 8e-6,
     "time": 1e-3, "reference": 0.5, "history": [1e-6, 1e-3], "speed": 2.0, "heat": HEAT,
@@ -115,7 +117,7 @@ def computed(tmp_path, monkeypatch):
         surfaces = (simulation.initial_gap, simulation.relief1, simulation.relief2)
         judged = []
         if case.fatigue is not None:
-            judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue.limit)]
+            judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue)]
         if case.shakedown is not None:
             judged.append(case.shakedown.solve(simulation, path, False))
         return stated([list(surfaces), path, judged]), repr(simulation)
@@ -217,7 +219,7 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile layers surface path body1 body2 contact contact_law "
-        "capped_coulomb heat asperities output fatigue limit shakedown"
+        "capped_coulomb heat asperities output fatigue limit shakedown hardness exposure life"
     )
     given = (
         "law kind shape title description estimate_error directory column "

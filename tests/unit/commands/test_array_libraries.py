@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Libraries that commands do not load."""
 
+import subprocess
 import sys
 from importlib.util import find_spec
 
@@ -18,3 +19,12 @@ def test_libraries_are_absent_until_they_are_needed(monkeypatch):
     array_libraries.show()
     assert find_spec("dask") is not None
     assert sys.modules["pint"] is sys
+
+
+def test_units_are_converted_in_a_process_of_a_command():
+    code = (
+        "from samcontact.commands import array_libraries; array_libraries.hide()\n"
+        "import samcontact; print(samcontact.units.si('7.5 mm', 'm'))"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout.strip() == "0.0075"

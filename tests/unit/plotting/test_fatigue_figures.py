@@ -98,3 +98,14 @@ def test_fields_without_a_figure_are_refused(fields, states):
             figure(given)
     with pytest.raises(ValueError, match="limit"):
         plotting.fatigue_depth(fields, limit=-1.0)
+
+
+def test_exposure_marks_what_governs(ax):
+    flank = sc.hertz.line(10e-3, 113e9, p0=1.5e9)
+    seen = sc.fatigue.hertz_cycle(flank, sc.Material.elastic(206e9, 0.3))
+    found = sc.fatigue.exposure(seen, sc.hardness.HardnessProfile([0.0], [400.0]))
+    plotting.exposure_depth(found, ax)
+    assert [text.get_text() for text in ax.get_legend().get_texts()] == [
+        "yield (von Mises)", "Dang Van", "orthogonal shear", "governs", "limit",
+    ]  # fmt: skip
+    assert ax.get_title() == f"maximum {found.max_value():.3g} at {found.depth() * 1e6:.3g} µm"

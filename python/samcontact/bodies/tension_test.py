@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hardening curve from a tension or compression test: elastic line, true stress, plastic strain."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, boolean, non_negative, poisson_ratio, positive, real_array
+from .depth_profiles import MAX_PROFILE_POINTS
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+_ELASTIC_PART = (0.1, 0.5)
+"""Part of the curve through which the elastic line is drawn, in parts of the yield stress."""
+_MAX_ELASTIC_STRAIN = 0.1
+"""Maximum stress / E; a larger ratio means that the strain is in percent."""
+_MIN_STRESS = 1e5
+"""Minimum of the largest stress [Pa]; a smaller stress is probably in MPa or GPa."""
+
+
+class FromTest:
+    """Base class of `Material` with a hardening law from a measured curve."""
+
+    @classmethod
+    def from_test(
+        cls,
+        strain: ArrayLike,
+        stress: ArrayLike,
+        engineering: bool = True,
+        E: float | None = None,
+        nu: float = 0.3,
+        offset: float = 2e-4,
+    ) -> Self:
+        """Return a material whose hardening curve is that of a tension or compression test.
+
+        Parameters
+        ----------
+        strain : array_like, shape (n,)
+            Total strain [-], elastic part included, not in percent; increasing in tension. The
+            values of a compression test are negative and decrease.
+        stress : array_like, shape (n,)
+            Stress [Pa] at each strain; negative in compression.
+        engineering : bool, optional
+            Whether the strain is the elongation over the initial length, and the stress the force
+            over the initial area. If False, both are true (logarithmic strain, force over the
+            current area). Default: True.
+        E : float, optional
+            Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
+            stress, by least squares; the strain at which this line meets zero stress is
+            subtracted. A machine without an extensometer gives too small a slope: then give E.
+        nu : float, optional
+            Poisson's ratio, which the test does not measure. Default: 0.3.
+        offset : float, optional
+            Plastic strain at which yield begins [-], > 0; 0.002 is the usual proof stress. The
+            curve beyond this strain is used as measured. Default: 2e-4, because the plastic strain
+            of rolling contacts is often below 0.002.
+
+        Returns
+        -------
+        Material
+            Material with the law "tabulated". True strain is ln(1 + e) and true stress s (1 + e)
+            for engineering values e and s; the plastic strain is true strain - true stress / E.
+
+        Raises
+        ------
+        ValueError
+            The curve is not one of a test: strain in percent, stress in MPa, strains that do not
+            increase, necking, stress that decreases, or too few points for the elastic line.
+        TypeError
+            An argument is not a number.
+        """
+        if (ratio := poisson_ratio("nu", nu)) >= 0.5:
+            raise ValueError(f"nu must be < 0.5, got {ratio!r}")
+        begin = non_negative("offset", offset)
+        if not 0 < begin < 0.05:
+            raise ValueError(f"offset must be a plastic strain in (0, 0.05), got {begin!r}")
+        given_modulus = None if E is None else positive("E", E)
+        e, s = _curve(strain, stress)
+        if boolean("engineering", engineering):
+            _require_no_neck(e, s)
+        modulus, start = _elastic_line(e, s, begin) if given_modulus is None else (given_modulus, 0)
+        _require_no_percent(e, s, modulus, given_modulus is not None)
+        e = e - start
+        if engineering:
+            s, e = s * (1 + e), np.log1p(e)
+        plastic, true = _hardening(np.abs(e), np.abs(s), modulus, begin)
+        made: Any = cls
+        return cast("Self", made.tabulated(modulus, ratio, plastic, true))
+
+
+def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    e, s = real_array("strain", strain), real_array("stress", stress)
+    if e.ndim != 1 or e.shape != s.shape or e.size < 4:
+        raise ValueError(
+            "strain and stress must be lists of the same length, at least 4, got shapes "
+            f"{e.shape} and {s.shape}"
+        )
+    if not (np.isfinite(e).all() and np.isfinite(s).all()):
+        raise ValueError("strain and stress must be finite everywhere")
+    largest = float(np.abs(s).max())
+    if largest < _MIN_STRESS:
+        raise ValueError(
+            f"stress must be in Pa, got values up to {largest:g}: multiply MPa by 1e6, GPa by 1e9"
+        )
+    if float(np.abs(e).max()) > 2.0:
+        raise ValueError(
+            f"strain must be dimensionless, got values up to {np.abs(e).max():g}: divide percent "
+            "by 100"
+        )
+    sign = 1.0 if e[-1] >= e[0] else -1.0
+    wrong = np.flatnonzero(np.diff(sign * e) <= 0)
+    if wrong.size:
+        i = int(wrong[0])
+        raise ValueError(
+            f"strain must change in one direction, got strain[{i + 1}] = {e[i + 1]:g} after "
+            f"strain[{i}] = {e[i]:g}: omit unloading and repeated points"
+        )
+    if sign * s[np.abs(s).argmax()] < 0:
+        raise ValueError(
+            "strain and stress must have equal signs: positive in tension, negative in compression"
+        )
+    if sign < 0 and e.min() <= -1:
+        raise ValueError(f"strain must be > -1 in compression, got {e.min():g}")
+    return e, s
+
+
+def _require_no_neck(e: FloatArray, s: FloatArray) -> None:
+    """Raise ValueError if the force of a tension test decreases after its maximum."""
+    top = int(s.argmax())
+    if e[-1] > e[0] and s[-1] < (1 - 1e-3) * s[top]:
+        raise ValueError(
+            f"stress must not decrease at the end, but after its maximum {s[top]:g} Pa at a strain "
+            f"of {e[top]:g} it falls to {s[-1]:g} Pa: the specimen necks there, and the strain in "
+            f"the neck is unknown; use the first {top + 1} points, or engineering=False if the "
+            "stress is true"
+        )
+
+
+def _elastic_line(e: FloatArray, s: FloatArray, offset: float) -> tuple[float, float]:
+    """Return the slope [Pa] of the elastic line and the strain at which it meets zero stress."""
+    size, along = np.abs(s), np.sign(e[-1] - e[0])
+    limit, found = 0.5 * float(size.max()), (0.0, 0.0)
+    for _ in range(20):
+        first = int((size > limit).argmax()) if (size > limit).any() else size.size
+        inside = np.flatnonzero(
+            (size[:first] >= _ELASTIC_PART[0] * limit) & (size[:first] <= _ELASTIC_PART[1] * limit)
+        )
+        if inside.size < 3:
+            raise ValueError(
+                f"E is required: fewer than 3 points are between {_ELASTIC_PART[0]:.0%} and "
+                f"{_ELASTIC_PART[1]:.0%} of the yield stress, too few for the elastic line"
+            )
+        slope, level = np.polyfit(e[inside], s[inside], 1)
+        if not slope > 0:
+            raise ValueError("stress must increase with the strain at the beginning of the curve")
+        last, found = found, (float(slope), float(-level / slope))
+        if abs(found[0] / (last[0] or np.inf) - 1) < 1e-9:
+            break
+        elastic = np.flatnonzero(along * (e - found[1]) - size / found[0] <= offset)
+        limit = float(size[elastic[-1]]) if elastic.size else limit
+    return found
+
+
+def _require_no_percent(e: FloatArray, s: FloatArray, modulus: float, given: bool) -> None:
+    """Raise ValueError if the strain is probably in percent."""
+    top = float(np.abs(s).max())
+    slopes = np.abs(np.diff(s)) / np.abs(np.diff(e))
+    early = float(slopes[np.abs(s[1:]) < 0.6 * top].max(initial=0.0)) or float(slopes.max())
+    if top / modulus > _MAX_ELASTIC_STRAIN or (given and early < 0.05 * modulus):
+        raise ValueError(
+            f"strain must be dimensionless: the slope of the curve is {early:.3g} Pa at its "
+            "beginning, which is too small for a stress of "
+            f"{top:.3g} Pa{f' and E = {modulus:.3g} Pa' if given else ''}; divide percent by 100"
+        )
+
+
+def _hardening(
+    e: FloatArray, s: FloatArray, modulus: float, offset: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return plastic strains from 0, and true stresses [Pa]; constant up to the offset."""
+    plastic = e - s / modulus
+    if not (plastic > offset).any():
+        raise ValueError(
+            f"strain must exceed the elastic strain by more than offset = {offset:g}, got at most "
+            f"{plastic.max():.3g}: the specimen does not yield; use Material.elastic, or check E"
+        )
+    first = int((plastic > offset).argmax())
+    yields = float(s[0])
+    if first > 0:
+        yields = float(np.interp(offset, plastic[first - 1 : first + 1], s[first - 1 : first + 1]))
+    x = np.concatenate([[0.0, offset], plastic[first:]])
+    y = np.concatenate([[yields, yields], s[first:]])
+    for name, values, allowed in (("plastic strain", x[1:], 0.0), ("true stress", y, -1e-12)):
+        steps = np.diff(values)
+        wrong = np.flatnonzero(steps <= 0 if allowed == 0 else steps < allowed * y.max())
+        if wrong.size:
+            i = int(wrong[0]) + (1 if allowed == 0 else 0)
+            raise ValueError(
+                f"{name} must not decrease beyond yield, but it does at a plastic strain of "
+                f"{x[i]:.4g} and a stress of {y[i]:.4g} Pa: smooth the noise or omit an upper "
+                "yield point, and check E"
+            )
+    y = np.maximum.accumulate(y)
+    if x.size > MAX_PROFILE_POINTS:
+        chosen = np.unique(np.linspace(0, x.size - 1, MAX_PROFILE_POINTS).round().astype(int))
+        x, y = x[chosen], y[chosen]
+    return x, y

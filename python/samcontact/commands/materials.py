@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Command `materials`: constants of the library of materials, with their sources."""
+
+from __future__ import annotations
+
+import click
+
+from .. import materials as _library
+from .errors import short_errors
+from .tables import Sheet, new_console
+
+
+@click.command()
+@click.argument("name", required=False)
+def materials(name: str | None) -> None:
+    """List the library of materials, or all constants of the material NAME with their sources.
+
+    In a case file, write material = "52100" in [body1] or [body2].
+    """
+    with short_errors():
+        entries = [_library.get(known) for known in ([name] if name else _library.names())]
+    if name:
+        (entry,) = entries
+        also = f" (also {', '.join(entry.aliases)})" if entry.aliases else ""
+        click.echo(f"{entry.name}{also}: {entry.description}")
+        for constant, known in entry.values.items():
+            note = f"; {known.condition}" if known.condition else ""
+            click.echo(f"  {constant:<14}{known!s:<18}{known.source}{note}")
+        click.echo(f"  laws: {', '.join(entry.laws)}")
+        return
+    sheet = Sheet("Library of materials; samcontact materials NAME shows the sources")
+    sheet.add("name", [entry.name for entry in entries])
+    sheet.add("E", [str(entry.values["E"]) for entry in entries])
+    sheet.add("nu", [str(entry.values["nu"]) for entry in entries])
+    sheet.add("heat", ["yes" if entry.thermal else "-" for entry in entries])
+    sheet.add("laws", [", ".join(entry.laws) for entry in entries])
+    sheet.add("description", [entry.description for entry in entries])
+    new_console().print(sheet)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Hardening law from a test: a known law is recovered, and the usual slips are refused."""
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+
+E, K, N = 205e9, 1.2e9, 0.12
+TRUE_STRESS = np.concatenate([np.linspace(0, 600e6, 60, endpoint=False), np.linspace(6e8, 1e9, 80)])
+TRUE_STRAIN = TRUE_STRESS / E + (TRUE_STRESS / K) ** (1 / N)  # Ramberg-Osgood
+STRAIN, STRESS = np.expm1(TRUE_STRAIN), TRUE_STRESS / np.exp(TRUE_STRAIN)
+NECK = int(STRESS.argmax()) + 1  # Considere: uniform strain up to the maximum force
+
+
+@pytest.mark.parametrize(
+    ("strain", "stress", "extra"),
+    [
+        (STRAIN[:NECK], STRESS[:NECK], {}),
+        (STRAIN[:NECK] + 1e-3, STRESS[:NECK], {}),  # slack of the grips
+        (TRUE_STRAIN, TRUE_STRESS, {"engineering": False, "E": E}),
+        (-TRUE_STRAIN, -TRUE_STRESS, {"engineering": False}),
+        (np.expm1(-TRUE_STRAIN), -TRUE_STRESS * np.exp(TRUE_STRAIN), {}),  # compression thickens
+    ],
+)
+def test_the_law_of_a_ramberg_osgood_curve_is_recovered(strain, stress, extra):
+    made = sc.Material.from_test(strain, stress, **extra)
+    assert pytest.approx(E, rel=3e-3) == made.E
+    g = np.array([3e-4, 1e-3, 0.01, 0.08])
+    assert made.yield_stress(g) == pytest.approx(K * g**N, rel=3e-3)
+    assert made.yield_stress(0.0) == pytest.approx(K * 2e-4**N, rel=3e-3)  # at the offset
+    proof = sc.Material.from_test(strain, stress, offset=2e-3, **extra)
+    assert proof.yield_stress(0.0) == pytest.approx(K * 2e-3**N, rel=3e-3)
+
+
+@pytest.mark.parametrize(
+    ("strain", "stress", "extra", "says"),
+    [
+        (STRAIN[:NECK] * 100, STRESS[:NECK], {}, "divide percent"),
+        (STRAIN[:70] * 100, STRESS[:70], {}, "divide percent"),  # less than 1 %
+        (STRAIN[:70] * 100, STRESS[:70], {"E": E}, "divide percent"),
+        (STRAIN, STRESS / 1e6, {}, "multiply MPa by 1e6"),
+        (STRAIN, STRESS, {}, f"necks there.* first {NECK} points"),
+        (np.r_[STRAIN[:50], STRAIN[40:70]], STRESS[:80], {}, r"got strain\[50\]"),
+        (STRAIN[:NECK], -STRESS[:NECK], {}, "equal signs"),
+        (STRAIN[:20], STRESS[:20], {"E": E}, "does not yield"),
+        (STRAIN[40:NECK], STRESS[40:NECK], {}, "E is required"),
+        (STRAIN[:NECK], np.where(np.arange(NECK) == 90, 9e8, STRESS[:NECK]), {}, "smooth|necks"),
+        (STRAIN[:3], STRESS[:3], {}, "at least 4"),
+        (STRAIN[:NECK], STRESS[:NECK], {"offset": 0.2}, "offset must"),
+    ],
+)
+def test_slips_are_refused(strain, stress, extra, says):
+    with pytest.raises(ValueError, match=says):
+        sc.Material.from_test(strain, stress, **extra)
+
+
+def test_long_records_are_thinned():
+    fine = np.linspace(0, TRUE_STRAIN[-1], 20001)
+    stress = np.interp(fine, TRUE_STRAIN, TRUE_STRESS)
+    made = sc.Material.from_test(fine, stress, engineering=False)
+    assert len(made.parameters["stress"]) == 4096
+    assert made.yield_stress(0.05) == pytest.approx(K * 0.05**N, rel=3e-3)
