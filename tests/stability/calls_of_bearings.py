@@ -30,6 +30,11 @@ CALLS = [
     ),
     ("bearings.Bearing.element_loads", BALLS.element_loads, LOADS),
     ("bearings.Bearing.max_element_load", BALLS.max_element_load, LOADS),
+    (
+        "bearings.Bearing.load_factor",
+        BALLS.load_factor,
+        {"element_load": 1e3, "radial_load": 500.0, "axial_load": 200.0, "moment": 1.0},
+    ),
     ("bearings.Bearing.gap", BALLS.gap, {"race": "inner", "tilt": 0.0}),
     ("bearings.Bearing.hertz", BALLS.hertz, {"race": "outer", "load": 1e3, "E_star": 1.1e11}),
     ("bearings.Bearing.race", BALLS.race, {"race": "outer"}),
@@ -44,6 +49,11 @@ CALLS = [
         {"radial_load": 1e3, "axial_load": 2e3},
     ),
     ("bearings.standard", sc.bearings.standard, {"designation": "6208", "clearance": 1e-5}),
+    (
+        "bearings.from_boundary",
+        sc.bearings.from_boundary,
+        {"bore": 4e-2, "outside_diameter": 8e-2, "clearance": 1e-5},
+    ),
     *(
         ("surfaces.roller", sc.surfaces.roller, {**ROLLER, **profile})
         for profile in (

@@ -12,7 +12,7 @@ from .equilibrium import ElementLoads
 from .loads import LoadZone, ball_load, load_zone, sjovall, stribeck_load
 from .races import RaceContact, ball_on_race, roller_on_race
 from .rating import palmgren_deformation, static_load_rating
-from .standard import standard
+from .standard import from_boundary, standard
 
 __all__ = [
     "Bearing",
@@ -21,6 +21,7 @@ __all__ = [
     "RaceContact",
     "ball_load",
     "ball_on_race",
+    "from_boundary",
     "load_zone",
     "palmgren_deformation",
     "roller_on_race",

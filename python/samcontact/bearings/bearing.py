@@ -12,6 +12,7 @@ import numpy as np
 
 from .. import hertz, surfaces
 from .._util.checks import FloatArray, choice, finite, integer, non_negative, positive
+from .._util.lazy_scipy import scipy
 from .equilibrium import SLICES, ElementLoads, balls_in_equilibrium, rollers_in_equilibrium
 from .loads import stribeck_load
 from .races import RaceContact, angle_of, ball_on_race, roller_on_race
@@ -97,6 +98,17 @@ class Bearing:
                 raise ValueError(f'{name} does not apply to kind = "{self.kind}": omit it')
         for name, default in used.items():
             given[name] = default if getattr(self, name) is None else getattr(self, name)
+        for name in () if self.has_rollers else for_balls:
+            if not positive(name, given[name]) > 0.5:
+                raise ValueError(
+                    f"{name} must be > 0.5, got {given[name]!r}: the groove must be wider than the "
+                    "ball"
+                )
+        if self.has_rollers:
+            if self.length is None:
+                raise ValueError("length is required for rollers: their effective length [m]")
+            given["length"] = positive("length", self.length)
+            choice("profile", given["profile"], ("straight", "logarithmic"))
         for name, value in given.items():
             object.__setattr__(self, name, value)
         self._require_consistent()
@@ -107,11 +119,6 @@ class Bearing:
                 'contact_angle must be > 0 with kind = "angular_contact" and 0 otherwise, got '
                 f'{self.contact_angle!r} rad with kind = "{self.kind}"'
             )
-        if self.has_rollers:
-            if self.length is None:
-                raise ValueError("length is required for rollers: their effective length [m]")
-            positive("length", self.length)
-            choice("profile", self.profile, ("straight", "logarithmic"))
         width = self.element_diameter * math.cos(self.contact_angle)
         room = self.pitch_diameter * math.sin(math.pi / self.elements)
         if room < width * (1.0 - 1e-9) and self.elements > 2:
@@ -271,6 +278,29 @@ class Bearing:
         if self.clearance is None and axial_load == 0.0 and moment is None:
             return stribeck_load(radial_load, self.elements, self.contact_angle) / self.rows
         return self.element_loads(radial_load, axial_load, moment, E_star=E_star).max_load
+
+    def load_factor(
+        self,
+        element_load: float,
+        radial_load: float = 0.0,
+        axial_load: float = 0.0,
+        moment: float | None = None,
+    ) -> float:
+        """Factor on the given loads at which the most loaded element carries `element_load` [N].
+
+        The other arguments are those of `max_element_load`.
+        """
+        target = positive("element_load", element_load)
+        loads = (radial_load, axial_load, moment)
+
+        def excess(log_factor: float) -> float:
+            factor = math.exp(log_factor)
+            scaled = (None if load is None else factor * load for load in loads)
+            return math.log(self.max_element_load(*scaled) / target)  # type: ignore[arg-type]
+
+        first = -excess(0.0)
+        low, high = min(first, 0.0) - 1.0, max(first, 0.0) + 1.0
+        return math.exp(scipy.optimize.brentq(excess, low, high, xtol=1e-10))
 
     @property
     def static_load_rating(self) -> float:

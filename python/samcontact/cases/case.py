@@ -27,6 +27,8 @@ from .bodies import BodySection
 from .cross_checks import reason_for_grid, require_all_used
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
+from .part_grid import grid_of_part
+from .rolling_parts import in_full, short_places
 from .sections import (
     ContactSection,
     GridSection,
@@ -107,8 +109,15 @@ class Case(CaseFile):
             case._cells = self.grid.build()
         return case
 
+    @model_validator(mode="before")
+    @classmethod
+    def _in_full(cls, data: Any) -> Any:
+        return in_full(data)
+
     @model_validator(mode="after")
     def _consistent(self) -> Case:
+        if self.grid is None and self.accuracy is None:
+            object.__setattr__(self, "grid", grid_of_part(self))  # the case is frozen
         if self.grid is None and self.accuracy is None:
             raise ValueError(
                 "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
@@ -116,6 +125,7 @@ class Case(CaseFile):
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        self.surface.on_bodies(*(body.build() for body in bodies))
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
                 law = body.inelastic_laws[0]
@@ -379,5 +389,5 @@ def validated(content: Mapping[str, Any], source: Path) -> Case | AsperityCase:
     try:
         return kind.model_validate(content)
     except CaseError as error:
-        lines = str(error).split("\n")
+        lines = short_places(str(error), content).split("\n")
         raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from None

@@ -27,8 +27,8 @@ from .base import (
     convert,
     in_unit,
 )
-from .sections import SelfAffineRoughness
 from .slipping import TANGENTIAL_FIELDS, EndState, Force, Fretting, TangentialSection
+from .surface_shape import SelfAffineRoughness
 
 if TYPE_CHECKING:
     from ..problem.grid import Grid

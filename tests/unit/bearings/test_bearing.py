@@ -11,7 +11,7 @@ from samcontact import bearings
 from samcontact.bearings import Bearing
 
 D, PITCH = 12.7e-3, 65e-3
-MANY = {"element_diameter": 1e-3, "pitch_diameter": 65e-3, "elements": 101}
+FINE_ROW = {"element_diameter": 1e-3, "pitch_diameter": 65e-3, "elements": 101}
 
 
 def resultants(found):
@@ -32,13 +32,19 @@ def test_the_standard_bearing_6208():
     # catalogues: 4.75, 7.8 and 20.4 kN for 6203, 6205 and 6209
     for name, rating in (("6203", 4.75e3), ("6205", 7.8e3), ("6209", 20.4e3)):
         assert bearings.standard(name).static_load_rating == pytest.approx(rating, rel=0.03)
+    # the estimate from bore and outside diameter has the balls of the tables
+    estimate = bearings.from_boundary(40e-3, 80e-3)
+    assert estimate.element_diameter == pytest.approx(12e-3)
+    assert (estimate.elements, estimate.pitch_diameter) == (9, pytest.approx(60e-3))
+    for size, rating in (((17e-3, 40e-3), 4.75e3), ((25e-3, 52e-3), 7.8e3)):
+        assert bearings.from_boundary(*size).static_load_rating == pytest.approx(rating, rel=0.1)
 
 
 @pytest.mark.parametrize(("rollers", "factor"), [(False, 4.37), (True, 4.08)])
 def test_stribeck_factor_without_clearance(rollers, factor):
     more = {"length": 2e-3, "profile": "straight"} if rollers else {}
     kind = "cylindrical_roller" if rollers else "deep_groove"
-    found = Bearing(kind, **MANY, **more, clearance=0.0).element_loads(50.0)
+    found = Bearing(kind, **FINE_ROW, **more, clearance=0.0).element_loads(50.0)
     assert found.max_load * 101 / 50.0 == pytest.approx(factor, rel=2e-3)
     assert found.loaded == 51
     assert resultants(found)[0] == pytest.approx(50.0, rel=1e-8)
@@ -48,7 +54,7 @@ def test_stribeck_factor_without_clearance(rollers, factor):
 def test_clearance_reduces_the_load_zone_as_sjovall(rollers):
     kind, n = ("cylindrical_roller", 10 / 9) if rollers else ("deep_groove", 1.5)
     more = {"length": 2e-3, "profile": "straight"} if rollers else {}
-    found = Bearing(kind, **MANY, **more, clearance=1e-6).element_loads(50.0)
+    found = Bearing(kind, **FINE_ROW, **more, clearance=1e-6).element_loads(50.0)
     # Harris: epsilon = (1 - P_d/(2 delta_r))/2
     epsilon = 0.5 * (1.0 - 1e-6 / (2.0 * found.displacement[0]))
     known = bearings.ball_load(50.0, 101, epsilon=epsilon, exponent=n)
@@ -58,7 +64,7 @@ def test_clearance_reduces_the_load_zone_as_sjovall(rollers):
 
 def test_combined_load_of_parallel_rings_is_that_of_sjovall():
     angle = math.radians(40.0)
-    bearing = Bearing("angular_contact", **MANY, contact_angle=angle)
+    bearing = Bearing("angular_contact", **FINE_ROW, contact_angle=angle)
     found = bearing.element_loads(4.0, 8.0)  # so small that the contact angles hardly change
     zone = bearings.load_zone(4.0, 8.0, 101, angle)
     assert found.max_load == pytest.approx(zone.max_load, rel=5e-3)
@@ -79,6 +85,13 @@ def test_thrust_raises_the_contact_angle():
     K = 1e3 / sum(e.approach for e in ellipses) ** 1.5
     share = math.sin(angle) * (math.cos(start) / math.cos(angle) - 1.0) ** 1.5
     assert 9 * K * A**1.5 * share == pytest.approx(5e3, rel=1e-6)
+
+
+def test_load_factor_is_the_inverse_of_the_distribution():
+    bearing = bearings.standard("6208", clearance=10e-6)
+    factor = bearing.load_factor(6e3, 5e3, 1e3)
+    assert bearing.max_element_load(5e3 * factor, 1e3 * factor) == pytest.approx(6e3, rel=1e-8)
+    assert bearings.standard("6208").load_factor(5e3, 9e3) == pytest.approx(1.0, rel=1e-9)
 
 
 @pytest.mark.parametrize("kind", ["deep_groove", "cylindrical_roller"])
