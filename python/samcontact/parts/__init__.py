@@ -6,7 +6,17 @@ with the contact at the origin, so that it can be the gap of a `ContactSolver` o
 the grid, of a `Simulation`. Angles are in radians.
 """
 
+from .cams import Cam, TappetContact
 from .gears import FlankContact, GearPair
 from .indenters import berkovich, cone, flat_punch, vickers
 
-__all__ = ["FlankContact", "GearPair", "berkovich", "cone", "flat_punch", "vickers"]
+__all__ = [
+    "Cam",
+    "FlankContact",
+    "GearPair",
+    "TappetContact",
+    "berkovich",
+    "cone",
+    "flat_punch",
+    "vickers",
+]
