@@ -9,12 +9,14 @@ the grid, of a `Simulation`. Angles are in radians.
 from .cams import Cam, TappetContact
 from .gears import FlankContact, GearPair
 from .indenters import berkovich, cone, flat_punch, vickers
+from .wheel_rail import WheelRail
 
 __all__ = [
     "Cam",
     "FlankContact",
     "GearPair",
     "TappetContact",
+    "WheelRail",
     "berkovich",
     "cone",
     "flat_punch",
