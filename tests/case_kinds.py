@@ -70,8 +70,29 @@ STICKS = {
     "title": "t", "grid": GRID, "body1": COLD, "body2": COLD, "surface": FLAT,
     "contact": {"friction": {"coulomb": 0.3}},
 }  # fmt: skip
+GEAR = {
+    "shape": "gear", "module": 4.5e-3, "teeth": [16, 24], "face_width": 14e-3,
+    "pressure_angle": 0.349, "profile_shift": [0.18, 0.17],
+    "tip_diameter": [82.5e-3, 118.4e-3], "crowning": 1e-5, "tip_relief": [2e-5, 3e-5],
+    "relief_length": [5e-3, 6e-3], "relief_exponent": 1.5, "position": -6e-3, "torque": 0.1,
+    "sharing": "linear",
+}  # fmt: skip
+PROFILES = {
+    "shape": "wheel_rail", "rail": "rail.npy", "wheel": "wheel.npy", "wheel_radius": 0.46,
+    "unit": "mm", "shift": 1e-3, "yaw": 1e-2, "roll": 1e-3, "smoothing": 1e-6,
+}  # fmt: skip
+PRESSED = {"body1": COLD, "body2": COLD, "heat": None, "path": [{"load": 2.0}]}
+PYRAMID = {"tip_radius": 1e-5, "angle": 0.1, "half_angle": 1.4}
 KINDS = {
     "contact": BASE,
+    "flat punch": BASE | PRESSED
+    | {"surface": {"shape": "flat_punch", "radius": 3e-5, "edge_radius": 1e-5}},
+    "cone": BASE | PRESSED
+    | {"surface": {"shape": "cone", "half_angle": 1.4, "tip_radius": 1e-5}},
+    "Berkovich": BASE | PRESSED | {"surface": PYRAMID | {"shape": "berkovich"}},
+    "Vickers": BASE | PRESSED | {"surface": PYRAMID | {"shape": "vickers"}},
+    "gear": BASE | PRESSED | {"surface": GEAR, "path": [{"load_factor": 0.5}]},
+    "wheel and rail": BASE | PRESSED | {"surface": PROFILES},
     "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
                       "relief2": FURROW},
     "cylinder": BASE | {"surface": {"shape": "cylinder", "R": 1e-3, "axis": "x"}, "relief1": ROUGH},

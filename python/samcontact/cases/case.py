@@ -113,6 +113,7 @@ class Case(CaseFile):
             raise ValueError(
                 "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
             )
+        self._resolve_loads()
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
@@ -136,6 +137,19 @@ class Case(CaseFile):
         require_all_used(self)
         self.steps()
         return self
+
+    def _resolve_loads(self) -> None:
+        """Replace loads relative to the load of the part by loads in newtons."""
+        path = []
+        for index, segment in enumerate(self.path):
+            try:
+                path.append(segment.with_load(self.surface.nominal_load(self._given_grid())))
+            except ValueError as error:
+                raise ValueError(f"path[{index}]: {error}") from error
+        object.__setattr__(self, "path", path)  # the case is frozen
+
+    def _given_grid(self) -> Grid | None:
+        return None if self.grid is None else self.grid.build()
 
     def _show_a_body_with_stresses(self) -> None:
         selected = self.output.body

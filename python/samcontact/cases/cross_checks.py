@@ -192,10 +192,8 @@ def reason_for_grid(case: Any) -> str:
         relief = getattr(case, name)
         if relief is not None and not relief.is_known:
             return f"the heights of {name} are given at samples"
-    radii = case.surface.radii()
-    if radii is None or not all(map(math.isfinite, radii)):
-        return f"surface.shape = {case.surface.shape!r} gives a contact of infinite length"
-    return ""
+    reason: str = case.surface.reason_for_grid
+    return reason
 
 
 def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -> None:

@@ -42,6 +42,8 @@ from .base import (
     in_unit,
 )
 from .friction import FrictionField, friction_of
+from .parts import PartSurface
+from .surface_shape import SurfaceShape
 
 if TYPE_CHECKING:
     from ..problem.grid import Grid
@@ -78,72 +80,7 @@ class GridSection(Section):
         return Grid(**self.model_dump())
 
 
-class SinusoidalRoughness(Section):
-    """Sinusoidal roughness A sin(2 pi x/lx) sin(2 pi y/ly)."""
-
-    kind: Literal["sinusoidal"]
-    amplitude: Annotated[NonNegative, in_unit("m")]
-    wavelength_x: Length
-    wavelength_y: Length
-
-    def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
-        return surfaces.sinusoidal(grid, self.amplitude, self.wavelength_x, self.wavelength_y)
-
-
-class SelfAffineRoughness(Section):
-    """Random roughness, see `surfaces.rough_self_affine`."""
-
-    kind: Literal["self_affine"]
-    rms_height: Annotated[NonNegative, in_unit("m")]
-    hurst: Annotated[float, Field(ge=0.0, le=1.0)]
-    wavelength_min: Length | None = None
-    wavelength_max: Length | None = None
-    roll_off: Length | None = None
-    seed: Annotated[int, Field(ge=0)]
-
-    def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
-        """Return the heights in the cells of a grid.
-
-        cells: grid on which the roughness is generated, if its waves are evaluated on another one.
-        """
-        heights = surfaces.rough_self_affine(
-            grid if cells is None else cells, **self.model_dump(exclude={"kind"})
-        )
-        return heights if cells is None else surfaces.interpolated(heights, cells, grid)
-
-    def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
-        """Return half the shortest wavelengths along x and y [m]."""
-        shortest = self.wavelength_min
-        return (max(grid.dx, grid.dy) if shortest is None else 0.5 * shortest,) * 2
-
-
-class _Surface(Section):
-    roughness: (
-        Annotated[SinusoidalRoughness | SelfAffineRoughness, Field(discriminator="kind")] | None
-    ) = None
-
-    def radii(self) -> tuple[float, float] | None:
-        """Radii [m] along x and y of the paraboloid that approximates this surface, or None."""
-        return None
-
-    @property
-    def is_known(self) -> bool:
-        """Whether the surface is defined on every grid."""
-        return self.roughness is None or self.roughness.kind == "sinusoidal"
-
-    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
-        raise NotImplementedError
-
-    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
-        """Return the gap on a grid.
-
-        cells: grid of heights that are given in each cell, if they are evaluated on another one.
-        """
-        gap = self.shape_gap(grid, folder, cells)
-        return gap if self.roughness is None else gap + self.roughness.build(grid, cells)
-
-
-class ParaboloidSurface(_Surface):
+class ParaboloidSurface(SurfaceShape):
     """Paraboloid x^2/(2 Rx) + y^2/(2 Ry)."""
 
     shape: Literal["paraboloid"]
@@ -157,7 +94,7 @@ class ParaboloidSurface(_Surface):
         return surfaces.paraboloid(grid, self.Rx, self.Ry)
 
 
-class SphereSurface(_Surface):
+class SphereSurface(SurfaceShape):
     """Sphere, without the approximation by a paraboloid."""
 
     shape: Literal["sphere"]
@@ -170,7 +107,7 @@ class SphereSurface(_Surface):
         return surfaces.sphere(grid, self.R)
 
 
-class CylinderSurface(_Surface):
+class CylinderSurface(SurfaceShape):
     """Circular cylinder, without the approximation by a paraboloid."""
 
     shape: Literal["cylinder"]
@@ -181,7 +118,7 @@ class CylinderSurface(_Surface):
         return surfaces.cylinder(grid, self.R, self.axis)
 
 
-class FileSurface(_Surface, HeightsFile):
+class FileSurface(SurfaceShape, HeightsFile):
     """Surface of body 2 with heights from a file; body 1 is a paraboloid."""
 
     shape: Literal["file"]
@@ -225,7 +162,7 @@ class FileSurface(_Surface, HeightsFile):
 
 
 SurfaceSection = Annotated[
-    ParaboloidSurface | SphereSurface | CylinderSurface | FileSurface,
+    ParaboloidSurface | SphereSurface | CylinderSurface | FileSurface | PartSurface,
     Field(discriminator="shape"),
 ]
 

@@ -15,8 +15,9 @@ from .profiles import Profile
 
 _POSITIONS = 2001
 """Points of the first search across the wheel; neighbours are closer than details of a profile."""
-_LOCAL, _ANGLES, _LEVELS = 65, 41, 9
-"""Points of the later searches, each of which is narrower, across and about the axis."""
+_LOCAL, _LEVELS = 65, 9
+"""Points of the later searches, each of which is narrower."""
+_SLOPE_STEPS = 12
 _NEWTON_STEPS = 60
 
 
@@ -39,9 +40,9 @@ class WheelRail:
     shift : float, optional
         Lateral shift of the wheel, towards +y [m].
     yaw : float, optional
-        Rotation of the wheel about z [rad], from x to y.
+        Rotation of the wheel about z [rad], from x to y, in [-0.1, 0.1].
     roll : float, optional
-        Rotation of the wheel about x [rad], from y to z, at the running circle.
+        Rotation of the wheel about x [rad], from y to z, in [-0.1, 0.1], at the running circle.
     smoothing : float, optional
         Root-mean-square distance of smoothed profiles from measured points [m]. By default, a cubic
         spline passes through the points; its curvature contains their scatter.
@@ -147,32 +148,37 @@ class WheelRail:
 
     def _search(self) -> tuple[float, float, float]:
         """Return position on the wheel, angle about its axis, and least vertical distance."""
-        # a plane inclined by an angle touches the yawed wheel at tan(angle) yaw about its axis
-        widest = 0.0 if self._pose.yaw == 0.0 else 6.0 * abs(self._pose.yaw) + 0.01
         low, high = self._wheel.ends
-        centre, half = (0.5 * (low + high), 0.0), (0.5 * (high - low), widest)
+        centre, half, count = 0.5 * (low + high), 0.5 * (high - low), _POSITIONS
         best = (0.0, 0.0, math.inf)
-        for level in range(_LEVELS):
-            counts = (_LOCAL if level else _POSITIONS, _ANGLES if widest else 1)
-            s, turn = (
-                c + h * np.linspace(-1.0, 1.0, n) if n > 1 else np.array([c])
-                for c, h, n in zip(centre, half, counts, strict=True)
-            )
-            s = np.clip(s, low, high)
-            _, y, z = self._points(s[:, None], turn[None, :])
+        for _ in range(_LEVELS):
+            s = np.clip(centre + half * np.linspace(-1.0, 1.0, count), low, high)
+            turn = self._lowest(s)
+            _, y, z = self._points(s, turn)
             gap = np.where(self._rail.holds(y), self._rail.at(y) - z, math.inf)
-            i, j = np.unravel_index(np.argmin(gap), gap.shape)
-            if not math.isfinite(gap[i, j]):
+            i = int(np.argmin(gap))
+            if not math.isfinite(gap[i]):
                 raise ValueError(
                     f"shift must leave the wheel above the rail, got {self._pose.shift!r} m: "
                     "check that both profiles are in one frame, in metres"
                 )
-            best = (float(s[i]), float(turn[j]), float(gap[i, j]))
-            centre = best[:2]
-            # four cells on each side of the best point
-            half = (8.0 * half[0] / (counts[0] - 1), 8.0 * half[1] / max(counts[1] - 1, 1))
+            best = (float(s[i]), float(turn[i]), float(gap[i]))
+            centre, half, count = best[0], 8.0 * half / (count - 1), _LOCAL  # four points each side
         self._require_inside(best)
         return best
+
+    def _lowest(self, s: FloatArray) -> FloatArray:
+        """Angles about the axis at which circles of the wheel are nearest to the rail [rad].
+
+        The vertical distance is stationary there; the condition is a fixed point in the slope of
+        the rail, which varies little with the angle.
+        """
+        pose, turn = self._pose, np.zeros_like(s)
+        tilted = math.cos(pose.yaw) * math.sin(pose.roll)
+        for _ in range(_SLOPE_STEPS):
+            slope = self._rail.at(self._points(s, turn)[1], 1)
+            turn = np.arctan(-slope * math.sin(pose.yaw) / (math.cos(pose.roll) + slope * tilted))
+        return turn
 
     def _require_inside(self, found: tuple[float, float, float]) -> None:
         s, turn, _ = found
@@ -252,8 +258,8 @@ class _Pose:
 
 
 def _small(name: str, angle: float) -> float:
-    """Return an angle [rad] of magnitude at most 0.2."""
+    """Return an angle [rad] of magnitude at most 0.1."""
     value = finite(name, angle)
-    if abs(value) > 0.2:
-        raise ValueError(f"{name} must be in [-0.2, 0.2] rad, got {angle!r}")
+    if abs(value) > 0.1:
+        raise ValueError(f"{name} must be in [-0.1, 0.1] rad, got {angle!r}")
     return value

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Base class of the shapes in [surface], and roughness in addition to a shape."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field
+
+from .. import surfaces
+from .._util.checks import FloatArray
+from .base import Length, NonNegative, Section, in_unit
+
+if TYPE_CHECKING:
+    from ..problem.grid import Grid
+
+
+class SinusoidalRoughness(Section):
+    """Sinusoidal roughness A sin(2 pi x/lx) sin(2 pi y/ly)."""
+
+    kind: Literal["sinusoidal"]
+    amplitude: Annotated[NonNegative, in_unit("m")]
+    wavelength_x: Length
+    wavelength_y: Length
+
+    def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
+        return surfaces.sinusoidal(grid, self.amplitude, self.wavelength_x, self.wavelength_y)
+
+
+class SelfAffineRoughness(Section):
+    """Random roughness, see `surfaces.rough_self_affine`."""
+
+    kind: Literal["self_affine"]
+    rms_height: Annotated[NonNegative, in_unit("m")]
+    hurst: Annotated[float, Field(ge=0.0, le=1.0)]
+    wavelength_min: Length | None = None
+    wavelength_max: Length | None = None
+    roll_off: Length | None = None
+    seed: Annotated[int, Field(ge=0)]
+
+    def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
+        """Return the heights in the cells of a grid.
+
+        cells: grid on which the roughness is generated, if its waves are evaluated on another one.
+        """
+        heights = surfaces.rough_self_affine(
+            grid if cells is None else cells, **self.model_dump(exclude={"kind"})
+        )
+        return heights if cells is None else surfaces.interpolated(heights, cells, grid)
+
+    def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
+        """Return half the shortest wavelengths along x and y [m]."""
+        shortest = self.wavelength_min
+        return (max(grid.dx, grid.dy) if shortest is None else 0.5 * shortest,) * 2
+
+
+class SurfaceShape(Section):
+    """Base class of the sections [surface]: a shape with optional roughness."""
+
+    roughness: (
+        Annotated[SinusoidalRoughness | SelfAffineRoughness, Field(discriminator="kind")] | None
+    ) = None
+
+    def radii(self) -> tuple[float, float] | None:
+        """Radii [m] along x and y of the paraboloid that approximates this surface, or None."""
+        return None
+
+    def nominal_load(self, grid: Grid | None) -> float | None:
+        """Load of the part [N], of one period of a periodic grid; None if the shape has none."""
+        return None
+
+    @property
+    def reason_for_grid(self) -> str:
+        """Why [grid] is required with an accuracy; "" if the grid is chosen automatically."""
+        radii = self.radii()
+        if radii is None or not all(map(math.isfinite, radii)):
+            return (
+                f"surface.shape = {getattr(self, 'shape', '')!r} gives a contact of infinite length"
+            )
+        return ""
+
+    @property
+    def is_known(self) -> bool:
+        """Whether the surface is defined on every grid."""
+        return self.roughness is None or self.roughness.kind == "sinusoidal"
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        raise NotImplementedError
+
+    def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        """Return the gap on a grid.
+
+        cells: grid of heights that are given in each cell, if they are evaluated on another one.
+        """
+        gap = self.shape_gap(grid, folder, cells)
+        return gap if self.roughness is None else gap + self.roughness.build(grid, cells)
