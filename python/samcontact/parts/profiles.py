@@ -53,4 +53,4 @@ class Profile:
     def curvature(self, y: float) -> float:
         """Curvature of the section [1/m], positive if its centre lies below (larger z)."""
         slope, second = (float(self.at(y, order)) for order in (1, 2))
-        return second / (1.0 + slope**2) ** 1.5
+        return float(second / (1.0 + slope**2) ** 1.5)

@@ -41,7 +41,7 @@ def test_the_load_of_a_part_requires_one():
     many = PLAIN["surface"] | {"centre_distance": 91.5e-3, "tip_diameter": [82.5e-3, 118.4e-3]}
     with pytest.raises(CaseError, match="profile_shift has no effect with both"):
         Case.model_validate(PLAIN | {"surface": many})
-    pressed = other | {"path": [{"load": 1.0}]}
+    pressed = other | {"grid": {"nx": 9, "ny": 9, "dx": 1e-5, "dy": 1e-5}, "path": [{"load": 1.0}]}
     assert "not that of Hertz theory" in Case.model_validate(pressed).reason_for_grid
 
 
