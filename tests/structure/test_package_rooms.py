@@ -20,7 +20,7 @@ FLOORS = [
     {"_util"},
     {"bodies", "files", "hertz", "paths", "hardness", "kernels", "softening", "surfaces", "units"},
     {"bearings", "critical", "restart", "heat", "heat_kernels"},
-    {"problem", "flattening"},
+    {"problem", "flattening", "parts"},
     {"measured", "solutions", "dents", "operators"},
     {"diagnostics"},
     {"contact", "fatigue"},

@@ -84,6 +84,7 @@ class Segment(TangentialSection):
     """[[path]]: ramp of load or approach from the previous value, or passes at a constant value."""
 
     load: Annotated[Finite, in_unit("N")] | None = None
+    load_factor: NonNegative | None = None
     approach: Position | None = None
     increments: Count = 10
     start: Finite | None = None
@@ -109,9 +110,29 @@ class Segment(TangentialSection):
 
     @model_validator(mode="after")
     def _one_target(self) -> Segment:
-        if (self.load is None) == (self.approach is None):
-            raise ValueError("exactly one of load and approach must be given")
+        given = [self.load, self.load_factor, self.approach]
+        if given.count(None) != 2:
+            raise ValueError(
+                "exactly one of load and approach must be given (or load_factor, with a part)"
+            )
         return self
+
+    def with_load(self, nominal: float | None) -> Segment:
+        """Return the segment with `load_factor` times the load of the part as its load [N].
+
+        Raises ValueError if the part has no load.
+        """
+        if self.load_factor is None:
+            return self
+        if nominal is None:
+            raise ValueError(
+                "load_factor requires a part with a load, such as a gear with surface.torque: add "
+                "it, or set load"
+            )
+        resolved = self.model_copy()
+        # not as a field that the file sets, so that a sweep of the part changes the load
+        object.__setattr__(resolved, "load", self.load_factor * nominal)
+        return resolved
 
     @model_validator(mode="after")
     def _one_movement(self) -> Segment:

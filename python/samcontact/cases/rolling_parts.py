@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -16,7 +16,7 @@ from .._util.checks import FloatArray
 from .._util.short_text import in_short
 from ..bearings.rating import STEEL_CONTACT_MODULUS
 from ..bodies.layered import softest
-from .base import Count, Finite, Length, NonNegative, Position, Radius, in_unit
+from .base import Count, Finite, Length, NonNegative, Radius, in_unit
 from .surface_shape import FirstGrid, SurfaceShape
 
 if TYPE_CHECKING:
@@ -50,8 +50,8 @@ class RollerSurface(_RollingSurface):
     crown_radius: Radius | None = None
     straight_length: Annotated[NonNegative, in_unit("m")] | None = None
     design_load: Annotated[NonNegative, in_unit("N")] | None = None
-    y: Annotated[list[Position], Field(min_length=2)] | None = None
-    drop: Annotated[list[Position], Field(min_length=2)] | None = None
+    profile_y: Annotated[list[Finite], Field(min_length=2), in_unit("m")] | None = None
+    profile_drop: Annotated[list[Finite], Field(min_length=2), in_unit("m")] | None = None
     tilt: Angle = 0.0
     skew: Angle = 0.0
 
@@ -61,10 +61,9 @@ class RollerSurface(_RollingSurface):
     def _complete(self) -> RollerSurface:
         if self.pitch_diameter is None and "race" in self.model_fields_set:
             raise ValueError("race requires pitch_diameter: add it, or omit race for a flat race")
-        if (self.profile == "table") != (self.y is not None) or (self.y is None) != (
-            self.drop is None
-        ):
-            raise ValueError('y and drop must be given if, and only if, profile = "table"')
+        for name in ("profile_y", "profile_drop"):
+            if (self.profile == "table") != (getattr(self, name) is not None):
+                raise ValueError(f'{name} must be given if, and only if, profile = "table"')
         from ..problem.grid import Grid
 
         self.shape_gap(Grid(1, 3, 0.1 * self.diameter, 0.4 * self.length), Path())
@@ -90,7 +89,9 @@ class RollerSurface(_RollingSurface):
             more["E_star"] = self._E_star
         if self.profile == "logarithmic":
             more["diameter"] = self.diameter
-        profile: Any = (self.y, self.drop) if self.profile == "table" else self.profile
+        profile: Any = (
+            (self.profile_y, self.profile_drop) if self.profile == "table" else self.profile
+        )
         return surfaces.roller(
             grid, 0.5 * self.diameter, self.length, profile, race_radius=self.race_radius,
             tilt=self.tilt, skew=self.skew, **more,
@@ -124,18 +125,24 @@ class BearingSurface(_RollingSurface):
     clearance: Annotated[NonNegative, in_unit("m")] | None = None
     rows: Count | None = None
     race: Race | None = None
-    radial_load: Annotated[NonNegative, in_unit("N")] = 0.0
-    axial_load: Annotated[NonNegative, in_unit("N")] = 0.0
+    radial_load: Annotated[NonNegative, in_unit("N")] | None = None
+    axial_load: Annotated[NonNegative, in_unit("N")] | None = None
     moment: Annotated[Finite, in_unit("N*m")] | None = None
 
     @model_validator(mode="after")
     def _buildable(self) -> BearingSurface:
-        if self.bearing.has_rollers and self.axial_load > 0.0:
+        if self.bearing.has_rollers and self.axial_load:
             raise ValueError("axial_load must be 0 for cylindrical rollers: omit it")
-        if self.radial_load == 0.0 and self.axial_load == 0.0:
-            raise ValueError("radial_load or axial_load must be > 0")
-        assert self.element_load > 0.0
+        if self.moment is not None and not self.has_loads:
+            raise ValueError("moment requires radial_load or axial_load > 0: add one of them")
+        if self.has_loads and not self.element_load > 0.0:
+            raise ValueError("radial_load, axial_load and moment must load an element")
         return self
+
+    @property
+    def has_loads(self) -> bool:
+        """Whether the loads on the bearing are given; if not, the path states the contact load."""
+        return bool(self.radial_load or self.axial_load)
 
     @property
     def bearing(self) -> bearings.Bearing:
@@ -174,8 +181,9 @@ class BearingSurface(_RollingSurface):
 
     @property
     def loads(self) -> tuple[float, float, float | None]:
-        """Radial load, axial load [N] and moment [N m], as arguments of `Bearing` methods."""
-        return self.radial_load, self.axial_load, self.moment
+        """Radial load, axial load [N] and moment [N m]; 1 N radial if no load is given."""
+        radial = (self.radial_load or 0.0) if self.has_loads else 1.0
+        return radial, self.axial_load or 0.0, self.moment
 
     @property
     def element_load(self) -> float:
@@ -210,8 +218,15 @@ class BearingSurface(_RollingSurface):
         return _grid_of_roller(self.bearing.race(self.solved_race).Rx, length, load, E_star)
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load of the most heavily loaded element [N]."""
-        return self.element_load
+        """Load of the most heavily loaded element [N]; None if the bearing has no loads."""
+        return self.element_load if self.has_loads else None
+
+    def require_path(self, loads: Sequence[float | None]) -> None:
+        if self.has_loads and any(loads):
+            raise ValueError(
+                "load must be 0 or omitted with loads on the bearing (radial_load, axial_load): "
+                "use load_factor, the factor on the load of the most heavily loaded element"
+            )
 
 
 def in_full(content: Any) -> Any:
@@ -234,10 +249,6 @@ def in_full(content: Any) -> Any:
     surface = found.get("surface")
     if "path" in found or not isinstance(surface, Mapping) or surface.get("shape") != "bearing":
         return found
-    try:
-        load = BearingSurface.model_validate(surface).element_load
-    except (ValueError, TypeError):
-        load = 1.0  # the errors of the surface are reported by the case
     laws = [
         part.get("law", "elastic")
         for name in ("body1", "body2")
@@ -247,8 +258,8 @@ def in_full(content: Any) -> Any:
     ]
     if all(law in ("elastic", "rigid") for law in laws):
         once = {} if found.get("accuracy") is not None else {"increments": 1}
-        return found | {"path": [{"load": load} | once]}
-    return found | {"path": [{"load": load}, {"load": 0.0}]}
+        return found | {"path": [{"load_factor": 1.0} | once]}
+    return found | {"path": [{"load_factor": 1.0}, {"load": 0.0}]}
 
 
 def short_places(message: str, content: Any) -> str:

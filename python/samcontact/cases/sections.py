@@ -42,6 +42,7 @@ from .base import (
     in_unit,
 )
 from .friction import FrictionField, friction_of
+from .parts import PartSurface
 from .rolling_parts import BearingSurface, RollerSurface
 from .surface_shape import SurfaceShape
 
@@ -167,7 +168,8 @@ SurfaceSection = Annotated[
     | CylinderSurface
     | FileSurface
     | RollerSurface
-    | BearingSurface,
+    | BearingSurface
+    | PartSurface,
     Field(discriminator="shape"),
 ]
 

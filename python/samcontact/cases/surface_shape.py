@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
@@ -96,6 +97,9 @@ class SurfaceShape(Section):
     def first_grid(self, load: float, E_star: float) -> FirstGrid | None:
         """Extent and cells of a first grid at a load [N]; None if `radii` determine them."""
         return None
+
+    def require_path(self, loads: Sequence[float | None]) -> None:
+        """Raise ValueError if the loads given in the path [N] contradict the load of the part."""
 
     def on_bodies(self, *bodies: Body) -> None:
         """Take the elastic constants of the bodies, if the shape depends on them."""

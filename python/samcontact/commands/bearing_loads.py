@@ -53,8 +53,8 @@ def in_metres(target: str, case: Case) -> str:
 def load_on_bearing(case: Case, found: FoundLoad) -> float:
     """Radial load [N] on the bearing at the load found; axial load if there is no radial load."""
     surface: Any = case.surface
-    factor = surface.bearing.load_factor(found.load, *surface.loads)
-    return float(factor * (surface.radial_load or surface.axial_load))
+    radial, axial, _ = surface.loads
+    return float(surface.bearing.load_factor(found.load, *surface.loads) * (radial or axial))
 
 
 def table(founds: Mapping[str, FoundLoad], cases: Mapping[str, Case]) -> dict[str, dict[str, str]]:
@@ -75,7 +75,7 @@ def _rows_of_bearing(case: Case, found: FoundLoad) -> dict[str, str]:
     """Return the loads on the bearing, its static load rating, and the safety factor."""
     surface: Any = case.surface
     factor = surface.bearing.load_factor(found.load, *surface.loads)
-    radial, axial = factor * surface.radial_load, factor * surface.axial_load
+    radial, axial = (factor * load for load in surface.loads[:2])
     error = percent(found.load_error / found.load)
     rows = {}
     for name, load in (("radial load", radial), ("axial load", axial)):

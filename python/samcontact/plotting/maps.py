@@ -91,6 +91,7 @@ def surface_map(
 def peak_map(results: ContactResults, name: str, ax: Axes) -> Axes:
     """Draw a `surface_map` of pressure or gap at the increment with maximum stress of a run."""
     values = results.surface(name, results.peak)
+    values = np.where(np.isfinite(values), values, np.nan)  # white outside the body
     repulsion = results.surface("repulsion", results.peak)
     shown = quantity_for_values(name, values, results.grid)
     solved = np.isfinite(results.dataset["approach"].values[results.peak])

@@ -46,6 +46,10 @@ OTHER = {
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
     "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
     "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
+    "teeth": [[16, 25]], "profile_shift": [[0.1, 0.1]], "tip_diameter": [[82.4e-3, 118.3e-3]],
+    "tip_relief": [[3e-5, 2e-5]], "relief_length": [[6e-3, 5e-3]], "rail": ["other.npy"],
+    "wheel": ["other.npy"], "smoothing": [0.0],
+    "designation": ["6209"], "profile_y": [[0.0, 5e-5]], "profile_drop": [[0.0, 2e-8]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -63,13 +67,16 @@ UNSET = {
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
     "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
-    "grid": GRID,
+    "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
 }  # fmt: skip
 
 
 @pytest.fixture
 def computed(tmp_path, monkeypatch):
     """Return the arguments of the computation as text; arrays as bytes."""
+    y = np.linspace(-30.0, 30.0, 61)
+    for name, radius in (("rail", 300.0), ("wheel", 500.0), ("other", 600.0)):
+        np.save(tmp_path / f"{name}.npy", np.column_stack([y, radius - np.sqrt(radius**2 - y**2)]))
     np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
     seen = {}
 

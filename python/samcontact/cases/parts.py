@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes of parts in [surface]: indenters, gear flanks, wheel and rail."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from .. import parts
+from .._util.checks import FloatArray
+from ..measured.plain import plain_heights
+from ..parts.indenters import BERKOVICH_HALF_ANGLE, VICKERS_HALF_ANGLE
+from .base import Finite, Length, NonNegative, Pair, Position, Positive, in_unit
+from .surface_shape import SurfaceShape
+
+if TYPE_CHECKING:
+    from ..problem.grid import Grid
+
+Angle = Annotated[Finite, in_unit("rad")]
+Rounding = Annotated[NonNegative, in_unit("m")]
+Lengths = Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("m")]
+Depths = Annotated[list[NonNegative], Field(min_length=2, max_length=2), in_unit("m")]
+
+
+class _Indenter(SurfaceShape):
+    @property
+    def reason_for_grid(self) -> str:
+        return "the contact of an indenter is not that of Hertz theory"
+
+
+class FlatPunchSurface(_Indenter):
+    """Circular punch with a flat end."""
+
+    shape: Literal["flat_punch"]
+    radius: Length
+    edge_radius: Rounding = 0.0
+
+    @model_validator(mode="after")
+    def _rounded_within(self) -> FlatPunchSurface:
+        if self.edge_radius > self.radius:
+            raise ValueError(
+                f"edge_radius must be <= radius = {self.radius!r}, got {self.edge_radius!r}"
+            )
+        return self
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return parts.flat_punch(grid, self.radius, self.edge_radius)
+
+
+class ConeSurface(_Indenter):
+    """Cone with a sharp or spherical tip."""
+
+    shape: Literal["cone"]
+    half_angle: Angle
+    tip_radius: Rounding = 0.0
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return parts.cone(grid, self.half_angle, self.tip_radius)
+
+
+class BerkovichSurface(_Indenter):
+    """Pyramid with three faces."""
+
+    shape: Literal["berkovich"]
+    tip_radius: Rounding = 0.0
+    angle: Angle = 0.0
+    half_angle: Angle = BERKOVICH_HALF_ANGLE
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return parts.berkovich(grid, self.tip_radius, self.angle, self.half_angle)
+
+
+class VickersSurface(_Indenter):
+    """Pyramid with four faces."""
+
+    shape: Literal["vickers"]
+    tip_radius: Rounding = 0.0
+    angle: Angle = 0.0
+    half_angle: Angle = VICKERS_HALF_ANGLE
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return parts.vickers(grid, self.tip_radius, self.angle, self.half_angle)
+
+
+class GearSurface(SurfaceShape):
+    """Flanks of a pair of spur gears, see `parts.GearPair`."""
+
+    shape: Literal["gear"]
+    module: Length
+    teeth: Annotated[list[int], Field(min_length=2, max_length=2)]
+    face_width: Length
+    pressure_angle: Angle = parts.GearPair.pressure_angle
+    profile_shift: Pair | None = None
+    centre_distance: Length | None = None
+    tip_diameter: Lengths | None = None
+    crowning: Rounding = 0.0
+    tip_relief: Depths | None = None
+    relief_length: Lengths | None = None
+    relief_exponent: Positive = 1.0
+    position: Position | Literal["A", "B", "C", "D", "E"] = "C"
+    torque: Annotated[Positive, in_unit("N*m")] | None = None
+    sharing: Literal["equal", "linear"] = "equal"
+
+    @model_validator(mode="after")
+    def _meshes(self) -> GearSurface:
+        if None not in (self.profile_shift, self.centre_distance, self.tip_diameter):
+            raise ValueError(
+                "profile_shift has no effect with both centre_distance and tip_diameter: omit it"
+            )
+        self.contact()
+        return self
+
+    def contact(self) -> parts.FlankContact:
+        """Contact of the flanks at the given position."""
+        own = {"position", "torque", "sharing", "shape", "roughness"}
+        return parts.GearPair(**self.model_dump(exclude=own, exclude_none=True)).at(self.position)
+
+    def radii(self) -> tuple[float, float] | None:
+        """Radii at the contact; None without crowning, or with tip relief."""
+        if self.crowning == 0.0 or self.tip_relief is not None:
+            return None
+        return self.contact().radius, self.face_width**2 / (8.0 * self.crowning)
+
+    @property
+    def reason_for_grid(self) -> str:
+        if self.tip_relief is not None:
+            return "the contact of a flank with tip relief is not that of Hertz theory"
+        return super().reason_for_grid
+
+    def nominal_load(self, grid: Grid | None) -> float | None:
+        """Load on the tooth pair [N]; of the width of the grid if it is periodic along y."""
+        if self.torque is None:
+            return None
+        load = self.contact().load(self.torque, self.sharing)
+        if grid is not None and grid.along_y:
+            return load * grid.ny * grid.dy / self.face_width
+        return load
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return self.contact().surface(grid)
+
+
+class WheelRailSurface(SurfaceShape):
+    """Wheel and rail with profiles from files, see `parts.WheelRail`."""
+
+    shape: Literal["wheel_rail"]
+    rail: Annotated[str, Field(min_length=1)]
+    wheel: Annotated[str, Field(min_length=1)]
+    wheel_radius: Length
+    unit: Literal["m", "mm"] = "m"
+    shift: Position = 0.0
+    yaw: Angle = 0.0
+    roll: Angle = 0.0
+    smoothing: Rounding = 0.0
+
+    @property
+    def reason_for_grid(self) -> str:
+        return "the contact of two profiles is not that of Hertz theory"
+
+    def contact(self, folder: Path) -> parts.WheelRail:
+        """Contact of the profiles; ValueError if a file is not readable or has no contact."""
+        factor = 1.0 if self.unit == "m" else 1e-3
+        return parts.WheelRail(
+            factor * plain_heights(folder / self.rail),
+            factor * plain_heights(folder / self.wheel),
+            self.wheel_radius,
+            shift=self.shift,
+            yaw=self.yaw,
+            roll=self.roll,
+            smoothing=self.smoothing,
+        )
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return self.contact(folder).surface(grid)
+
+
+PartSurface = (
+    FlatPunchSurface
+    | ConeSurface
+    | BerkovichSurface
+    | VickersSurface
+    | GearSurface
+    | WheelRailSurface
+)

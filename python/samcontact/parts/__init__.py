@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shapes of machine parts and indenters, as gaps on a grid.
+
+Each function or method that takes a grid returns the gap of the undeformed bodies in its cells,
+with the contact at the origin, so that it can be the gap of a `ContactSolver` or, as a function of
+the grid, of a `Simulation`. Angles are in radians.
+"""
+
+from .cams import Cam, TappetContact
+from .gears import FlankContact, GearPair
+from .indenters import berkovich, cone, flat_punch, vickers
+from .wheel_rail import WheelRail
+
+__all__ = [
+    "Cam",
+    "FlankContact",
+    "GearPair",
+    "TappetContact",
+    "WheelRail",
+    "berkovich",
+    "cone",
+    "flat_punch",
+    "vickers",
+]

@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact of a wheel and a rail with given profiles."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, finite, positive
+from ..surfaces import SurfaceGrid, require_surface
+from .profiles import Profile
+
+_POSITIONS = 2001
+"""Points of the first search across the wheel; neighbours are closer than details of a profile."""
+_LOCAL, _LEVELS = 65, 9
+"""Points of the later searches, each of which is narrower."""
+_SLOPE_STEPS = 12
+_NEWTON_STEPS = 60
+
+
+class WheelRail:
+    """Rigid contact of a wheel and a rail, found by a direct search, and the gap next to it.
+
+    The frame is that of the track: x along the rail, y across, z down. The wheel is a surface of
+    revolution, the rail a prism. The contact is the point of least vertical distance; of several
+    points, the one that is reached first.
+
+    Parameters
+    ----------
+    rail : array_like, shape (n, 2)
+        Points (y, z) of the head of the rail [m], ordered by y.
+    wheel : array_like, shape (n, 2)
+        Points (y, z) of the lowest section of the wheel [m], ordered by y, in the same frame. z = 0
+        is the running circle.
+    wheel_radius : float
+        Radius of the running circle [m], > 0; the wheel has the radius `wheel_radius` + z.
+    shift : float, optional
+        Lateral shift of the wheel, towards +y [m].
+    yaw : float, optional
+        Rotation of the wheel about z [rad], from x to y, in [-0.1, 0.1].
+    roll : float, optional
+        Rotation of the wheel about x [rad], from y to z, in [-0.1, 0.1], at the running circle.
+    smoothing : float, optional
+        Root-mean-square distance of smoothed profiles from measured points [m]. By default, a cubic
+        spline passes through the points; its curvature contains their scatter.
+
+    Attributes
+    ----------
+    x, y : float
+        Position of the contact in the frame of the track [m].
+    y_wheel : float
+        Position of the contact on the profile of the wheel [m].
+    angle : float
+        Contact angle [rad]: inclination of the tangent plane along y, positive if it falls towards
+        +y.
+    rolling_radius : float
+        Radius of the wheel at the contact [m].
+    separation : float
+        Vertical distance by which the wheel is lowered until it touches [m].
+
+    Raises
+    ------
+    ValueError
+        An argument is outside its range, or the contact lies at the end of a profile.
+
+    Notes
+    -----
+    The search is that of rigid bodies, as in the geometric part of CONTACT (Vollebregt); within the
+    patch, the gap follows both profiles and is not approximated by radii.
+    """
+
+    def __init__(
+        self,
+        rail: ArrayLike,
+        wheel: ArrayLike,
+        wheel_radius: float,
+        *,
+        shift: float = 0.0,
+        yaw: float = 0.0,
+        roll: float = 0.0,
+        smoothing: float = 0.0,
+    ) -> None:
+        self._pose = _Pose(
+            positive("wheel_radius", wheel_radius),
+            finite("shift", shift),
+            _small("yaw", yaw),
+            _small("roll", roll),
+        )
+        self._rail = Profile("rail", rail, smoothing)
+        self._wheel = Profile("wheel", wheel, smoothing)
+        for end in self._wheel.ends:
+            if not abs(end) < self._pose.radius:
+                raise ValueError(
+                    f"wheel must have |y| < wheel_radius = {wheel_radius!r} m, got {end!r}: points "
+                    "in mm instead of m?"
+                )
+        self.y_wheel, self._turn, self.separation = self._search()
+        x, y, _ = self._points(np.array(self.y_wheel), np.array(self._turn))
+        self.x, self.y = float(x), float(y)
+        self.angle = math.atan(float(self._rail.at(y, 1)))
+        self.rolling_radius = self._pose.radius + float(self._wheel.at(self.y_wheel))
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """Equivalent radii along the rail and across it at the point of contact [m].
+
+        Across, the curvature may be zero or negative (inf or a negative radius): the bodies then
+        touch along the profile, and Hertz theory does not apply.
+        """
+        across = self._rail.curvature(self.y) - self._wheel.curvature(self.y_wheel)
+        # Meusnier: the normal is inclined to the plane of the running circle
+        along = self.rolling_radius / math.cos(self.angle)
+        return along, math.inf if across == 0.0 else 1.0 / across
+
+    def surface(self, grid: SurfaceGrid) -> FloatArray:
+        """Gap along the common normal at the contact.
+
+        x runs along the rail, y across it in the tangent plane.
+
+        Parameters
+        ----------
+        grid : Grid
+            Grid on which the gap is evaluated.
+
+        Returns
+        -------
+        ndarray, shape (nx, ny)
+            Gap [m], 0 at the origin; inf beyond the end of a profile.
+        """
+        require_surface(grid)
+        x, v = np.asarray(grid.x)[:, None], np.asarray(grid.y)[None, :]
+        return np.asarray(self._rail_below(v) - self._wheel_below(x, v), dtype=np.float64)
+
+    def __repr__(self) -> str:
+        return (
+            f"WheelRail(y={self.y:.6g} m, angle={self.angle:.4g} rad, "
+            f"rolling_radius={self.rolling_radius:.6g} m)"
+        )
+
+    def _points(self, s: FloatArray, turn: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Points of the wheel in the frame of the track; turn: angle about its axis [rad]."""
+        r = self._pose.radius + self._wheel.at(s)
+        sagged = r * np.cos(turn) - self._pose.radius
+        return self._pose.to_track(r * np.sin(turn), s + 0.0 * turn, sagged)
+
+    def _search(self) -> tuple[float, float, float]:
+        """Return position on the wheel, angle about its axis, and least vertical distance."""
+        low, high = self._wheel.ends
+        centre, half, count = 0.5 * (low + high), 0.5 * (high - low), _POSITIONS
+        best = (0.0, 0.0, math.inf)
+        for _ in range(_LEVELS):
+            s = np.clip(centre + half * np.linspace(-1.0, 1.0, count), low, high)
+            turn = self._lowest(s)
+            _, y, z = self._points(s, turn)
+            gap = np.where(self._rail.holds(y), self._rail.at(y) - z, math.inf)
+            i = int(np.argmin(gap))
+            if not math.isfinite(gap[i]):
+                raise ValueError(
+                    f"shift must leave the wheel above the rail, got {self._pose.shift!r} m: "
+                    "check that both profiles are in one frame, in metres"
+                )
+            best = (float(s[i]), float(turn[i]), float(gap[i]))
+            centre, half, count = best[0], 8.0 * half / (count - 1), _LOCAL  # four points each side
+        self._require_inside(best)
+        return best
+
+    def _lowest(self, s: FloatArray) -> FloatArray:
+        """Angles about the axis at which circles of the wheel are nearest to the rail [rad].
+
+        The vertical distance is stationary there; the condition is a fixed point in the slope of
+        the rail, which varies little with the angle.
+        """
+        pose, turn = self._pose, np.zeros_like(s)
+        tilted = math.cos(pose.yaw) * math.sin(pose.roll)
+        for _ in range(_SLOPE_STEPS):
+            slope = self._rail.at(self._points(s, turn)[1], 1)
+            turn = np.arctan(-slope * math.sin(pose.yaw) / (math.cos(pose.roll) + slope * tilted))
+        return turn
+
+    def _require_inside(self, found: tuple[float, float, float]) -> None:
+        s, turn, _ = found
+        y = float(self._points(np.array(s), np.array(turn))[1])
+        for profile, at in ((self._wheel, s), (self._rail, y)):
+            low, high = profile.ends
+            if min(at - low, high - at) < 1e-6 * (high - low):
+                raise ValueError(
+                    f"{profile.name} must extend beyond the contact, which lies at its end, y = "
+                    f"{at:.6g} m: add points, or check shift = {self._pose.shift!r} m"
+                )
+
+    def _rail_below(self, v: FloatArray) -> FloatArray:
+        """Distance of the rail from the tangent plane, into the rail [m]."""
+        sine, cosine = math.sin(self.angle), math.cos(self.angle)
+        z0 = float(self._rail.at(self.y))
+        h = np.zeros_like(v)
+        for _ in range(_NEWTON_STEPS):
+            y = self.y + v * cosine - h * sine
+            error = z0 + v * sine + h * cosine - self._rail.at(y)
+            step = error / (cosine + sine * self._rail.at(y, 1))
+            h = h - step
+            if np.max(np.abs(step)) < 1e-15:
+                break
+        return np.where(self._rail.holds(self.y + v * cosine - h * sine), h, math.inf)
+
+    def _wheel_below(self, x: FloatArray, v: FloatArray) -> FloatArray:
+        """Distance of the wheel from the tangent plane, towards the rail [m]; mostly negative."""
+        sine, cosine = math.sin(self.angle), math.cos(self.angle)
+        start = self._points(np.array(self.y_wheel), np.array(self._turn))
+        radius = self._pose.radius
+        n = self._pose.to_wheel(0.0, -sine, cosine, turned_only=True)
+        h = np.zeros(np.broadcast_shapes(x.shape, v.shape))
+        for _ in range(_NEWTON_STEPS):
+            here = (
+                start[0] + x,
+                start[1] + v * cosine - h * sine,
+                start[2] + v * sine + h * cosine,
+            )
+            X, Y, Z = self._pose.to_wheel(*here)
+            r = np.hypot(X, Z + radius)
+            error = r - radius - self._wheel.at(Y)
+            slope = (X * n[0] + (Z + radius) * n[2]) / r - self._wheel.at(Y, 1) * n[1]
+            step = error / slope
+            h = h - step
+            if np.max(np.abs(step)) < 1e-15:
+                break
+        return np.where(self._wheel.holds(Y), h, -math.inf)
+
+
+@dataclass(frozen=True)
+class _Pose:
+    """Position of a wheel in the frame of the track: radius and shift [m], yaw and roll [rad]."""
+
+    radius: float
+    shift: float
+    yaw: float
+    roll: float
+
+    def to_track(
+        self, x: FloatArray, y: FloatArray, z: FloatArray
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        c, s = math.cos(self.roll), math.sin(self.roll)
+        y, z = c * y - s * z, s * y + c * z
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        return c * x - s * y, s * x + c * y + self.shift, z
+
+    def to_wheel(
+        self, x: ArrayLike, y: ArrayLike, z: ArrayLike, turned_only: bool = False
+    ) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return points, or with turned_only directions, in the frame of the wheel."""
+        a, b = np.asarray(x), np.asarray(y) - (0.0 if turned_only else self.shift)
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        a, b = c * a + s * b, c * b - s * a
+        c, s = math.cos(self.roll), math.sin(self.roll)
+        return a, c * b + s * np.asarray(z), c * np.asarray(z) - s * b
+
+
+def _small(name: str, angle: float) -> float:
+    """Return an angle [rad] of magnitude at most 0.1."""
+    value = finite(name, angle)
+    if abs(value) > 0.1:
+        raise ValueError(f"{name} must be in [-0.1, 0.1] rad, got {angle!r}")
+    return value
