@@ -125,7 +125,8 @@ KINDS = {
        "path": [{"load_factor": 0.5}]},
     "bearing by its sizes": BASE | PRESSED | {"surface": SIZED, "path": [{"load_factor": 0.5}]},
     "bearing by its bore": BASE | PRESSED
-    | {"surface": BEARING | {"bore": 0.04, "outside_diameter": 0.08},
+    | {"surface": {"shape": "bearing", "radial_load": 2.0, "bore": 0.04,
+                   "outside_diameter": 0.08},
        "path": [{"load_factor": 0.5}]},
     "roller bearing": BASE | PRESSED | {"surface": ROLLERS, "path": [{"load_factor": 0.5}]},
     "wheel and rail": BASE | PRESSED | {"surface": PROFILES},

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
@@ -106,6 +107,17 @@ def _grid_of_roller(R: float, length: float, load: float, E_star: float) -> Firs
     return FirstGrid((hertz.line(R, E_star, load / length).b, 0.5 * length), _REFINED)
 
 
+@lru_cache(maxsize=16)
+def _max_element_load(bearing: bearings.Bearing, *loads: float | None) -> float:
+    return bearing.max_element_load(*loads)  # type: ignore[arg-type]
+
+
+@lru_cache(maxsize=16)
+def _misalignment(bearing: bearings.Bearing, *loads: float | None) -> float:
+    """Misalignment of the rings at the most heavily loaded element [rad]."""
+    return bearing.element_loads(*loads).tilt  # type: ignore[arg-type]
+
+
 class BearingSurface(_RollingSurface):
     """Most heavily loaded element of a bearing, see `bearings.Bearing`."""
 
@@ -188,7 +200,7 @@ class BearingSurface(_RollingSurface):
     @property
     def element_load(self) -> float:
         """Load of the most heavily loaded element [N]."""
-        return self.bearing.max_element_load(*self.loads)
+        return _max_element_load(self.bearing, *self.loads)
 
     @property
     def solved_race(self) -> str:
@@ -200,7 +212,7 @@ class BearingSurface(_RollingSurface):
         """Tilt of the most loaded roller on a race [rad]: half the misalignment of the rings."""
         if not self.bearing.has_rollers or self.moment is None:
             return 0.0
-        return 0.5 * self.bearing.element_loads(*self.loads).tilt
+        return 0.5 * _misalignment(self.bearing, *self.loads)
 
     def radii(self) -> tuple[float, float] | None:
         if self.bearing.has_rollers:
