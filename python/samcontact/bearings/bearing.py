@@ -291,16 +291,27 @@ class Bearing:
         The other arguments are those of `max_element_load`.
         """
         target = positive("element_load", element_load)
-        loads = (radial_load, axial_load, moment)
+        loads = (
+            non_negative("radial_load", radial_load), non_negative("axial_load", axial_load),
+            None if moment is None else finite("moment", moment),
+        )  # fmt: skip
 
         def excess(log_factor: float) -> float:
             factor = math.exp(log_factor)
-            scaled = (None if load is None else factor * load for load in loads)
-            return math.log(self.max_element_load(*scaled) / target)  # type: ignore[arg-type]
+            turned = None if loads[2] is None else factor * loads[2]
+            found = self.max_element_load(factor * loads[0], factor * loads[1], turned)
+            if found == 0.0:
+                raise ValueError("radial_load, axial_load or moment must load an element, got 0")
+            return math.log(found / target)
 
-        first = -excess(0.0)
-        low, high = min(first, 0.0) - 1.0, max(first, 0.0) + 1.0
-        return math.exp(scipy.optimize.brentq(excess, low, high, xtol=1e-10))
+        low = high = -excess(0.0)
+        while excess(low) > 0.0:  # the contact angle and the load zone change with the load
+            low -= 1.0
+        while excess(high) < 0.0:
+            high += 1.0
+        return math.exp(
+            low if low == high else scipy.optimize.brentq(excess, low, high, xtol=1e-10)
+        )
 
     @property
     def static_load_rating(self) -> float:

@@ -83,13 +83,18 @@ def balls_in_equilibrium(
     start_r = centre_distance * np.cos(free_angle) - 0.5 * clearance
     start_z = centre_distance * np.sin(free_angle)
 
-    def state(u: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        r, z = start_r + u @ radial, start_z + u @ axial
-        return r, z, np.hypot(r, z)
+    # r^2 + z^2 - A^2 without load; the rest is evaluated without cancellation
+    start = -centre_distance * np.cos(free_angle) * clearance + 0.25 * clearance**2
+
+    def state(u: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        dr, dz = u @ radial, u @ axial
+        r, z = start_r + dr, start_z + dz
+        length = np.hypot(r, z)
+        longer = dr * (2.0 * start_r + dr) + dz * (2.0 * start_z + dz) + start
+        return r, z, length, np.maximum(longer / (length + centre_distance), 0.0)
 
     def energy(u: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-        r, z, length = state(u)
-        s = np.maximum(length - centre_distance, 0.0)
+        r, z, length, s = state(u)
         along = (r * radial + z * axial) / length
         across = (r * axial - z * radial) / length
         load = stiffness * s**1.5
@@ -101,8 +106,7 @@ def balls_in_equilibrium(
     first = (_typical(forces, arm) / stiffness) ** (2.0 / 3.0)
     scales = np.array([first, first, first / arm if tilts else 0.0])
     u = _minimum(energy, forces, scales)
-    r, z, length = state(u)
-    s = np.maximum(length - centre_distance, 0.0)
+    r, z, _, s = state(u)
     return ElementLoads(psi, stiffness * s**1.5, np.arctan2(z, r), u)
 
 
@@ -160,7 +164,10 @@ def _minimum(energy: Energy, forces: FloatArray, scales: FloatArray) -> FloatArr
         added = damping * max(float(np.trace(scaled)), size) * np.eye(3)
         step = -scales * np.linalg.solve(scaled + added, scales * gradient)
         trial = energy(u + step)
-        if trial[0] <= value + 1e-14 * (abs(value) + size):  # rounding hides the last steps
+        # rounding errors hide the last steps, which reduce the imbalance
+        near = trial[0] <= value + 1e-9 * (abs(value) + size)
+        calmer = np.abs(scales * trial[1]).max() < 0.5 * np.abs(scales * gradient).max()
+        if trial[0] <= value or (near and calmer):
             u, (value, gradient, hessian) = u + step, trial
             damping = max(0.1 * damping, 1e-15)
         else:
