@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load search of a bearing: cases of both races, and loads on the bearing beside ISO 76."""
+"""Load search of a bearing: cases of both races, and loads on the bearing by ISO 76."""
 
 from __future__ import annotations
 
