@@ -82,6 +82,25 @@ PROFILES = {
     "shape": "wheel_rail", "rail": "rail.npy", "wheel": "wheel.npy", "wheel_radius": 0.46,
     "unit": "mm", "shift": 1e-3, "yaw": 1e-2, "roll": 1e-3, "smoothing": 1e-6,
 }  # fmt: skip
+ROLLER = {
+    "shape": "roller",
+    "diameter": 2e-3,
+    "length": 65.5e-6,
+    "pitch_diameter": 1e-2,
+    "tilt": 1e-3,
+    "skew": 0.05,
+}
+BEARING = {"shape": "bearing", "radial_load": 2.0, "axial_load": 1.0, "race": "inner"}
+SIZED = BEARING | {
+    "kind": "angular_contact", "element_diameter": 2e-3, "pitch_diameter": 1e-2, "elements": 8,
+    "contact_angle": 0.6, "inner_conformity": 0.52, "outer_conformity": 0.54, "rows": 2,
+    "axial_load": 5.0,
+}  # fmt: skip
+ROLLERS = {
+    "shape": "bearing", "kind": "cylindrical_roller", "element_diameter": 2e-3, "elements": 8,
+    "pitch_diameter": 1e-2, "length": 65.5e-6, "profile": "logarithmic", "radial_load": 2.0,
+    "moment": 1e-6, "clearance": 1e-8,
+}  # fmt: skip
 PRESSED = {"body1": COLD, "body2": COLD, "heat": None, "path": [{"load": 2.0}]}
 PYRAMID = {"tip_radius": 1e-5, "angle": 0.1, "half_angle": 1.4}
 KINDS = {
@@ -93,6 +112,24 @@ KINDS = {
     "Berkovich": BASE | PRESSED | {"surface": PYRAMID | {"shape": "berkovich"}},
     "Vickers": BASE | PRESSED | {"surface": PYRAMID | {"shape": "vickers"}},
     "gear": BASE | PRESSED | {"surface": GEAR, "path": [{"load_factor": 0.5}]},
+    "roller": BASE | PRESSED
+    | {"surface": ROLLER | {"race": "outer", "profile": "logarithmic"}},
+    "crowned roller": BASE | PRESSED
+    | {"surface": ROLLER | {"profile": "crowned", "crown_radius": 0.1, "straight_length": 1e-5}},
+    "Lundberg's roller": BASE | PRESSED
+    | {"surface": ROLLER | {"profile": "lundberg", "design_load": 2.0}},
+    "measured roller": BASE | PRESSED
+    | {"surface": ROLLER | {"profile": "table", "profile_y": [0.0, 4e-5],
+                            "profile_drop": [0.0, 1e-8]}},
+    "bearing": BASE | PRESSED
+    | {"surface": BEARING | {"designation": "6208", "clearance": 1e-5, "moment": 1e-3},
+       "path": [{"load_factor": 0.5}]},
+    "bearing by its sizes": BASE | PRESSED | {"surface": SIZED, "path": [{"load_factor": 0.5}]},
+    "bearing by its bore": BASE | PRESSED
+    | {"surface": {"shape": "bearing", "radial_load": 2.0, "bore": 0.04,
+                   "outside_diameter": 0.08},
+       "path": [{"load_factor": 0.5}]},
+    "roller bearing": BASE | PRESSED | {"surface": ROLLERS, "path": [{"load_factor": 0.5}]},
     "wheel and rail": BASE | PRESSED | {"surface": PROFILES},
     "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
                       "relief2": FURROW},

@@ -3,6 +3,7 @@
 
 import re
 
+from calls_of_bearings import CALLS as BEARINGS
 from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
 from calls_of_laws import CALLS as OF_LAWS
@@ -11,7 +12,7 @@ from calls_of_parts import CALLS as OF_PARTS
 from calls_of_shakedown import CALLS as OF_SHAKEDOWN
 from calls_of_wear import CALLS as OF_WEAR
 
-CALLS = FORMULAS + ON_GRIDS + OF_LAWS + OF_MATERIALS + OF_PARTS + OF_SHAKEDOWN + OF_WEAR
+CALLS = FORMULAS + BEARINGS + ON_GRIDS + OF_LAWS + OF_MATERIALS + OF_PARTS + OF_SHAKEDOWN + OF_WEAR
 PARTS = {
     "kinematic": {"modulus", "recovery"},
     "thermal": {"conductivity", "expansion", "diffusivity"},

@@ -18,7 +18,7 @@ MADE_BY_THE_PACKAGE = {
     "AccuracyResult", "ContactSolution", "FoundLoad", "GridErrors", "IncrementErrors",
     "State", "Track",
     "asperities.CollisionResult",
-    "bearings.LoadZone",
+    "bearings.ElementLoads", "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalCylinderOverDepth",
     "critical.CriticalSphereOverDepth",
     "critical.CriticalSlidingSphere", "critical.CriticalSphere", "energy.EnergyBalance",
@@ -40,6 +40,7 @@ INTENDED = {
     ("surfaces.paraboloid", "Ry", math.inf),
     ("bearings.roller_on_race", "crown_radius", math.inf),
     ("parts.TappetContact.surface", "crown_radius", math.inf),
+    ("surfaces.roller", "race_radius", math.inf),
     # no slip
     ("Coulomb", "coefficient", math.inf),
     ("Tresca", "limit", math.inf),

@@ -65,17 +65,25 @@ class HertzGrids:
 
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         self.case, self.bodies = case, bodies
+        self._refined = 1.0  # factor on the number of cells along y
         along_x = HERTZ_MARGIN_ALONG_TRAVEL if case.moves else HERTZ_MARGIN
-        self.half = along_x * self.semi_axes[0], HERTZ_MARGIN * self.semi_axes[1]
-        self._depths = Depths(bodies, min(self.sizes(0)))
+        semi_axes = self.semi_axes
+        along_y = HERTZ_MARGIN if self._refined == 1.0 else 1.0  # a roller ends at its faces
+        self.half = along_x * semi_axes[0], along_y * semi_axes[1]
+        self._depths = Depths(bodies, min(self.semi_axes) / self.cells(0))
 
     @cached_property
     def semi_axes(self) -> tuple[float, float]:
         """Semi-axes [m] along x and y of the Hertz contact at maximum load, without roughness."""
-        radii = self.case.surface.radii()
-        assert radii is not None
         E_star = hertz.effective_modulus(*map(softest, self.bodies))
         steps = self.case.steps()
+        largest = max((step.get("load", 0.0) for step in steps), default=0.0)
+        part = self.case.surface.first_grid(largest, E_star) if largest > 0 else None
+        if part is not None:
+            self._refined = part.refined
+            return part.half
+        radii = self.case.surface.radii()
+        assert radii is not None
         sizes = []
         for name in ("load", "approach"):
             target = max((step.get(name, 0.0) for step in steps), default=0.0)
@@ -103,7 +111,7 @@ class HertzGrids:
 
     def sizes(self, level: int) -> tuple[float, float]:
         cells = self.cells(level)
-        return self.semi_axes[0] / cells, self.semi_axes[1] / cells
+        return self.semi_axes[0] / cells, self.semi_axes[1] / (cells * self._refined)
 
     def on(self, level: int, *, free: bool) -> GridSection:
         """Return the grid of a level; the centre of a cell lies at the grid centre."""
@@ -112,7 +120,7 @@ class HertzGrids:
         dx, dy = sizes = self.sizes(level)
         nx, ny = (2 * math.ceil(half / d) + 1 for half, d in zip(self.half, sizes, strict=True))
         layers = 0 if free else math.ceil(_ELASTIC_DEPTH * self.cells(level)) + 2
-        dz = self._depths.size(level, min(sizes))
+        dz = self._depths.size(level, min(self.semi_axes) / self.cells(level))
         return GridSection(nx=nx, ny=ny, dx=dx, dy=dy, nz=layers, dz=dz)
 
     def settle(self, level: int, half: tuple[float, float]) -> None:

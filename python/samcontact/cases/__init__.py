@@ -3,6 +3,7 @@
 
 from .asperities import AsperityCase
 from .base import CaseError
-from .case import Case, load_case, parse_case
+from .case import Case
+from .reading import load_case, parse_case
 
 __all__ = ["AsperityCase", "Case", "CaseError", "load_case", "parse_case"]

@@ -1,12 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case of one contact, and the reader of case files."""
+"""Case of one contact."""
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Mapping
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
@@ -15,18 +12,18 @@ from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 from .. import hertz as _hertz
 from .. import paths
 from .._util import memory
-from .._util.checks import file_path
 from .._util.short_text import in_short
 from ..bodies.layered import softest
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating
-from .asperities import AsperityCase
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .cross_checks import path_with_loads, reason_for_grid, require_all_used
 from .fatigue import FatigueSection
 from .motion import ReliefSection, Segment
+from .part_grid import grid_of_part
+from .rolling_parts import in_full
 from .sections import (
     ContactSection,
     GridSection,
@@ -41,17 +38,8 @@ from .shakedown import ShakedownSection
 from .slipping import EndState, require_held
 from .wear import WearSection
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
 if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
-
-
-MAX_CHARACTERS = 100_000_000
-"""Size limit of a case file."""
 
 
 def _accuracy(given: Any) -> Any:
@@ -107,8 +95,16 @@ class Case(CaseFile):
             case._cells = self.grid.build()
         return case
 
+    @model_validator(mode="before")
+    @classmethod
+    def _in_full(cls, data: Any) -> Any:
+        return in_full(data)
+
     @model_validator(mode="after")
     def _consistent(self) -> Case:
+        self._resolve_loads()
+        if self.grid is None and self.accuracy is None:
+            object.__setattr__(self, "grid", grid_of_part(self))  # the case is frozen
         if self.grid is None and self.accuracy is None:
             raise ValueError(
                 "grid: [grid] is missing: add [grid], or accuracy, e.g. accuracy = 0.01"
@@ -117,6 +113,7 @@ class Case(CaseFile):
         bodies = (self.body1, self.body2)
         if all(body.is_rigid for body in bodies):
             raise ValueError("body1 and body2 are both rigid: at least one must be deformable")
+        self.surface.on_bodies(*(body.build() for body in bodies))
         for name, body in zip(("body1", "body2"), bodies, strict=True):
             if body.is_plastic and not self.has_volume:
                 law = body.inelastic_laws[0]
@@ -137,6 +134,20 @@ class Case(CaseFile):
         require_all_used(self)
         self.steps()
         return self
+
+    def _resolve_loads(self) -> None:
+        """Replace loads relative to the load of the part by loads in newtons."""
+        path = []
+        for index, segment in enumerate(self.path):
+            try:
+                self.surface.require_path([segment.load])
+                path.append(segment.with_load(self.surface.nominal_load(self._given_grid())))
+            except ValueError as error:
+                raise ValueError(f"path[{index}]: {error}") from error
+        object.__setattr__(self, "path", path)  # the case is frozen
+
+    def _given_grid(self) -> Grid | None:
+        return None if self.grid is None else self.grid.build()
 
     def _show_a_body_with_stresses(self) -> None:
         selected = self.output.body
@@ -296,89 +307,3 @@ class Case(CaseFile):
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()
-
-
-def load_case(path: str | Path) -> Case | AsperityCase:
-    """Read and validate a case file.
-
-    Parameters
-    ----------
-    path : str or Path
-        TOML file; the documentation and `cases/` show the layout.
-
-    Returns
-    -------
-    Case or AsperityCase
-        An `AsperityCase` if the file has a section [asperities].
-
-    Raises
-    ------
-    CaseError
-        The file cannot be read, is not TOML, or a field is missing, unknown or out of range.
-    """
-    try:
-        source = file_path("path", path)
-    except ValueError as error:
-        raise CaseError(f"cannot read the case file: {error}") from None
-    try:
-        text = _text_of(source)
-    except UnicodeDecodeError as error:
-        reason = f"its byte {error.start} is not UTF-8: save it as UTF-8 text"
-        raise CaseError(f"{source}: cannot read the case file: {reason}") from error
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise CaseError(f"{source}: cannot read the case file: {reason}") from error
-    return parse_case(text, source)
-
-
-def _text_of(source: Path) -> str:
-    with source.open(encoding="utf-8") as file:
-        text = file.read(MAX_CHARACTERS + 1)  # devices may be endless
-    if len(text) > MAX_CHARACTERS:
-        raise ValueError(f"more than {MAX_CHARACTERS} characters: check that it is a case file")
-    return text
-
-
-def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCase:
-    """Validate the text of a case file, e.g. the text stored with results.
-
-    Parameters
-    ----------
-    text : str
-        TOML.
-    source : str or Path, optional
-        Path of the file with this text, for error messages. Relative paths in the text start from
-        the folder of this file.
-
-    Returns
-    -------
-    Case or AsperityCase
-        An `AsperityCase` if the text has a section [asperities].
-
-    Raises
-    ------
-    CaseError
-        The text is not TOML, or a field is missing, unknown or out of range.
-    """
-    source = Path(source)
-    try:
-        # some editors begin a text with a byte order mark
-        content = tomllib.loads(text.removeprefix("\N{ZERO WIDTH NO-BREAK SPACE}"))
-        case = validated(content, source)
-    except CaseError:
-        raise
-    except ValueError as error:  # ValueError: also for numbers of thousands of digits
-        raise CaseError(f"{source}: not valid TOML: {error}") from error
-    except RecursionError:
-        raise CaseError(f"{source}: lists or tables are nested too deeply") from None
-    return case.written_in(source, text)
-
-
-def validated(content: Mapping[str, Any], source: Path) -> Case | AsperityCase:
-    """Validate the fields of a case file; raises CaseError for invalid fields."""
-    kind = AsperityCase if "asperities" in content else Case
-    try:
-        return kind.model_validate(content)
-    except CaseError as error:
-        lines = str(error).split("\n")
-        raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from None

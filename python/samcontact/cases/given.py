@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from .case import Case, load_case, validated
+from .case import Case
+from .reading import load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:

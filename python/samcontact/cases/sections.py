@@ -43,6 +43,7 @@ from .base import (
 )
 from .friction import FrictionField, friction_of
 from .parts import PartSurface
+from .rolling_parts import BearingSurface, RollerSurface
 from .surface_shape import SurfaceShape
 
 if TYPE_CHECKING:
@@ -162,7 +163,13 @@ class FileSurface(SurfaceShape, HeightsFile):
 
 
 SurfaceSection = Annotated[
-    ParaboloidSurface | SphereSurface | CylinderSurface | FileSurface | PartSurface,
+    ParaboloidSurface
+    | SphereSurface
+    | CylinderSurface
+    | FileSurface
+    | RollerSurface
+    | BearingSurface
+    | PartSurface,
     Field(discriminator="shape"),
 ]
 

@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
 from pydantic import Field
 
@@ -14,6 +15,7 @@ from .._util.checks import FloatArray
 from .base import Length, NonNegative, Section, in_unit
 
 if TYPE_CHECKING:
+    from ..bodies.layered import Body
     from ..problem.grid import Grid
 
 
@@ -56,6 +58,17 @@ class SelfAffineRoughness(Section):
         return (max(grid.dx, grid.dy) if shortest is None else 0.5 * shortest,) * 2
 
 
+class FirstGrid(NamedTuple):
+    """Expected contact of a part, for the choice of a grid.
+
+    half: half-widths of the contact along x and y [m]. refined: cells along y on the first grid,
+    divided by the number for a smooth contact of this width.
+    """
+
+    half: tuple[float, float]
+    refined: float
+
+
 class SurfaceShape(Section):
     """Base class of the sections [surface]: a shape with optional roughness."""
 
@@ -80,6 +93,16 @@ class SurfaceShape(Section):
                 f"surface.shape = {getattr(self, 'shape', '')!r} gives a contact of infinite length"
             )
         return ""
+
+    def first_grid(self, load: float, E_star: float) -> FirstGrid | None:
+        """Extent and cells of a first grid at a load [N]; None if `radii` determine them."""
+        return None
+
+    def require_path(self, loads: Sequence[float | None]) -> None:
+        """Raise ValueError if the loads given in the path [N] contradict the load of the part."""
+
+    def on_bodies(self, *bodies: Body) -> None:
+        """Take the elastic constants of the bodies, if the shape depends on them."""
 
     @property
     def is_known(self) -> bool:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from .._util.display import rows_of
 from .._util.short_text import in_short
+from ..bearings.bearing import RACES
 from .arguments import FilePath, QuantityArgument
+from .bearing_loads import cases_by_race, in_metres, load_on_bearing, table
 from .errors import short_errors
 
 if TYPE_CHECKING:
@@ -40,6 +41,10 @@ def find(
     "permanent_deformation=1 um" (sum of the residual imprint depths of both bodies at the end).
     An interrupted search is saved in the results folder of the case; repeat the command to
     continue it.
+
+    For a bearing, both races are solved unless the case names one, and the loads on the bearing are
+    shown with C0 and s0 of ISO 76; with --quiet, the radial load on the bearing is printed. VALUE
+    may be in diameters of the rolling element: "permanent_deformation=1e-4 D".
     """
     with short_errors(files=True):
         from ..accuracy.load_search import prepare_search
@@ -47,20 +52,30 @@ def find(
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)
-        name, value = parse_target(target)
-        search = prepare_search(
-            case, name, value, tolerance=tolerance, largest_load=largest_load,
-            progress=not quiet,
-        )  # fmt: skip
-        found = _run_search(case, search)
+        name, value = parse_target(in_metres(target, case))
+        cases = cases_by_race(case)
+        founds = {}
+        for race, one in cases.items():
+            search = prepare_search(
+                one, name, value, tolerance=tolerance, largest_load=largest_load,
+                progress=not quiet,
+            )  # fmt: skip
+            founds[race] = _run_search(one, search)
+        governing = min(founds, key=lambda race: founds[race].load)
         if quiet:
-            click.echo(repr(found.load))
+            found, one = founds[governing], cases[governing]
+            is_bearing = one.surface.shape == "bearing"
+            click.echo(repr(load_on_bearing(one, found) if is_bearing else found.load))
             return
         sheet = Sheet(case.title)
-        labels, shown = zip(*rows_of(found), strict=True)
+        columns = table(founds, cases)
+        labels = list(next(iter(columns.values())))
         sheet.add("", labels)
-        sheet.add("result", shown)
+        for heading, rows in columns.items():
+            sheet.add(f"{heading} race" if heading in RACES else heading, [rows[n] for n in labels])
         new_console().print(sheet)
+        if len(founds) > 1:
+            click.echo(f"governing: {governing} race")
 
 
 def _run_search(case: Case, search: LoadSearch) -> FoundLoad:

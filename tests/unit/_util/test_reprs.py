@@ -305,6 +305,7 @@ def public_objects():
         sc.shakedown.line(0.3), pass_, sc.shakedown.ShakedownResult(
             "ratcheting", 1e-3 / 3, 1e-3 / 7, (pass_,) * 50, 60, 1e-4 / 3, 1, 1e-3 / 9, state, {}),
         *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
+        sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(asperities=CONTACT, **fields)),
         parse_case(CASE.format(asperities=ASPERITIES, **fields)),

@@ -50,6 +50,7 @@ OTHER = {
     "teeth": [[16, 25]], "profile_shift": [[0.1, 0.1]], "tip_diameter": [[82.4e-3, 118.3e-3]],
     "tip_relief": [[3e-5, 2e-5]], "relief_length": [[6e-3, 5e-3]], "rail": ["other.npy"],
     "wheel": ["other.npy"], "smoothing": [0.0],
+    "designation": ["6209"], "profile_y": [[0.0, 5e-5]], "profile_drop": [[0.0, 2e-8]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {

@@ -1,9 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Initial gaps between two undeformed surfaces, shape (nx, ny), in metres.
-
-Every function takes a grid (any object with nx, ny, dx, dy, x, y). The gap of a composite surface
-is the sum of its parts: a rough ball is ``paraboloid(grid, R) + sinusoidal(grid, ...)``.
-"""
+"""Gaps of simple shapes, roughness, and gaps between measured heights."""
 
 from __future__ import annotations
 
@@ -13,19 +9,10 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._util import memory
-from ._util.checks import FloatArray, choice, gap_array, integer, non_negative, number, positive
-from ._util.lazy_scipy import scipy
-from ._util.short_text import in_short
-
-__all__ = [
-    "cylinder",
-    "from_heights",
-    "paraboloid",
-    "rough_self_affine",
-    "sinusoidal",
-    "sphere",
-]
+from .._util import memory
+from .._util.checks import FloatArray, choice, gap_array, integer, non_negative, number, positive
+from .._util.lazy_scipy import scipy
+from .._util.short_text import in_short
 
 
 class SurfaceGrid(Protocol):
@@ -57,7 +44,8 @@ def _require_memory(grid: SurfaceGrid) -> None:
     memory.require(what, memory.SURFACE_BYTES * grid.nx * grid.ny)
 
 
-def _coordinates(grid: SurfaceGrid) -> tuple[FloatArray, FloatArray]:
+def coordinates(grid: SurfaceGrid) -> tuple[FloatArray, FloatArray]:
+    """Return the cell centres as a column of x and a row of y [m]."""
     _require_memory(grid)
     return np.asarray(grid.x)[:, None], np.asarray(grid.y)[None, :]
 
@@ -85,7 +73,7 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     """
     Rx = positive("Rx", Rx, allow_inf=True)
     Ry = Rx if Ry is None else positive("Ry", Ry, allow_inf=True)
-    x, y = _coordinates(grid)
+    x, y = coordinates(grid)
     with np.errstate(over="ignore"):
         gap = np.asarray(0.5 * x**2 / Rx + 0.5 * y**2 / Ry, dtype=np.float64)
     if not np.isfinite(gap).all():
@@ -124,7 +112,7 @@ def sphere(grid: SurfaceGrid, R: float) -> FloatArray:
     ValueError
         R is not finite and positive, or the grid extends beyond the sphere.
     """
-    x, y = _coordinates(grid)
+    x, y = coordinates(grid)
     return _circular(x**2 + y**2, positive("R", R))
 
 
@@ -151,7 +139,7 @@ def cylinder(grid: SurfaceGrid, R: float, axis: str = "y") -> FloatArray:
         R is not finite and positive, the grid extends beyond the cylinder, or the axis is unknown.
     """
     choice("axis", axis, ("y", "x"))
-    x, y = _coordinates(grid)
+    x, y = coordinates(grid)
     profile = _circular(x**2 if axis == "y" else y**2, positive("R", R))
     return np.array(np.broadcast_to(profile, (grid.nx, grid.ny)))
 
@@ -190,7 +178,7 @@ def sinusoidal(
         lengths.append(positive(name, value))
         if value < 2.0 * step:
             raise ValueError(f"{name} must be >= {2.0 * step!r} (two cells), got {value!r}")
-    x, y = _coordinates(grid)
+    x, y = coordinates(grid)
     wave_x = np.sin(2.0 * np.pi * x / lengths[0])
     wave_y = np.sin(2.0 * np.pi * y / lengths[1])
     return np.asarray(amplitude * wave_x * wave_y, dtype=np.float64)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Load search of a bearing: cases of both races, and loads on the bearing by ISO 76."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from .._util.display import percent, quantity, rows_of
+from ..bearings.bearing import RACES
+
+if TYPE_CHECKING:
+    from ..accuracy.load_search import FoundLoad
+    from ..cases import Case
+
+_IN_DIAMETERS = re.compile(r"(.*[\d.])\s*D\s*")
+
+
+def cases_by_race(case: Case) -> dict[str, Case]:
+    """Return the case of each race of a bearing without `race`, by its name; else {"": case}."""
+    from ..cases.part_grid import grid_of_part
+
+    surface: Any = case.surface
+    if surface.shape != "bearing" or surface.race is not None:
+        return {"": case}
+    found = {}
+    for race in RACES:
+        changed = case.model_copy(update={"surface": surface.model_copy(update={"race": race})})
+        if "grid" not in case.model_fields_set and case.accuracy is None:
+            changed = changed.model_copy(update={"grid": grid_of_part(changed)})
+        found[race] = changed
+    return found
+
+
+def in_metres(target: str, case: Case) -> str:
+    """Return a target such as "permanent_deformation=1e-4 D" with the diameter D in metres."""
+    match = _IN_DIAMETERS.fullmatch(target)
+    if match is None:
+        return target
+    surface: Any = case.surface
+    if surface.shape not in ("bearing", "roller"):
+        raise ValueError(
+            "QUANTITY=VALUE with the unit D (diameter of the rolling element) requires [bearing] "
+            "or [roller]: use a unit of length"
+        )
+    bearing = getattr(surface, "bearing", None)
+    diameter = surface.diameter if bearing is None else bearing.element_diameter
+    name, _, value = match[1].partition("=")
+    return f"{name}={float(value) * diameter!r}"
+
+
+def load_on_bearing(case: Case, found: FoundLoad) -> float:
+    """Radial load [N] on the bearing at the load found; axial load if there is no radial load."""
+    surface: Any = case.surface
+    radial, axial, _ = surface.loads
+    return float(surface.bearing.load_factor(found.load, *surface.loads) * (radial or axial))
+
+
+def table(founds: Mapping[str, FoundLoad], cases: Mapping[str, Case]) -> dict[str, dict[str, str]]:
+    """Return the columns of the table of results, each with its values by label."""
+    columns = {}
+    for race, found in founds.items():
+        case = cases[race]
+        rows = dict(rows_of(found))
+        surface: Any = case.surface
+        if surface.shape == "bearing":
+            rows = {"contact load" if label == "load" else label: v for label, v in rows.items()}
+            rows |= _rows_of_bearing(case, found)
+        columns[f"{race or getattr(surface, 'race', None) or 'result'}"] = rows
+    return columns
+
+
+def _rows_of_bearing(case: Case, found: FoundLoad) -> dict[str, str]:
+    """Return the loads on the bearing, its static load rating, and the safety factor."""
+    surface: Any = case.surface
+    factor = surface.bearing.load_factor(found.load, *surface.loads)
+    radial, axial = (factor * load for load in surface.loads[:2])
+    error = percent(found.load_error / found.load)
+    rows = {}
+    for name, load in (("radial load", radial), ("axial load", axial)):
+        if load > 0.0:
+            rows[f"{name} on the bearing"] = f"{quantity(load, 'N', 4)} ± {error}"
+    if surface.moment:
+        rows["moment on the bearing"] = quantity(factor * surface.moment, "N m", 4)
+    rows["static load rating C0 (ISO 76)"] = quantity(surface.bearing.static_load_rating, "N", 4)
+    rows["s0 at this load"] = f"{surface.bearing.static_safety(radial, axial):.3g}"
+    return rows
