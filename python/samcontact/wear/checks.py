@@ -146,7 +146,7 @@ def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
     """Check `keep_heat`, which requires the history of the heat."""
     if boolean("keep_heat", keep_heat) and (heat is None or heat.history is None):
         raise ValueError(
-            f"keep_heat requires heat with history, got heat = {heat!r}: set "
+            f"keep_heat requires heat with history, got heat = {in_short(heat)}: set "
             "heat.history, or omit keep_heat"
         )
     return keep_heat

@@ -58,7 +58,7 @@ def test_work_of_travel_is_plastic_work(advance, friction):
 
 
 def test_friction_work_of_full_sliding_is_that_of_partial_slip():
-    """With all cells sliding, the friction work is that which the slip of each cell does."""
+    """The friction work is that of the slip of each cell, if all cells slide."""
     works = []
     for friction in (0.2, sc.Coulomb(0.2)):
         grid = sc.Grid(20, 18, D, D)

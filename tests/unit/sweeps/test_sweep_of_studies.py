@@ -13,7 +13,7 @@ from samcontact.cases import Case
 from samcontact.results import open_results
 from samcontact.sweeps.tasks import RESPONSES
 
-CLOSED = """title = "ball on flat"
+CYCLE_CASE = """title = "ball on flat"
 fatigue = {dang_van = 0.3, limit = {dang_van = 5e8}}
 shakedown = {cycles = 4, tol = 0.01}
 grid = {nx = 15, ny = 13, dx = 60e-6, dy = 60e-6, nz = 12, dz = 60e-6}
@@ -74,7 +74,7 @@ def test_a_sweep_judges_fatigue_and_shakedown_of_each_case(tmp_path):
     assert responses == ["elastic shakedown", "elastic"]
     assert found["shakedown_response"].attrs["flag_meanings"].split()[1] == "elastic_shakedown"
     file = tmp_path / "case.toml"
-    file.write_text(CLOSED)
+    file.write_text(CYCLE_CASE)
     setting = "body2.yield_stress=1e9,9e9"
     shown = invoke("sweep", file, "--set", setting, "--output", tmp_path / "out")
     assert re.search(r"elastic\s+shakedown", shown.stdout), shown.output
