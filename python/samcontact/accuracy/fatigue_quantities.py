@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from .._util.quantities import CONTACT
 from .._util.sweep_quantities import SWEEP
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body, materials_of
 from ..simulation.error_controlled_quantities import below_and_at_surface
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ QUANTITIES = CONTACT | {name: SWEEP[name] for name in SWEEP if name.startswith(P
 
 def names(case: Case, bodies: Sequence[Body]) -> list[str]:
     """Return the criteria of [fatigue]; none in a layered body, where they jump at interfaces."""
-    if case.fatigue is None or isinstance(bodies[case.output.body - 1], Layered):
+    if case.fatigue is None or len(materials_of(bodies[case.output.body - 1])) > 1:
         return []
     return [f"{PREFIX}{name}" for name in case.fatigue.criteria]
 
