@@ -15,7 +15,9 @@ import numpy as np
 import samcontact as sc
 from reference import fem
 
+from . import accuracy_uses
 from .accuracy_cases import CASES, closed_form
+from .accuracy_uses import USES
 from .study import Record, Study, table
 from .truth import MAX_SOLVE_SECONDS, known
 
@@ -67,6 +69,16 @@ of a machine that also did other work.
 
 {costs}
 
+## Partial slip, periodic and rough surfaces, wear, shakedown, fatigue
+
+These uses were not used to calibrate the error estimate. The reference is a closed form (Hertz;
+Cattaneo and Mindlin for bodies with Poisson's ratio 0; half the von Mises stress for the amplitude
+of Crossland's criterion), or a solution to {finer:g} % by the same program, whose own error limits
+the comparison. The heights of the rough surface are given at samples, and its errors refer to the
+interpolated surface.
+
+{uses}
+
 ## Comparison of the reference with finite elements
 
 All values are in SI units. The axisymmetric finite-element results are in `reference/fem`; the
@@ -104,7 +116,8 @@ def judged(name: str, truth: dict[str, float], accuracy: float) -> Record:
     """
     start = time.process_time()
     with mock.patch.object(time, "perf_counter", time.process_time):
-        found = sc.to_accuracy(CASES[name], accuracy, max_time=MAX_SECONDS, progress=False)
+        case = (CASES | USES)[name]
+        found = sc.to_accuracy(case, accuracy, max_time=MAX_SECONDS, progress=False)
     seconds = time.process_time() - start
     exact = {key: value for key, value in truth.items() if value != 0 and key in found.values}
     return {
@@ -132,11 +145,15 @@ def points(quick: bool) -> list[Record]:
         {"of": name, "accuracy": accuracy}
         for name in (QUICK_CASES if quick else CASES)
         for accuracy in ACCURACIES
+    ] + [
+        {"of": name, "accuracy": accuracy}
+        for name in (() if quick else USES)
+        for accuracy in accuracy_uses.ACCURACIES
     ]
 
 
 def run(of: str, accuracy: float) -> Record:
-    return judged(of, known()[of], accuracy)
+    return judged(of, accuracy_uses.reference(of) if of in USES else known()[of], accuracy)
 
 
 def quantities(records: list[Record]) -> list[Judged]:
@@ -224,6 +241,20 @@ def elements_of() -> dict[str, dict[str, float]]:
     return found
 
 
+def uses(rows: list[Judged]) -> str:
+    """Return the table of true and stated errors of the uses beyond a single contact."""
+    head = ("use", "reference", "accuracy [%]", "quantity", "true / stated error [%]",
+            "surface cells, reached")  # fmt: skip
+    lines = []
+    for row in rows:
+        known_by = "closed form" if accuracy_uses.closed_form(row.case) else "finer grids"
+        reached = "yes" if row.reached else "no"
+        lines.append((row.case, known_by, f"{100 * row.accuracy:g}", _words(row.quantity),
+                      f"{100 * row.true:.2g} / {100 * row.stated:.2g}",
+                      f"about {round(row.cells**0.5)}², {reached}"))  # fmt: skip
+    return table(head, lines)
+
+
 def errors(rows: list[Judged], name: str) -> str:
     """Return the table of true and stated errors of a case, with one column per quantity."""
     mine = [row for row in rows if row.case == name]
@@ -243,12 +274,14 @@ def _words(quantity: str) -> str:
 
 
 def page(records: list[Record]) -> str:
-    rows = quantities(records)
+    rows = quantities([record for record in records if record["of"] in CASES])
+    others = quantities([record for record in records if record["of"] in USES])
     names = list(dict.fromkeys(row.case for row in rows))
     return TEXT.format(
         cases=len(names), finest=MAX_SOLVE_SECONDS, longest=MAX_SECONDS,
         new=len(SLOW_CASES), later="; ".join(SLOW_CASES),
         summary=summary(rows), costs=costs(rows), elements=elements(),
+        uses=uses(others), finer=100 * accuracy_uses.REFERENCE_ACCURACY,
         tables="\n\n".join(errors(rows, name) for name in names),
     )  # fmt: skip
 

@@ -220,7 +220,8 @@ KINDS = {
     | {"wear": {"archard": 1e-14},
        "path": [{"load": 2.0}, {"load": 2.0, "fret": {"shift_x": 1e-8}}]},
     "marched wear": BASE
-    | {"wear": WEAR, "heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4}]},
+    | {"wear": WEAR | {"keep_heat": True}, "heat": MARCHED,
+       "path": [{"load": 1.0, "duration": 1e-4}]},
     "asperities": ASPERITIES,
     "tugging on a grid": ASPERITIES
     | {"grid": GRID, "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},

@@ -36,8 +36,8 @@ CALLS = [
         {
             **BODIES, "gap": GAP, "cycle": [{"load": LOAD}, {"load": 0.0}], "threshold": 0.04,
             "cycles": 1, "worn": (2,), "window": 1, "order": 0, "strain_depth": "exact",
-            "friction": 0.0, "relief1": None, "relief2": None, "checkpoint": None,
-            "progress": False, "tol": 1e-4,
+            "keep_heat": False, "friction": 0.0, "relief1": None, "relief2": None,
+            "checkpoint": None, "progress": False, "tol": 1e-4,
         },
     ),
     (

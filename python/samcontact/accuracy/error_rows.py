@@ -12,6 +12,7 @@ from .._util.checks import FloatArray
 from .._util.display import quantity
 from .._util.quantities import CONTACT, Quantity, described
 from .._util.wear_quantities import WEAR
+from . import fatigue_quantities
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -55,7 +56,7 @@ def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
     errors = {name: dataset[f"{name}_error"].values for name in names}
     targets = {name: dataset[f"{name}_error"].attrs.get("accuracy") for name in names}
     by_increments = {name: dataset[f"{name}_error"].attrs.get("by_increments") for name in names}
-    quantities = WEAR if "cycle" in dataset.dims else CONTACT
+    quantities = WEAR if "cycle" in dataset.dims else fatigue_quantities.QUANTITIES
     return rows_of_maxima(values, errors, targets, by_increments, quantities)
 
 

@@ -8,9 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from .._util.quantities import described
+from .._util.quantities import CONTACT, described
 from .._util.short_text import in_short
 from .._util.tensors import von_mises
+from .._util.wear_quantities import WEAR
 from ..bodies.layered import Layered
 from ..bodies.material import Material
 from ..simulation import error_controlled_quantities
@@ -42,7 +43,7 @@ class ScaledCase:
 
 def max_load(case: Case) -> float:
     if case.wear is not None:
-        raise ValueError("wear: a load search does not support wear: remove [wear]")
+        raise ValueError("wear has no load search: remove [wear], or solve it for several loads")
     loads = [segment.load for segment in case.path]
     given = [load for load in loads if load is not None]
     if len(given) < len(loads) or not max(given) > 0:
@@ -63,6 +64,11 @@ def require_known(name: object) -> None:
     of_body = error_controlled_quantities.BODY_QUANTITIES
     if name in known or name in [f"{kind}_body{n}" for kind in of_body for n in (1, 2)]:
         return
+    if name in WEAR and name not in CONTACT:
+        raise ValueError(
+            f"quantity must be that of a contact, got {in_short(name)}: wear has no load search; "
+            "solve the wear for several loads, e.g. by samcontact sweep without --find"
+        )
     word = name.lower() if isinstance(name, str) else ""
     near = difflib.get_close_matches(word, known, 1, cutoff=0.5)
     hint = f": did you mean {near[0]}?" if near else ""

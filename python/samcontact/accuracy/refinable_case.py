@@ -13,6 +13,7 @@ import numpy as np
 from .._util.checks import FloatArray
 from ..bodies.layered import Layered
 from ..restart.identity import Identity, identity
+from .fatigue_quantities import depends_on_increments
 from .grid_solution import GridSolution
 from .grids import grids_of
 from .solves import Solves
@@ -71,7 +72,8 @@ class RefinableCase:
         self.bodies = case.body1.build(), case.body2.build()
         self.yields = any(body.is_plastic for body in self.bodies)
         marching = case.heat is not None and case.heat.history is not None
-        self.has_history = self.yields or marching or case.sticks
+        self._all_increments = marching or depends_on_increments(case)
+        self.has_history = self.yields or case.sticks or self._all_increments
         """Whether results depend on the number of increments."""
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
@@ -167,7 +169,7 @@ class RefinableCase:
     def settle(self, run: GridRun) -> None:
         """Store what a run shows: half-widths for later grids, and segments without flow."""
         self.grids.settle(run.level, run.half)
-        if self.case.heat is None or self.case.heat.history is None:
+        if not self._all_increments:
             self.elastic = set(run.elastic)
 
     def accept(self, accuracy: float) -> None:

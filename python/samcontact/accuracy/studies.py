@@ -13,6 +13,7 @@ from .._util.checks import FloatArray
 from .._util.quantities import Quantity, described
 from ..bodies.layered import Body, Layered
 from ..simulation import error_controlled_quantities
+from . import fatigue_quantities
 from .grid_errors import of_outline
 from .grid_solution import GridSolution, marks_of
 from .shakedown_study import ShakedownStudy
@@ -104,15 +105,21 @@ class PathStudy:
                 name for name in self.names if yields or name not in self._orders
             ] + driven(steps)
             self.names += SLIP_QUANTITIES
+        self._criteria = fatigue_quantities.names(case, bodies)
+        self._orders |= dict.fromkeys(self._criteria, fatigue_quantities.ORDER)
+        self.default_names += self._criteria
+        self.names += self._criteria
 
     def parts(self, name: str) -> int:
+        if name in self._criteria:
+            return fatigue_quantities.PARTS
         return error_controlled_quantities.has_parts(name, self.bodies)
 
     def order(self, name: str) -> float:
         return self._orders.get(name, SPOTS_ORDER if self._has_spots else DEFAULT_ORDER)
 
     def described(self, name: str) -> tuple[Quantity, int | None]:
-        return described(name)
+        return described(name, fatigue_quantities.QUANTITIES)
 
     def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
         with warnings.catch_warnings(record=True) as issued:
@@ -128,8 +135,11 @@ class PathStudy:
         states = [solution.states[mark] for mark in self.marks(solution)]
         tol: Any = solution.case.contact
         columns: list[list[tuple[float, ...]]] = []
+        of_path = fatigue_quantities.parts(solution, [n for n in names if n in self._criteria])
         for name in names:
-            if name in SLIP_QUANTITIES:
+            if name in of_path:
+                columns.append([of_path[name]] * len(states))
+            elif name in SLIP_QUANTITIES:
                 columns.append([(value,) for value in values_of(states, name, tol.tol)])
             else:
                 columns.append([error_controlled_quantities.parts(s, name) for s in states])

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from itertools import accumulate
 from typing import TYPE_CHECKING, Any
 
 from ..problem.grid import within_period
 from ..problem.heating import NO_HEAT
 from .base import changed
+from .heat_checks import require_motion_of_heat
 from .sections import contact_law_of
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ def require_all_used(case: Any) -> None:
     _require_cycle(case)
     _require_hardness(case)
     _require_repeatable(case)
-    _require_track(case)
+    require_motion_of_heat(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -135,37 +135,6 @@ def _require_repeatable(case: Any) -> None:
             f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
-
-
-def _require_track(case: Any) -> None:
-    """Raise ValueError if heated bodies return without a track, or travel beyond it."""
-    heat = NO_HEAT if case.heat is None else case.heat.build()
-    if heat.history is None:
-        _require_no_return_time(case)
-        return
-    steps = case.steps()
-    for body in (1, 2):
-        moves = [step.get("advance", (0.0, 0.0))[body - 1] for step in steps]
-        positions = [0.0, *accumulate(moves)]
-        length = max(positions) - min(positions)
-        if heat.shares[body - 1] == 0:
-            continue
-        if heat.track is not None and length > heat.track * (1.0 + 1e-9):
-            raise ValueError(
-                f"heat.track must be at least the length of the path of body {body}, "
-                f"{length:.9g} m, got {heat.track!r} m: increase heat.track"
-            )
-        if heat.track is None and min(moves) < 0.0 < max(moves):
-            raise ValueError(
-                f"heat.track is required because the path moves heated body {body} back and forth: "
-                f"set heat.track = {length:.9g} instead of heat.velocity"
-            )
-
-
-def _require_no_return_time(case: Any) -> None:
-    for number, segment in enumerate(case.path):
-        if segment.passes is not None and segment.passes.return_time is not None:
-            raise ValueError(f"path[{number}]: return_time requires heat.history: omit return_time")
 
 
 def _require_law_of_friction(case: Any) -> None:

@@ -19,7 +19,7 @@ WearPerPressure = Annotated[
     Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("1/Pa")
 ]
 _LAWS = ("threshold", "energy", "archard")
-_STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth")
+_STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth", "keep_heat")
 
 
 class WearSection(Section):
@@ -35,6 +35,7 @@ class WearSection(Section):
     window: Cells | Annotated[list[Cells], Field(min_length=2, max_length=2)] | None = None
     order: Annotated[int, Field(ge=0)] | None = None
     strain_depth: Literal["exact", "smoothed"] = "exact"
+    keep_heat: bool = False
 
     @property
     def law(self) -> str:
@@ -80,5 +81,6 @@ class WearSection(Section):
             window=tuple(self.window) if isinstance(self.window, list) else self.window,
             order=self.order,
             strain_depth=self.strain_depth,
+            keep_heat=self.keep_heat,
             **given,
         )

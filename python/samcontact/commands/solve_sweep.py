@@ -200,10 +200,18 @@ def _table(dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase)
     for name in names:
         sheet.add(name.replace(".", ".\n"), [str(one[name].item()) for one in cases])
     for name, quantity in columns.items():
+        if meanings := dataset[name].attrs.get("flag_meanings"):
+            sheet.add(quantity.column(), [_word(float(one[name]), meanings) for one in cases])
+            continue
         values = [_table_value(one, name, chosen) * quantity.factor for one in cases]
         sheet.add(quantity.column(), numbers(values, quantity.digits))
     sheet.add("status", [one["status"].item() for one in cases])
     return sheet
+
+
+def _word(number: float, meanings: str) -> str:
+    """Return the name that a number stands for; "-" for a failed case."""
+    return "-" if math.isnan(number) else meanings.split()[int(number)].replace("_", " ")
 
 
 def _table_value(

@@ -12,6 +12,7 @@ import xarray as xr
 from .. import energy
 from .._util.checks import FloatArray
 from .._util.quantities import CONTACT
+from ..energy.balancing import no_balance
 from ..problem.friction import friction_law
 from ..solutions.tangential_quantities import (
     ROUNDING_ERROR,
@@ -40,7 +41,8 @@ def add_slipping(
     """Add tangential forces and motions, frictional work, slip, sticking cells and energy balance.
 
     For elastic-plastic bodies the energy balance requires volume fields and is added only if
-    `volume` is True. Nothing is added in full sliding.
+    `volume` is True. The balance of moving bodies requires displacements of each increment and is
+    not added. Nothing is added in full sliding.
     """
     if not friction_law(simulation.friction).sticks:
         return
@@ -56,7 +58,8 @@ def add_slipping(
     if not all(state.converged for state in states):
         add(dataset, "converged", "increment", [int(state.converged) for state in states])
     inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
-    if (volume or not inelastic) and not energy.no_balance(simulation, states):
+    at_rest = not any(any(state.travel) for state in states)
+    if at_rest and (volume or not inelastic) and not no_balance(simulation, states):
         _add_balance(dataset, energy.balance(simulation, states))
 
 

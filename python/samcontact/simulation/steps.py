@@ -230,7 +230,17 @@ def _require_motion_of_heat(
 ) -> None:
     """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
 
-    The heat history is stored for each cell. With a track, the velocity follows from the motion.
+    With a track, the velocity follows from the motion.
+    """
+    require_whole_cells(advance, dx)
+    if heat.track is None:
+        _require_velocity_of_heat(heat, duration, advance, dx)
+
+
+def require_whole_cells(advance: Sequence[float], dx: float) -> None:
+    """Raise ValueError unless the bodies move by whole cells; the heat history is stored by cell.
+
+    advance: motion of each body [cells].
     """
     for n, cells in enumerate(advance, 1):
         if abs(cells - round(cells)) > 1e-6:
@@ -238,8 +248,6 @@ def _require_motion_of_heat(
                 f"advance of body {n} must be a multiple of the cell size, {dx!r} m, if "
                 f"heat.history is given, got {cells * dx!r} m"
             )
-    if heat.track is None:
-        _require_velocity_of_heat(heat, duration, advance, dx)
 
 
 def _require_velocity_of_heat(

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 RESPONSES = (ELASTIC, SHAKEDOWN, PLASTIC, RATCHETING, UNDECIDED)
 """Responses to repeated cycles; a sweep stores the index in this tuple."""
+MEANINGS = " ".join(response.replace(" ", "_") for response in RESPONSES)
+"""Names of the numbers of responses, as in the CF conventions, section 3.5."""
 _SEARCH_ARGUMENTS = ("quantity", "value", "tolerance", "largest_load")
 
 
@@ -36,11 +38,11 @@ def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
             "find must have the entry quantity, and may have value, tolerance and largest_load, "
             f"got {in_short(dict(search))}"
         )
-    require_known(search["quantity"])
     for case in cases:
         if not isinstance(case, Case):
             raise ValueError("find requires a case of one contact, got an asperity collision")
         max_load(case)
+    require_known(search["quantity"])
     return dict(search)
 
 
@@ -76,6 +78,8 @@ def solved(case: Case) -> xr.Dataset:
     names = [name for name, field in dataset.data_vars.items() if field.dims == ("increment",)]
     found: xr.Dataset = dataset[names]
     found.update(_of_case(_of_fatigue(case, states) | _of_shakedown(case)))
+    if "shakedown_response" in found:
+        found["shakedown_response"].attrs["flag_meanings"] = MEANINGS
     return found
 
 

@@ -64,6 +64,8 @@ def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProg
     tree: Tree = {f"heights{body}": np.stack(rows) for body, rows in standing.heights.items()}
     tree["cells"] = np.array(standing.grid.surface_shape)
     tree |= {f"strain{body}": vars(kept) for body, kept in standing.strains.items()}
+    if standing.heat:
+        tree["heat"] = standing.heat
     write_file(path, _KIND, {"run": _identity(problem), **tree, "cycles": records})
 
 
@@ -110,7 +112,7 @@ def _standing(tree: Tree, problem: WearProblem) -> WearProgress:
     cycles = _cycles(tree["cycles"], problem)
     nx, ny = tree["cells"].tolist()
     problem = problem.over(dataclasses.replace(problem.grid, nx=nx, ny=ny))
-    standing = WearProgress(problem.grid, {}, {}, cycles)
+    standing = WearProgress(problem.grid, {}, {}, cycles, tree.get("heat", {}))
     for body in problem.worn:
         _, rows = problem.rows(body)
         shape = (len(cycles) + 1, rows, problem.grid.ny)

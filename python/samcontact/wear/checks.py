@@ -13,6 +13,7 @@ import numpy as np
 
 from .._util.checks import (
     FloatArray,
+    boolean,
     choice,
     finite_array,
     number,
@@ -25,6 +26,7 @@ from .._util.short_text import in_short
 from ..bodies.layered import Body, elastic, require_bodies
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
+from ..heat import Heat
 from ..problem.contact_law import in_contact
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw, is_law
@@ -54,6 +56,13 @@ class WearSetup(WearProblem):
     threshold: float
     filter: Gaussian | Polynomials
     strain_depth: str
+    keep_heat: bool
+    """Whether each cycle continues from the temperatures of the cycle before."""
+
+    @property
+    def may_grow(self) -> bool:
+        """Whether the grid may be enlarged; a heat history belongs to its grid."""
+        return super().may_grow and not self.keep_heat
 
     @property
     def record(self) -> type[Cycle]:
@@ -86,6 +95,7 @@ def make_setup(
     worn: Sequence[int],
     smoothing: Gaussian | Polynomials,
     strain_depth: str,
+    keep_heat: bool,
     friction: float | FrictionLaw,
     settings: dict[str, Any],
 ) -> WearSetup:
@@ -126,9 +136,20 @@ def make_setup(
         threshold=limit,
         filter=smoothing,
         strain_depth=choice("strain_depth", strain_depth, ("exact", "smoothed")),
+        keep_heat=_kept_heat(keep_heat, settings.get("heat")),
     )
     _check_filter(setup)
     return setup
+
+
+def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
+    """Check `keep_heat`, which requires the history of the heat."""
+    if boolean("keep_heat", keep_heat) and (heat is None or heat.history is None):
+        raise ValueError(
+            f"keep_heat requires heat with history, got heat = {in_short(heat)}: set "
+            "heat.history, or omit keep_heat"
+        )
+    return keep_heat
 
 
 def make_filter(

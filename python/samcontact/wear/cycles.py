@@ -20,6 +20,7 @@ from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
+from ..simulation.kept_heat import heat_of
 from ..solutions.state import State, on_common_grid
 from .checkpoint import require_own
 from .checks import WearSetup, make_filter, make_setup
@@ -48,6 +49,7 @@ def run(
     window: Window = None,
     order: int | None = None,
     strain_depth: str = "exact",
+    keep_heat: bool = False,
     friction: float | FrictionLaw = 0.0,
     relief1: Relief | Callable[[Grid], Relief] | None = None,
     relief2: Relief | Callable[[Grid], Relief] | None = None,
@@ -90,6 +92,11 @@ def run(
         depth to which the strain exceeded the threshold, so that the strain nowhere exceeds the
         threshold at the new surface. "smoothed": the depth removed from the surface. Where the
         filter has reduced this depth, overstrained material remains, and wears in a later cycle.
+    keep_heat : bool, optional
+        Only with `heat.history`: whether a cycle continues from the temperatures of the cycle
+        before. The last, unloaded step of the cycle is the time in which the bodies cool; its
+        `duration` may be 0. The thin worn layer takes no heat along, and the grid is not enlarged.
+        Default: each cycle starts with unheated bodies.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
         resumes from this file with bit-identical results; delete the file to start again. If the
@@ -97,8 +104,7 @@ def run(
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
-        Further arguments of `Simulation`, e.g. ``increment_tol`` or frictional heating; each cycle
-        starts with unheated bodies.
+        Further arguments of `Simulation`, e.g. ``increment_tol`` or frictional heating.
 
     Returns
     -------
@@ -135,6 +141,7 @@ def run(
         worn,
         make_filter(grid, smoothing_length, window, order),
         strain_depth,
+        keep_heat,
         friction,
         settings,
     )
@@ -143,8 +150,10 @@ def run(
 
 def _advance(setup: WearSetup, standing: WearProgress) -> tuple[Moments, WearProgress]:
     moments = _solve(setup, standing)
-    setup = setup.over(moments[-1].grid)
-    standing = replace(standing.over(setup), strains=strains_of(setup, moments[-1]))
+    end = moments[-1]
+    setup = setup.over(end.grid)
+    heat = heat_of(end) if setup.keep_heat else {}
+    standing = replace(standing.over(setup), strains=strains_of(setup, end), heat=heat)
     setup = _with_room_for_filter(setup, standing.strains)
     return moments, _wear(setup, standing.over(setup), moments[0])
 
@@ -218,7 +227,7 @@ def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress
         ),
         coating_worn_share=worn_shares(setup.bodies, heights, number),
     )
-    return WearProgress(setup.grid, heights, strains, [*standing.cycles, record])
+    return WearProgress(setup.grid, heights, strains, [*standing.cycles, record], standing.heat)
 
 
 def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:

@@ -17,6 +17,8 @@ from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief, heights_over
+from ..restart.tree import Tree
+from ..simulation.kept_heat import continue_heat
 from ..simulation.simulation import Simulation
 from .results import AnyCycle
 
@@ -95,6 +97,8 @@ class WearProgress:
     """Heights of each worn body, at the start and after each cycle."""
     strains: dict[int, BodyStrain] = field(default_factory=dict)
     cycles: list[AnyCycle] = field(default_factory=list)
+    heat: Tree = field(default_factory=dict)
+    """Heat history at the end of the last cycle; empty: unheated bodies."""
 
     @staticmethod
     def start(problem: WearProblem) -> WearProgress:
@@ -120,7 +124,7 @@ class WearProgress:
             heights[body] = [_placed(around, place, one) for one in rows]
         sides = (j, grid.ny - old.ny - j)
         strains = {body: _widened(kept, i, sides) for body, kept in self.strains.items()}
-        return WearProgress(grid, heights, strains, self.cycles)
+        return WearProgress(grid, heights, strains, self.cycles, self.heat)
 
 
 def centred(field: FloatArray, shape: tuple[int, int]) -> FloatArray:
@@ -160,7 +164,7 @@ def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | No
 
 
 def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
-    """Return a simulation of the current surfaces and plastic strain, without load and heat.
+    """Return a simulation of the current surfaces, plastic strain and heat, without load.
 
     If the surfaces are known beyond the grid, the simulation enlarges a grid that is too small.
     """
@@ -175,6 +179,7 @@ def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
         )
+    continue_heat(simulation.engine, standing.heat)
     return simulation
 
 

@@ -176,6 +176,9 @@ def test_heat_moves_with_the_body(write):
         load_case(write(*heated, roll))
     with pytest.raises(CaseError, match=r"heat\.track must be at least the length of the path"):
         load_case(write(*heated, roll, (follows[0], "track = 100e-6")))
+    partly = r"path\[0\]\.roll\.step: advance of body 1 must be a multiple of the cell size"
+    with pytest.raises(CaseError, match=partly):
+        load_case(write(*heated, roll, follows, ("step = 60e-6", "step = 45e-6")))
     with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
         load_case(write(*heated))
     slip = THERMAL.replace("factor = 0.02", "partition = 1.0").replace("history", "# history")

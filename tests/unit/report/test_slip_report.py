@@ -130,16 +130,14 @@ def test_unknown_balances_are_refused():
     grid = sc.Grid(15, 15, 50e-6, 50e-6)
     body = sc.Material.elastic(210e9, 0.3)
     gap = sc.surfaces.paraboloid(grid, 7.5e-3)
-    slides = sc.Simulation(grid, body, body, gap, 0.3)
-    with pytest.raises(ValueError, match=r"friction must be samcontact\.Coulomb\(mu\), got 0\.3"):
-        energy.balance(slides, slides.run([{"load": 300.0}], progress=False))
+    given = sc.Simulation(grid, body, body, gap, 0.3)
+    with pytest.raises(ValueError, match="got prescribed tractions"):
+        energy.balance(given, [given.step(pressure=np.zeros(grid.surface_shape))])
     rolls = sc.Simulation(grid, body, body, gap, sc.Coulomb(0.3))
     with pytest.raises(ValueError, match="at least one state, got none"):
         energy.balance(rolls, [])
     path = [{"load": 300.0}, {"load": 300.0, "advance": (50e-6, 50e-6)}]
     states = rolls.run(path, progress=False)
-    with pytest.raises(ValueError, match="states must have no travel"):
-        energy.balance(rolls, states)
     assert "work_input" not in results.to_dataset(rolls, states)
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sweeps of wear, fatigue, shakedown and of load searches: each case as solved alone."""
 
+import re
+
 import numpy as np
 import pytest
 from sweep_cases import BASE
@@ -11,6 +13,15 @@ from samcontact.cases import Case
 from samcontact.results import open_results
 from samcontact.sweeps.tasks import RESPONSES
 
+CYCLE_CASE = """title = "ball on flat"
+fatigue = {dang_van = 0.3, limit = {dang_van = 5e8}}
+shakedown = {cycles = 4, tol = 0.01}
+grid = {nx = 15, ny = 13, dx = 60e-6, dy = 60e-6, nz = 12, dz = 60e-6}
+body1 = {law = "elastic", E = 210e9, nu = 0.3}
+body2 = {law = "perfect_plastic", E = 210e9, nu = 0.3, yield_stress = 2e9}
+surface = {shape = "paraboloid", Rx = 7.5e-3}
+path = [{load = 500.0, increments = 1}, {load = 0.0, increments = 1}]
+"""
 STEEL = {"law": "elastic", "E": 210e9, "nu": 0.3}
 FRETTED = {
     "title": "scar",
@@ -46,7 +57,7 @@ def test_a_sweep_of_wear_has_the_cycles_of_each_case(tmp_path):
     assert again.identical(found)
 
 
-def test_a_sweep_judges_fatigue_and_shakedown_of_each_case():
+def test_a_sweep_judges_fatigue_and_shakedown_of_each_case(tmp_path):
     closed = [{"load": 500.0, "increments": 1}, {"load": 0.0, "increments": 1}]
     case = Case.model_validate(
         BASE
@@ -56,10 +67,17 @@ def test_a_sweep_judges_fatigue_and_shakedown_of_each_case():
             "shakedown": {"cycles": 4, "tol": 0.01},
         }
     )
-    found = sc.sweep(case, {"body2.yield_stress": [1e9, 9e9]}, progress=False)
+    yields = {"body2.yield_stress": [1e9, 9e9]}
+    found = sc.sweep(case, yields, output=tmp_path / "out", progress=False)
     assert list(found["status"].values) == ["done", "done"]
     responses = [RESPONSES[int(number)] for number in found["shakedown_response"].values]
     assert responses == ["elastic shakedown", "elastic"]
+    assert found["shakedown_response"].attrs["flag_meanings"].split()[1] == "elastic_shakedown"
+    file = tmp_path / "case.toml"
+    file.write_text(CYCLE_CASE)
+    setting = "body2.yield_stress=1e9,9e9"
+    shown = invoke("sweep", file, "--set", setting, "--output", tmp_path / "out")
+    assert re.search(r"elastic\s+shakedown", shown.stdout), shown.output
     assert found["shakedown_yield_strain"].values[0] == pytest.approx(1e9 / 210e9)
     soft = case.model_copy(update={"body2": case.body2.model_copy(update={"yield_stress": 1e9})})
     simulation, path = soft.build()
@@ -67,6 +85,13 @@ def test_a_sweep_judges_fatigue_and_shakedown_of_each_case():
     assert found["fatigue_dang_van"].values[0] == field.max_value
     assert found["fatigue_margin_dang_van"].values[0] == field.margin(5e8)
     assert found["load"].sizes["increment"] == 2
+
+
+def test_wear_has_no_load_search():
+    case = Case.model_validate(FRETTED)
+    for quantity in ("worn_volume", "max_pressure"):
+        with pytest.raises(ValueError, match=r"wear has no load search: remove \[wear\]"):
+            sc.sweep(case, {"wear.cycles": [1]}, find={"quantity": quantity}, progress=False)
 
 
 def test_a_sweep_of_load_searches_finds_loads_of_hertz(tmp_path):
@@ -112,6 +137,7 @@ increments = 1
     [
         ({"value": 1e9}, "find must have the entry quantity"),
         ({"quantity": "max_presure"}, "did you mean max_pressure"),
+        ({"quantity": "worn_volume"}, "wear has no load search; solve the wear for several"),
         ({"quantity": "yield", "load": 3.0}, "find must have the entry quantity, and may have"),
     ],
 )

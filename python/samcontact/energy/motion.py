@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Travel of the bodies in an increment, and fields on the cells that move with them.
+
+In the frame of the contact, a body moves by its travel a. A field f that moves with the body
+changes by -a df/dx, so that f' times the mean tractions is work of the travel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from ..problem.grid import Grid
+from ..solutions.state import State
+from ..solutions.track import Track
+
+
+def slope(grid: Grid, field: FloatArray) -> FloatArray:
+    """Return the derivative along x of a surface field, shape (..., nx, ny)."""
+    if not grid.along_x:
+        return np.asarray(np.gradient(field, grid.dx, axis=-2))
+    found: FloatArray = np.roll(field, -1, axis=-2) - np.roll(field, 1, axis=-2)
+    return found / (2.0 * grid.dx)
+
+
+def first_cell(state: State, body: int) -> int:
+    """Return the cell of a body at the first row of the grid, counted from the start."""
+    place = state.offset(body) - state.travel[body - 1] - state.origin
+    return round(place / state.grid.dx)
+
+
+def over_grid(track: Track, name: str, state: State) -> FloatArray:
+    """Return a volume field of a track on the grid of a state; 0 where the track has no cell."""
+    field: FloatArray = getattr(track, name)()
+    rows = first_cell(state, track.body) + np.arange(state.grid.nx) - track.first
+    if state.grid.along_x:
+        rows %= track.grid.nx
+    inside = (rows >= 0) & (rows < track.grid.nx)
+    found = np.zeros((*field.shape[:-3], len(rows), *field.shape[-2:]))
+    found[..., inside, :, :] = field[..., rows[inside], :, :]
+    return found
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Motion of a body between two states on the same grid."""
+
+    before: State
+    after: State
+    body: int
+
+    @property
+    def travel(self) -> float:
+        """Travel through the contact [m]."""
+        return self.after.travel[self.body - 1] - self.before.travel[self.body - 1]
+
+    @property
+    def on_grid(self) -> float:
+        """Travel through the grid, in which the contact moves by fractions of a cell [m]."""
+        return self.travel + self.after.origin - self.before.origin
+
+    def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:
+        """Return a volume field of the state before at the places of its cells in the state after.
+
+        Cells that enter the grid take the value after. Arrays of shape (..., nx, ny, nz).
+        """
+        cells = first_cell(self.before, self.body) - first_cell(self.after, self.body)
+        if cells == 0:
+            return before
+        if self.after.grid.along_x:
+            return np.asarray(np.roll(before, cells, axis=-3))
+        rows = np.arange(before.shape[-3]) - cells
+        inside = (rows >= 0) & (rows < len(rows))
+        found: FloatArray = after.copy()
+        found[..., inside, :, :] = before[..., rows[inside], :, :]
+        return found
+
+    def change(
+        self, tractions: tuple[FloatArray, FloatArray], fields: tuple[FloatArray, FloatArray]
+    ) -> float:
+        """Return tractions times the change of displacement of the material, summed over cells.
+
+        Each pair contains the fields before and after [N/m^2 or m], shape (..., nx, ny).
+        """
+        (t, u), (t_new, u_new) = zip(tractions, fields, strict=True)
+        total = float(np.sum(0.5 * (t + t_new) * (u_new - u)))
+        return total + self._along(tractions, fields, self.on_grid)
+
+    def work_of_travel(
+        self, pressures: tuple[FloatArray, FloatArray], surfaces: tuple[FloatArray, FloatArray]
+    ) -> float:
+        """Return the work that moves the slopes of a surface through the pressure, per cell area.
+
+        The arrays are the pressure [Pa] and the depth of the surface [m] before and after.
+        """
+        return self._along(pressures, surfaces, self.travel)
+
+    def _along(
+        self,
+        tractions: tuple[FloatArray, FloatArray],
+        fields: tuple[FloatArray, FloatArray],
+        travel: float,
+    ) -> float:
+        if travel == 0.0:
+            return 0.0
+        grid, parts = self.after.grid, zip(tractions, fields, strict=True)
+        return 0.5 * travel * sum(float(np.sum(t * slope(grid, f))) for t, f in parts)
