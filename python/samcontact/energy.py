@@ -303,10 +303,13 @@ def _have_equal_eigenstrain(one: State, other: State) -> bool:
 
 def _work(states: Sequence[State]) -> FloatArray:
     """Return the work of forces and moments in each increment after the first [J]."""
-    rows = [(s.load, s.approach, *s.tangential_load, s.torque, *s.shift, s.twist) for s in states]
+    rows = [
+        (s.load, s.approach, *s.tangential_load, s.torque, *s.moment, *s.shift, s.twist, *s.tilt)
+        for s in states
+    ]
     values = np.array(rows)
     load, approach = values[:, 0], values[:, 1]
-    forces, motions = values[:, 2:5], values[:, 5:]
+    forces, motions = values[:, 2:7], values[:, 7:]
     along: FloatArray = np.sum(0.5 * (forces[1:] + forces[:-1]) * np.diff(motions, axis=0), axis=1)
     normal: FloatArray = _mean_load(load[:-1], load[1:]) * np.diff(approach)
     return along + normal
