@@ -113,7 +113,7 @@ KINDS = {
                                         "return_time": 1e-4}}]},
     "tilted": BASE
     | {"path": [{"load": 2.0, "increments": 2, "moment_x": 2e-9, "tilt_y": 1e-5},
-                {"load": 3.0, "increments": 2, "moment_x": 1e-9, "moment_y": 1e-9}]},
+                {"load": 3.0, "increments": 2, "moment_x": 1e-9, "tilt_y": 2e-5}]},
     "stick and slip": STICKS
     | {"path": [{"load": 2.0, "increments": 2, "spacing": "power", "exponent": 3.0,
                  "shift_x": 1e-8, "tangential_load_y": 0.1, "torque": 1e-9},

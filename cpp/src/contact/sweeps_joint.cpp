@@ -21,6 +21,16 @@ Field joined(const Field& pressure, const Field& shear, std::size_t n) {
   return tractions;
 }
 
+/// Lowering of body 1 due to a unit tilt about x (k = 0) or y [m].
+Field lever_arms(const Grid& grid, int k) {
+  RigidMotion turn;
+  turn.tilt[k] = 1.0;
+  const Lowering lowering(grid, turn);
+  Field arms(grid.surface_size());
+  for (std::size_t i = 0; i < arms.size(); ++i) arms[i] = lowering(i);
+  return arms;
+}
+
 }  // namespace
 
 Field PartialSlipContact::Sweeps::direction(int k) const {
@@ -32,15 +42,6 @@ Field PartialSlipContact::Sweeps::direction(int k) const {
     if (k != 0) slip[n_ + i] = k == 1 ? 1.0 : x[i / grid.ny];
   }
   return slip;
-}
-
-Field PartialSlipContact::Sweeps::arms(int k) const {
-  RigidMotion turn;
-  turn.tilt[k] = 1.0;
-  const Lowering lowering(contact_.grid_, turn);
-  Field arms(n_);
-  for (std::size_t i = 0; i < n_; ++i) arms[i] = lowering(i);
-  return arms;
 }
 
 JointProblem PartialSlipContact::Sweeps::joint_problem() {
@@ -56,9 +57,9 @@ JointProblem PartialSlipContact::Sweeps::joint_problem() {
   for (int k = 0; k < 2; ++k) {
     const Given& tilt = drive_.tilt[k];
     if (tilt.is_force()) {
-      problem.tilts.push_back({arms(k), tilt.value / cell});
+      problem.tilts.push_back({lever_arms(contact_.grid_, k), tilt.value / cell});
     } else if (tilt.value != 0) {
-      add_scaled(-tilt.value, arms(k), problem.gap);
+      add_scaled(-tilt.value, lever_arms(contact_.grid_, k), problem.gap);
     }
   }
   problem.free_slip.resize(2 * n_, 0.0);

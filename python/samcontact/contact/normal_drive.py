@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from .. import _core
 from .._util.checks import exactly_one, number
+from .._util.short_text import in_short
 from .tangential_drive import pair_of
 
 UNTILTED = 0.0, 0.0
@@ -50,8 +51,8 @@ class NormalDrive:
         is_moment = moments[0] is not None, moments[1] is not None
         if name == "approach" and any(is_moment):
             raise ValueError(
-                f"moment cannot be combined with approach, got {moment!r}: prescribe load and "
-                "moment, or approach and tilt"
+                f"moment cannot be combined with approach, got {in_short(moment)}: prescribe load "
+                "and moment, or approach and tilt"
             )
         if (name, value) == ("load", 0.0) and not any(moments):
             # separated bodies keep their tilt

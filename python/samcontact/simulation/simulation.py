@@ -202,22 +202,21 @@ class Simulation(Configured, HtmlTable):
         load, approach : float
             Normal load [N], >= 0 or, with attraction, >= minus the attractive force; approach [m].
         pressure : array_like, shape (nx, ny)
-            Prescribed pressure [Pa]; the contact is not solved. Excludes `load` and `approach`.
+            Prescribed pressure [Pa], without load and approach; the contact is not solved.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Shear s_x, or (s_x, s_y), on body 2 [Pa], with `pressure`; default friction * pressure.
         advance : pair of floats, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
             positive along +x [m]. Equal values mean rolling towards -x, different values sliding by
-            the difference (creepage with `Coulomb`). Plastic strain moves with the body; the grid
-            stays with the contact. Motion by whole cells is exact; else see `State.origin`.
+            the difference (creepage with `Coulomb`). Plastic strain moves with the body. Motion by
+            whole cells is exact; else see `State.origin`.
         shift : pair of floats, optional
-            With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
-            increment [m]. None for a component leaves that direction to `tangential_load`.
+            With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
+            [m]. None for a component leaves that direction to `tangential_load`.
         tangential_load : pair of floats, optional
             With `Coulomb`: final force on body 2 [N]. A direction without force and shift is held.
         twist : float, optional
-            With `Coulomb`: rotation of body 1 relative to body 2 about z at the origin, in this
-            increment [rad]; for rolling bodies, spin times mean distance.
+            With `Coulomb`: rotation of body 1 over body 2 about z in this increment [rad].
         torque : float, optional
             Final moment on body 2 [N m]. Without twist and torque, no rotation.
         heat_factor : float or pair of floats, optional
@@ -252,10 +251,9 @@ class Simulation(Configured, HtmlTable):
             With on_stall="warn", ConvergenceWarning is issued for each increment concerned.
         """
         given = {
-            "load": load, "approach": approach, "pressure": pressure, "shear": shear,
-            "advance": advance, "shift": shift, "tangential_load": tangential_load,
-            "twist": twist, "torque": torque, "heat_factor": heat_factor, "duration": duration,
-            "moment": moment, "tilt": tilt,
+            "load": load, "approach": approach, "pressure": pressure, "shear": shear, "tilt": tilt,
+            "advance": advance, "shift": shift, "tangential_load": tangential_load, "twist": twist,
+            "torque": torque, "heat_factor": heat_factor, "duration": duration, "moment": moment,
         }  # fmt: skip
         state, found = self.engine.advance(given, self.monitor)
         self.monitor.warn(state, self.engine.estimate, found, stacklevel=2)

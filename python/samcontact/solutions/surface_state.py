@@ -20,11 +20,37 @@ from .outline import Outline, outline_of
 from .stress_at_points import require_closed_forms, stress_at_points
 
 
-class SurfaceState:
+class RigidMotionState:
+    """Normal rigid-body motion at the end of an increment, and the moment of the pressure."""
+
+    _core: Any
+
+    @property
+    def approach(self) -> float:
+        """Rigid-body approach at the origin [m]; NaN under prescribed tractions."""
+        return float(self._core.approach)
+
+    @property
+    def tilt(self) -> FloatArray:
+        """Rotation of body 1 relative to body 2 about x and y [rad], shape (2,).
+
+        Body 1 is lowered by ``approach + tilt[0] * y - tilt[1] * x``.
+        """
+        return np.array(self._core.tilt)
+
+    @property
+    def moment(self) -> FloatArray:
+        """Moment of the pressure on body 2 about x and y at the origin [N m], shape (2,).
+
+        It is the sum of ``p y`` and of ``-p x`` over the area.
+        """
+        return np.array(self._core.moment())
+
+
+class SurfaceState(RigidMotionState):
     """Tractions, gap and rigid-body motion at the end of an increment."""
 
     grid: Grid
-    _core: Any
     setup: SimulationSetup
 
     @cached_property
@@ -169,27 +195,6 @@ class SurfaceState:
         """Mean pressure, load over contact area [Pa]; 0 without contact."""
         area = self.contact_area
         return self.load / area if area > 0 else 0.0
-
-    @property
-    def approach(self) -> float:
-        """Rigid-body approach at the origin [m]; NaN under prescribed tractions."""
-        return float(self._core.approach)
-
-    @property
-    def tilt(self) -> FloatArray:
-        """Rotation of body 1 relative to body 2 about x and y [rad], shape (2,).
-
-        Body 1 is lowered by ``approach + tilt[0] * y - tilt[1] * x``.
-        """
-        return np.array(self._core.tilt)
-
-    @property
-    def moment(self) -> FloatArray:
-        """Moment of the pressure on body 2 about x and y at the origin [N m], shape (2,).
-
-        It is the sum of ``p y`` and of ``-p x`` over the area.
-        """
-        return np.array(self._core.moment())
 
 
 def rows_along_surface(state: SurfaceState) -> Rows:

@@ -13,7 +13,7 @@ RIGID = sc.Material.rigid()
 E_STAR = 210e9 / (1 - 0.3**2) / 2
 GRID = sc.Grid(48, 40, 20e-6, 20e-6)
 WAVES = 0.2e-6 * np.cos(GRID.x[:, None] * 2e4) * np.sin(GRID.y * 1.7e4 + 1.0)
-UNEVEN = sc.surfaces.paraboloid(GRID, 20e-3, 10e-3) + WAVES
+WAVY_GAP = sc.surfaces.paraboloid(GRID, 20e-3, 10e-3) + WAVES
 LOAD = 40.0
 MOMENT = LOAD * 60e-6, -LOAD * 40e-6
 
@@ -57,34 +57,34 @@ def test_a_moment_on_a_paraboloid_moves_the_contact():
 )
 def test_a_moment_gives_the_tilt_that_has_this_moment(given):
     contact = solver(**given)
-    driven = contact.solve(UNEVEN, load=LOAD, moment=MOMENT)
+    driven = contact.solve(WAVY_GAP, load=LOAD, moment=MOMENT)
     assert driven.moment == pytest.approx(MOMENT, rel=1e-12)
     assert moments(driven) == pytest.approx(MOMENT, rel=1e-10)
-    held = contact.solve(UNEVEN, load=LOAD, tilt=driven.tilt)
+    held = contact.solve(WAVY_GAP, load=LOAD, tilt=driven.tilt)
     assert held.moment == pytest.approx(MOMENT, rel=1e-8)
     assert held.approach == pytest.approx(driven.approach, rel=1e-9)
     largest = held.pressure.max()
     np.testing.assert_allclose(driven.pressure, held.pressure, atol=1e-7 * largest)
     # One axis by its moment, the other by its tilt.
-    mixed = contact.solve(UNEVEN, load=LOAD, moment=(MOMENT[0], None), tilt=(None, held.tilt[1]))
+    mixed = contact.solve(WAVY_GAP, load=LOAD, moment=(MOMENT[0], None), tilt=(None, held.tilt[1]))
     assert mixed.tilt == pytest.approx(held.tilt, rel=1e-8)
     assert mixed.moment == pytest.approx(MOMENT, rel=1e-7)
 
 
 def test_the_tilt_agrees_with_newton_on_held_tilts():
     def missing(tilt):
-        found = solver().solve(UNEVEN, load=LOAD, tilt=tilt * 1e-3).moment
+        found = solver().solve(WAVY_GAP, load=LOAD, tilt=tilt * 1e-3).moment
         return (found - MOMENT) / np.abs(MOMENT)
 
     root = optimize.root(missing, [0.0, 0.0], tol=1e-12)
-    driven = solver().solve(UNEVEN, load=LOAD, moment=MOMENT)
+    driven = solver().solve(WAVY_GAP, load=LOAD, moment=MOMENT)
     assert driven.tilt == pytest.approx(root.x * 1e-3, rel=1e-8)
 
 
 def test_swapped_axes_mirror_the_solution():
     swapped = sc.Grid(GRID.ny, GRID.nx, GRID.dy, GRID.dx)
-    one = solver().solve(UNEVEN, load=LOAD, moment=MOMENT)
-    other = solver(swapped).solve(UNEVEN.T, load=LOAD, moment=(-MOMENT[1], -MOMENT[0]))
+    one = solver().solve(WAVY_GAP, load=LOAD, moment=MOMENT)
+    other = solver(swapped).solve(WAVY_GAP.T, load=LOAD, moment=(-MOMENT[1], -MOMENT[0]))
     assert other.tilt == pytest.approx(-one.tilt[::-1], rel=1e-9)
     largest = one.pressure.max()
     np.testing.assert_allclose(other.pressure.T, one.pressure, atol=1e-9 * largest)

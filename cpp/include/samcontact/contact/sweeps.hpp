@@ -57,8 +57,6 @@ class PartialSlipContact::Sweeps {
   JointProblem joint_problem();
   /// Slip due to a unit motion in a direction.
   Field direction(int k) const;
-  /// Lowering of body 1 due to a unit tilt about x (k = 0) or y.
-  Field arms(int k) const;
   JointState joint_start(const JointProblem& problem, const Field& pressure,
                          const Field& shear) const;
   void take(const JointProblem& problem, const JointSolution& found);

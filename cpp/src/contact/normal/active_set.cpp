@@ -8,6 +8,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/threads.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/survey.hpp"
 #include "samcontact/contact/normal/working_set.hpp"
 
@@ -126,7 +127,7 @@ class ActiveSet {
     for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] = states_[i] ? p_[i] : 0.0; });
     if (!problem_.modes.meet(p_)) {
       p_ = before;
-      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { states_[i] |= p_[i] > 0; });
+      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { states_[i] |= in_contact(p_[i]); });
       return;
     }
     settle();

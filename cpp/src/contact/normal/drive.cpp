@@ -101,7 +101,8 @@ void require_reach(const Drive& drive, const Grid& grid, const Field& gap) {
   const double load = drive.normal.value;
   const auto arm = [&](int k, double sign) {
     const Given& tilt = drive.tilt[k];
-    return tilt.is_force() ? to_short_text(sign * tilt.value / load, 4) : std::string("any");
+    return tilt.is_force() ? to_short_text(tilt.value == 0 ? 0.0 : sign * tilt.value / load, 4)
+                           : std::string("any");
   };
   throw std::invalid_argument(
       "moment is too large for the load: at " + describe(drive) +

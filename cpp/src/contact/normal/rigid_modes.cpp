@@ -146,7 +146,7 @@ bool RigidModes::meet(Field& pressure) const {
     if (!find_exponents(pressure, exponents)) return false;
     if (exponents != AboutAxes{}) {
       for_each_cell(std::ssize(pressure), [&](std::ptrdiff_t i) {
-        if (pressure[i] > 0) pressure[i] *= factor(exponents, i);
+        if (in_contact(pressure[i])) pressure[i] *= factor(exponents, i);
       });
     }
   }
