@@ -104,7 +104,7 @@ def _before(
     rounding = 1e-9 * state.load
     held = ((given, q if abs(q) > rounding else 0.0) for given, q in forces)
     found["tangential_load"] = tuple(q if given is None else given for given, q in held)
-    for name in ("moment", "tilt"):
+    for name in {"moment", "tilt"} & path[number].keys():
         reached = zip(step.get(name, (None, None)), getattr(state, name), strict=True)
         found[name] = tuple(float(q) if given is None else given for given, q in reached)
     return found | {name: step[name] for name in _TARGETS if name in step}
