@@ -178,6 +178,9 @@ KINDS = {
     | {"heat": {"factor": [0.0, 2e-3], "history": [1e-6, 1e-3], "track": 2e-5}, "surface": FLAT,
        "path": [{"load": 1.0, "slide": {"distance": 1e-5, "step": 5e-6, "speed": 2.0, "passes": 2,
                                         "return_time": 1e-4}}]},
+    "tilted": BASE
+    | {"path": [{"load": 2.0, "increments": 2, "moment_x": 2e-9, "tilt_y": 1e-5},
+                {"load": 3.0, "increments": 2, "moment_x": 1e-9, "tilt_y": 2e-5}]},
     "stick and slip": STICKS
     | {"path": [{"load": 2.0, "increments": 2, "spacing": "power", "exponent": 3.0,
                  "shift_x": 1e-8, "tangential_load_y": 0.1, "torque": 1e-9},

@@ -138,6 +138,14 @@ def _approach(contact: Contact) -> None:
     contact.prescribes_approach = True
 
 
+def _moment(contact: Contact) -> None:
+    contact.about["moment"] = (LOAD * SIZE, None)
+
+
+def _tilt(contact: Contact) -> None:
+    contact.about["tilt"] = (None, 4e-3) if "moment" in contact.about else (4e-3, None)
+
+
 def _with_setting(name: str, value: object) -> Change:
     def change(contact: Contact) -> None:
         contact.settings[name] = value
@@ -173,6 +181,8 @@ CAPABILITIES: dict[str, Change] = {
     "dent": _dented,
     "enlarged grid": _enlarged,
     "prescribed approach": _approach,
+    "moment": _moment,
+    "held tilt": _tilt,
     "automatic sub-increments": _with_setting("increment_tol", 0.01),
     'method "exact"': _with_setting("residual_stress", "exact"),
 }

@@ -41,6 +41,8 @@ class Contact:
     pulls: float | None = None
     """Ratio of the tangential load along x to the load, unless `drive` prescribes a motion."""
     prescribes_approach: bool = False
+    about: dict[str, tuple[float | None, float | None]] = field(default_factory=dict)
+    """Moments or tilts about x and y at the full load or approach."""
     settings: dict[str, Any] = field(default_factory=dict)
 
     def slips_partially(self) -> None:
@@ -72,7 +74,7 @@ class Contact:
         heat = dict(self.heat)
         if self.prescribes_approach:
             heat["reference"] = 1e-2
-        if "history" in heat and self.travels:
+        if self.lasts() and self.travels:
             heat["velocity"] = [(travel / SIZE * SPEED, 0.0) for travel in self.travels]
         return sc.Heat(**heat)
 
@@ -90,7 +92,7 @@ class Contact:
 
         def pressed(fraction: float) -> dict[str, Any]:
             name, most = ("approach", APPROACH) if self.prescribes_approach else ("load", LOAD)
-            return {name: fraction * most} | lasting
+            return {name: fraction * most} | lasting | self.turned(fraction)
 
         drive = dict(self.drive)
         if self.pulls and not self.travels and "shift" not in drive:
@@ -101,6 +103,13 @@ class Contact:
         if self.travels:
             path += [pressed(1.0) | {"advance": self.travels}] * 3
         return [*path, pressed(-0.1 if self.prescribes_approach else 0.0)]
+
+    def turned(self, fraction: float) -> dict[str, Any]:
+        """Return moments and tilts at a fraction of the load."""
+        return {
+            name: tuple(None if value is None else fraction * value for value in pair)
+            for name, pair in self.about.items()
+        }
 
     def lasts(self) -> bool:
         """Whether increments have a duration."""
@@ -124,6 +133,9 @@ def _faults_of(state: sc.State, step: dict[str, Any], contact: Contact) -> list[
     if "load" in step:
         load = pressure.sum() * state.grid.cell_area
         conditions["load"] = bool(abs(load - step["load"]) <= 1e-6 * LOAD)
+    moment = step.get("moment", (None, None))[0]
+    if moment is not None:
+        conditions["moment"] = bool(abs(state.moment[0] - moment) <= 1e-6 * LOAD * SIZE)
     if highest > 0:
         closed = np.minimum(pressure / highest, gap / np.abs(gap).max())
         conditions["pressure or gap zero"] = bool(np.abs(closed).max() <= TOL)

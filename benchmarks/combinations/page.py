@@ -59,6 +59,13 @@ REASONS = (
         "has no such limit.",
         is_limit=True,
     ),
+    Reason(
+        "on a grid that is periodic along",
+        "A tilted surface does not repeat: a surface that is periodic along y cannot rotate about "
+        "x. The other axis is free.",
+        is_limit=True,
+    ),
+    Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
     Reason("history of heat in layers", "History of heat in coated bodies."),
 )
 

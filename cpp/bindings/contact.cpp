@@ -38,6 +38,8 @@ Content to_python(contact::Solution solution, const Grid& grid, const contact::C
   result["repulsion"] = law.attracts() ? surface_array(std::move(repulsion), grid) : pressure;
   result["gap"] = surface_array(std::move(solution.gap), grid);
   result["approach"] = solution.motion.approach;
+  result["tilt"] = py::array_t<double>(2, solution.motion.tilt.data());
+  result["moment"] = py::array_t<double>(2, solution.moment.data());
   result["load"] = solution.load;
   result["error"] = solution.error;
   result["iterations"] = solution.iterations;
@@ -48,7 +50,7 @@ Content to_python(contact::Solution solution, const Grid& grid, const contact::C
   return result;
 }
 
-Content solve(const ContactSolver& solver, const Array& gap, bool load_driven, double value,
+Content solve(const ContactSolver& solver, const Array& gap, const Drive& drive,
               const MaybeArray& initial_pressure, double tol, int max_iterations,
               bool error_on_border) {
   const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
@@ -57,8 +59,7 @@ Content solve(const ContactSolver& solver, const Array& gap, bool load_driven, d
   contact::Solution solution;
   {
     const LongWork work;
-    solution =
-        solver.solve(h, load_driven ? Drive::load(value) : Drive::approach(value), start, settings);
+    solution = solver.solve(h, drive, start, settings);
   }
   return to_python(std::move(solution), solver.grid(), solver.law());
 }
@@ -100,41 +101,43 @@ contact::ContactSettings slip_settings(double tol, int max_iterations, bool erro
 }
 
 Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& gap,
-                       bool load_driven, double value, const std::array<bool, 3>& is_force,
+                       const Drive& drive, const std::array<bool, 3>& is_force,
                        const std::array<double, 3>& tangential, const MaybeArray& pressure,
                        const MaybeArray& shear, const MaybeArray& gap_before,
-                       double approach_before, bool has_moved, const MaybeArray& initial_pressure,
-                       double tol, int max_iterations, bool error_on_border, bool accept_stall) {
+                       double approach_before, const contact::AboutAxes& tilt_before,
+                       bool has_moved, const MaybeArray& initial_pressure, double tol,
+                       int max_iterations, bool error_on_border, bool accept_stall) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
-  const contact::ContactHistory before{to_field_or_empty(pressure), to_field_or_empty(shear),
-                                       to_field_or_empty(gap_before), approach_before, has_moved};
+  const contact::ContactHistory before{to_field_or_empty(pressure),
+                                       to_field_or_empty(shear),
+                                       to_field_or_empty(gap_before),
+                                       {approach_before, tilt_before},
+                                       has_moved};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
-  const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
-    solution = contact.solve(h, normal, contact::tangential_drive(is_force, tangential), before,
+    solution = contact.solve(h, drive, contact::tangential_drive(is_force, tangential), before,
                              start, settings);
   }
   return to_python(std::move(solution), contact);
 }
 
-Content roll(const contact::PartialSlipContact& contact, const Array& gap, bool load_driven,
-             double value, const std::array<bool, 3>& is_force,
-             const std::array<double, 3>& tangential, const MaybeArray& pressure,
-             const MaybeArray& shear, const std::array<double, 3>& creepage, double tol,
-             int max_iterations, bool error_on_border, bool accept_stall) {
+Content roll(const contact::PartialSlipContact& contact, const Array& gap, const Drive& drive,
+             const std::array<bool, 3>& is_force, const std::array<double, 3>& tangential,
+             const MaybeArray& pressure, const MaybeArray& shear,
+             const std::array<double, 3>& creepage, double tol, int max_iterations,
+             bool error_on_border, bool accept_stall) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
-  const auto normal = load_driven ? contact::Given::force(value) : contact::Given::motion(value);
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
     solution =
-        contact.roll(h, normal, contact::tangential_drive(is_force, tangential), start, settings);
+        contact.roll(h, drive, contact::tangential_drive(is_force, tangential), start, settings);
   }
   return to_python(std::move(solution), contact);
 }
@@ -195,6 +198,18 @@ void bind_contact(py::module_& m) {
            py::arg("kind"), py::arg("parameters"))
       .def_property_readonly("attracts", &contact::ContactLaw::attracts);
 
+  py::class_<Drive>(m, "Drive")
+      .def(py::init([](bool is_load, double value, const std::array<bool, 2>& is_moment,
+                       const contact::AboutAxes& tilt) {
+             Drive drive = is_load ? Drive::load(value) : Drive::approach(value);
+             for (int k = 0; k < 2; ++k) {
+               drive.tilt[k] =
+                   is_moment[k] ? contact::Given::force(tilt[k]) : contact::Given::motion(tilt[k]);
+             }
+             return drive;
+           }),
+           py::arg("is_load"), py::arg("value"), py::arg("is_moment"), py::arg("tilt"));
+
   py::class_<ContactSolver>(m, "ContactSolver")
       .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
                        const contact::FrictionLaw& friction, const operators::HeatingPair& heating,
@@ -205,9 +220,8 @@ void bind_contact(py::module_& m) {
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
            py::arg("heating"), py::arg("contact_law"))
-      .def("solve", &solve, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
-           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"))
+      .def("solve", &solve, py::arg("gap"), py::arg("drive"), py::arg("initial_pressure"),
+           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
 
   m.attr("spin_lead") = contact::spin_lead;
@@ -221,15 +235,15 @@ void bind_contact(py::module_& m) {
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
            py::arg("contact_law"))
       .def_property_readonly("is_coupled", &contact::PartialSlipContact::is_coupled)
-      .def("solve", &stick_and_slip, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
-           py::arg("is_force"), py::arg("tangential"), py::arg("previous_pressure"),
-           py::arg("previous_shear"), py::arg("previous_gap"), py::arg("previous_approach"),
+      .def("solve", &stick_and_slip, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
+           py::arg("tangential"), py::arg("previous_pressure"), py::arg("previous_shear"),
+           py::arg("previous_gap"), py::arg("previous_approach"), py::arg("previous_tilt"),
            py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
            py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"))
-      .def("roll", &roll, py::arg("gap"), py::arg("load_driven"), py::arg("value"),
-           py::arg("is_force"), py::arg("tangential"), py::arg("initial_pressure"),
-           py::arg("initial_shear"), py::arg("initial_creepage"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"));
+      .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
+           py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
+           py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"), py::arg("accept_stall"));
 }
 
 }  // namespace samcontact::bindings

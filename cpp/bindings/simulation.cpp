@@ -40,13 +40,12 @@ simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& 
   return reliefs;
 }
 
-State step(Simulation& simulation, const std::string& kind, double value,
-           const MaybeArray& pressure, const MaybeArray& shear_x, const MaybeArray& shear_y,
+State step(Simulation& simulation, const contact::Drive& drive, const MaybeArray& pressure,
+           const MaybeArray& shear_x, const MaybeArray& shear_y,
            const operators::HeatingPair& heating, double duration,
            const simulation::Travel& advance, const std::array<bool, 3>& is_force,
            const std::array<double, 3>& tangential) {
-  using contact::Drive;
-  const Target target{.drive = kind == "approach" ? Drive::approach(value) : Drive::load(value),
+  const Target target{.drive = drive,
                       .tangential = contact::tangential_drive(is_force, tangential),
                       .tractions = {to_field_or_empty(pressure), to_field_or_empty(shear_x),
                                     to_field_or_empty(shear_y)},
@@ -131,9 +130,9 @@ void bind_simulation(py::module_& m) {
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
            py::arg("reliefs"), py::arg("contact_law"))
-      .def("step", &step, py::arg("kind"), py::arg("value"), py::arg("pressure"),
-           py::arg("shear_x"), py::arg("shear_y"), py::arg("heating"), py::arg("duration"),
-           py::arg("advance"), py::arg("is_force"), py::arg("tangential"))
+      .def("step", &step, py::arg("drive"), py::arg("pressure"), py::arg("shear_x"),
+           py::arg("shear_y"), py::arg("heating"), py::arg("duration"), py::arg("advance"),
+           py::arg("is_force"), py::arg("tangential"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,
@@ -154,6 +153,7 @@ void bind_simulation(py::module_& m) {
           },
           py::arg("body"), py::arg("first"), py::arg("strain"))
       .def_property_readonly("state", [](const Simulation& s) { return s.state(); })
+      .def_property_readonly("tilt", [](const Simulation& s) { return s.state().tilt; })
       .def_property_readonly("counters", &counters)
       .def("restore", &restore, py::arg("content"), py::arg("counters"), py::arg("heating"))
       .def(

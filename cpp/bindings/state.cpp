@@ -262,6 +262,7 @@ void bind_contact_of(py::class_<State>& bound) {
              return surface_array(std::move(repulsion), state.setup().grid);
            })
       .def("attraction_energy", &simulation::attraction_energy)
+      .def("moment", &State::moment)
       .def("tangential_force", &State::tangential_force);
 }
 

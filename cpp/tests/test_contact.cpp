@@ -156,10 +156,15 @@ TEST_CASE("the active-set iteration agrees with the plain conjugate gradient") {
     const Field gap = wavy_gap(grid);
     const operators::SurfaceDisplacement displacement(grid, influence);
     const contact::Multilevel multilevel(grid, influence);
-    for (const auto normal : {contact::Given::force(1e8), contact::Given::motion(0.05)}) {
+    const std::vector<contact::Drive> drives{
+        contact::Drive::load(1e8),
+        contact::Drive::approach(0.05),
+        {contact::Given::force(1e8), {contact::Given::force(2e8), contact::Given::force(-1e8)}}};
+    for (const contact::Drive& drive : drives) {
       const Field none(gap.size(), 0.0);
-      const auto fast = multilevel.solve(gap, normal, none, 1e-10, 1000);
-      const auto plain = contact::polonsky_keer(displacement, gap, 1.0, normal, none, 1e-10, 1000);
+      const auto fast = multilevel.solve(gap, drive, none, 1e-10, 1000);
+      const auto plain = contact::polonsky_keer(displacement, gap, contact::RigidModes(drive, grid),
+                                                none, 1e-10, 1000);
       CHECK(fast.converged);
       CHECK(plain.converged);
       CHECK(largest_difference(fast.tractions.pressure, plain.tractions.pressure) <
@@ -172,7 +177,7 @@ TEST_CASE("the active-set iteration agrees with the plain conjugate gradient") {
 TEST_CASE("too few iterations are reported") {
   const Grid grid(40, 40, 1.0, 1.0);
   const contact::Multilevel multilevel(grid, influence);
-  const auto solution = multilevel.solve(wavy_gap(grid), contact::Given::force(1e8),
+  const auto solution = multilevel.solve(wavy_gap(grid), contact::Drive::load(1e8),
                                          Field(grid.surface_size(), 0.0), 1e-10, 2);
   CHECK_FALSE(solution.converged);
   CHECK(solution.iterations == 2);

@@ -158,7 +158,9 @@ TEST_CASE("contact on independent springs has a pressure proportional to the pen
   const Field gap{0.0, 1e-6, 2e-6, 5e-6}, compliance{1e-15, 2e-15, 1e-15, 3e-15};
   const double approach = 3e-6;
   const auto found = contact::polonsky_keer(
-      Springs(compliance), gap, 1.0, contact::Given::motion(approach), Field(4, 0.0), 1e-12, 200);
+      Springs(compliance), gap,
+      contact::RigidModes(contact::Drive::approach(approach), Grid(4, 1, 1.0, 1.0)), Field(4, 0.0),
+      1e-12, 200);
   REQUIRE(found.converged);
   for (std::size_t i = 0; i < 4; ++i) {
     const double exact = std::fmax(approach - gap[i], 0.0) / compliance[i];

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._util.checks import FloatArray, require_type
 from .bodies.material import Material
+from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
 from .contact.tangential_drive import Pressing, Settings, TangentialInput
 from .problem.friction import FrictionLaw, sticking_law
@@ -122,7 +123,8 @@ def steady(
         on_stall=on_stall,
         max_iterations=max_iterations,
     )
-    solution = solve_driven(solver, gap, load, approach, _Rolling(given, friction, start))
+    normal = NormalDrive.of(load, approach)
+    solution = solve_driven(solver, gap, normal, _Rolling(given, friction, start))
     assert isinstance(solution, RollingSolution)
     return solution
 

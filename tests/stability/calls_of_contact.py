@@ -131,8 +131,8 @@ CALLS = [
             {"gap": GAP, "previous": STUCK, "load": LOAD, **drive},
         )
         for drive in (
-            {"shift": (1e-8, 0.0), "twist": 1e-6},
-            {"tangential_load": (1.0, 2.0), "torque": 1e-6},
+            {"shift": (1e-8, 0.0), "twist": 1e-6, "tilt": (1e-6, 0.0)},
+            {"tangential_load": (1.0, 2.0), "torque": 1e-6, "moment": (1e-6, 0.0)},
             {"advance": (GRID.dx, GRID.dx), "shift": (0.0, 1e-8)},
         )
     ),
@@ -192,8 +192,8 @@ CALLS = [
     *(
         ("Simulation.step", FRETTING.step, {"load": LOAD, **drive})
         for drive in (
-            {"shift": (1e-8, 0.0), "twist": 1e-6},
-            {"tangential_load": (1.0, 2.0), "torque": 1e-6},
+            {"shift": (1e-8, 0.0), "twist": 1e-6, "tilt": (1e-6, 0.0)},
+            {"tangential_load": (1.0, 2.0), "torque": 1e-6, "moment": (1e-6, 0.0)},
         )
     ),
     (

@@ -46,6 +46,7 @@ CORE_USERS = {
     "contact.fields",
     "contact.interpenetration",
     "contact.solver",
+    "contact.normal_drive",
     "contact.tangential_drive",
     "diagnostics.hertz_estimate",
     "fatigue.criteria",

@@ -155,27 +155,29 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
                               const ContactSettings& settings) const {
   require_gap(gap, grid_, "gap");
   if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
-  require_valid(drive, *law_);
+  require_valid(drive, *law_, grid_);
   require_below_mean(grid_, gap, drive.normal);
   require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
   require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
   const Attraction attraction(*law_, grid_, multilevel_.displacement(), gap);
-  const Given normal = attraction.normal(drive.normal);
+  const Drive repelling = attraction.repelling(drive);
+  require_reach(repelling, grid_, gap);
   Field repulsion = attraction.repulsion(initial_pressure);
   repulsion.resize(gap.size(), 0.0);
   for (double& r : repulsion) r = std::max(r, 0.0);
 
-  Solution solution = multilevel_.displacement().has_rest()
-                          ? solve_coupled(attraction.gap(), normal, std::move(repulsion), settings)
-                          : multilevel_.solve(attraction.gap(), normal, std::move(repulsion),
-                                              settings.tol, settings.max_iterations);
+  Solution solution =
+      multilevel_.displacement().has_rest()
+          ? solve_coupled(attraction.gap(), repelling, std::move(repulsion), settings)
+          : multilevel_.solve(attraction.gap(), repelling, std::move(repulsion), settings.tol,
+                              settings.max_iterations);
   require_solved(solution, drive, settings);
   solution.edge_warning = edge_warning(grid_, solution.tractions.pressure, describe(drive));
   if (!solution.edge_warning.empty() && settings.on_border == OnBorder::error) {
     throw too_small(grid_, solution.tractions.pressure, solution.edge_warning);
   }
   solution.tractions = friction_.tractions(std::move(solution.tractions.pressure));
-  return attraction.with_attraction(std::move(solution), drive.normal);
+  return attraction.with_attraction(std::move(solution), drive);
 }
 
 bool ContactSolver::is_unstable(const Field& pressure) const {
@@ -187,7 +189,7 @@ bool ContactSolver::is_unstable(const Field& pressure) const {
   return ordered_dot(contact.data(), displacement.data(), contact.size()) < 0;
 }
 
-Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pressure,
+Solution ContactSolver::solve_coupled(const Field& gap, const Drive& drive, Field pressure,
                                       const ContactSettings& settings) const {
   ComplexField scratch;
   const LaggedContact contact{
@@ -195,9 +197,9 @@ Solution ContactSolver::solve_coupled(const Field& gap, Given normal, Field pres
         multilevel_.displacement().apply_rest(p.data(), separation.data(), scratch);
       },
       [&](const Field& lagged, Field start, double tol) {
-        return multilevel_.solve(lagged, normal, std::move(start), tol, settings.max_iterations);
+        return multilevel_.solve(lagged, drive, std::move(start), tol, settings.max_iterations);
       }};
-  return solve_lagged(contact, gap, normal, std::move(pressure), settings.tol);
+  return solve_lagged(contact, grid_, gap, drive, std::move(pressure), settings.tol);
 }
 
 }  // namespace samcontact::contact

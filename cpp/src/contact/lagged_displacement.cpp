@@ -7,6 +7,7 @@
 
 #include "samcontact/contact/iteration/anderson.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
+#include "samcontact/contact/normal/rigid_modes.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -19,16 +20,21 @@ constexpr double slow_contraction = 0.5;
 constexpr int depth = 12;
 
 /// Largest change between two fields on the cells in contact; under load control a uniform change
-/// is only a change of approach.
-double change_in_contact(const Field& a, const Field& b, const Field& pressure, bool load_driven) {
+/// is only a change of approach, and with moments a plane one a change of tilt.
+double change_in_contact(const Field& a, const Field& b, const Field& pressure,
+                         const RigidModes& modes) {
   double lowest = INFINITY, highest = -INFINITY;
+  Field change(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) change[i] = a[i] - b[i];
+  modes.level(pressure, change);
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!in_contact(pressure[i])) continue;
-    lowest = std::min(lowest, a[i] - b[i]);
-    highest = std::max(highest, a[i] - b[i]);
+    lowest = std::min(lowest, change[i]);
+    highest = std::max(highest, change[i]);
   }
   if (!(lowest <= highest)) return 0.0;
-  return load_driven ? highest - lowest : std::max(std::fabs(lowest), std::fabs(highest));
+  return modes.normal().is_force() ? highest - lowest
+                                   : std::max(std::fabs(lowest), std::fabs(highest));
 }
 
 /// Replaces the separation computed from `estimate` by the next estimate.
@@ -40,9 +46,9 @@ void accelerate(Anderson& anderson, Field& estimate, Field& separation) {
 
 }  // namespace
 
-Solution solve_lagged(const LaggedContact& contact, const Field& gap, Given normal, Field pressure,
-                      double tol) {
-  const bool load_driven = normal.is_force();
+Solution solve_lagged(const LaggedContact& contact, const Grid& grid, const Field& gap,
+                      const Drive& drive, Field pressure, double tol) {
+  const RigidModes modes(drive, grid);
   Field separation(gap.size()), previous(gap.size()), lagged(gap.size());
   int iterations = 0, applications = 0;
   double work = 0.0;
@@ -69,11 +75,12 @@ Solution solve_lagged(const LaggedContact& contact, const Field& gap, Given norm
     update(solution.tractions.pressure);
     // Gap with the updated separation; its scale is the elastic displacement in the contact.
     double scale = 0.0;
+    const Lowering lowering(grid, solution.motion);
     for (std::size_t i = 0; i < gap.size(); ++i) {
-      scale = std::max(scale, std::fabs(solution.gap[i] + solution.motion.approach - lagged[i]));
+      scale = std::max(scale, std::fabs(solution.gap[i] + lowering(i) - lagged[i]));
     }
     const double change =
-        change_in_contact(separation, previous, solution.tractions.pressure, load_driven);
+        change_in_contact(separation, previous, solution.tractions.pressure, modes);
     // The surfaces may be separated by shear that no longer exists.
     const bool parted = solution.load == 0 && !is_zero(previous);
     const double error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
@@ -81,11 +88,11 @@ Solution solve_lagged(const LaggedContact& contact, const Field& gap, Given norm
     outer_error = error;
     solution.error += outer_error;
     for (std::size_t i = 0; i < gap.size(); ++i) solution.gap[i] += separation[i] - previous[i];
-    if (load_driven) {
-      // The part of the change that is uniform over the contact is a rigid-body motion.
-      const double shift = contact_mean(solution.tractions.pressure, solution.gap);
-      for (double& g : solution.gap) g -= shift;
-      solution.motion.approach += shift;
+    if (drive.normal.is_force()) {
+      // The part of the change that is plane over the contact is a rigid-body motion.
+      const RigidMotion moved = modes.close(solution.tractions.pressure, solution.gap);
+      solution.motion.approach += moved.approach;
+      for (int k = 0; k < 2; ++k) solution.motion.tilt[k] += moved.tilt[k];
     }
     solution.converged = solution.error <= tol;
     if (solution.converged) break;

@@ -74,17 +74,17 @@ std::string describe_error(const PartialSlipSolution& solution, double tol) {
 
 /// Message about an accepted solution that has not converged; empty: converged. Throws StalledError
 /// for a solution that has not converged and is not accepted.
-std::string require_solved(const PartialSlipSolution& solution, Given normal,
+std::string require_solved(const PartialSlipSolution& solution, const Drive& drive,
                            const ContactSettings& settings) {
   const ShearSolution& shear = solution.tangential;
   const int iterations = solution.normal.iterations + shear.iterations;
   if (!is_finite(solution.normal) || !all_finite(shear.shear) || !all_finite(shear.slip)) {
-    throw StalledError("partial slip did not converge at " + describe(Drive{normal}) +
-                           ": the solution is not finite",
-                       iterations, solution.normal.error);
+    throw StalledError(
+        "partial slip did not converge at " + describe(drive) + ": the solution is not finite",
+        iterations, solution.normal.error);
   }
   if (solution.normal.converged) return {};
-  const std::string where = describe(Drive{normal});
+  const std::string where = describe(drive);
   const std::string text = describe_error(solution, settings.tol);
   const double error = std::max(shear.error, solution.normal.error);
   if (settings.after_stall == AfterStall::accept) {
@@ -100,7 +100,7 @@ std::string require_solved(const PartialSlipSolution& solution, Given normal,
 
 }  // namespace
 
-void PartialSlipContact::require_contact(const Field& gap, Given normal,
+void PartialSlipContact::require_contact(const Field& gap, const Drive& drive,
                                          const ContactHistory& before) const {
   require_gap(gap, grid_, "gap");
   if (!before.pressure.empty()) {
@@ -108,33 +108,36 @@ void PartialSlipContact::require_contact(const Field& gap, Given normal,
     require_vectors(before.shear, grid_, "previous.shear");
     if (!before.gap.empty()) require_gap(before.gap, grid_, "previous.gap");
   }
-  require_valid(Drive{normal}, *law_);
-  require_below_mean(grid_, gap, normal);
+  require_valid(drive, *law_, grid_);
+  require_below_mean(grid_, gap, drive.normal);
 }
 
-PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, Given normal,
+PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, const Drive& drive,
                                                  const Attraction& attraction,
                                                  const ContactSettings& settings) const {
-  solution.stall_warning = require_solved(solution, normal, settings);
+  solution.stall_warning = require_solved(solution, drive, settings);
   Solution& pressed = solution.normal;
-  pressed.edge_warning = edge_warning(grid_, pressed.tractions.pressure, describe(Drive{normal}));
+  pressed.edge_warning = edge_warning(grid_, pressed.tractions.pressure, describe(drive));
   if (!pressed.edge_warning.empty() && settings.on_border == OnBorder::error) {
     throw too_small(grid_, pressed.tractions.pressure, pressed.edge_warning);
   }
-  pressed = attraction.with_attraction(std::move(pressed), normal);
+  pressed = attraction.with_attraction(std::move(pressed), drive);
   return solution;
 }
 
-PartialSlipSolution PartialSlipContact::solve(const Field& gap, Given normal,
+PartialSlipSolution PartialSlipContact::solve(const Field& gap, const Drive& drive,
                                               const TangentialDrive& tangential,
                                               const ContactHistory& before,
                                               const PartialSlipStart& start,
                                               const ContactSettings& settings) const {
-  require_contact(gap, normal, before);
+  require_contact(gap, drive, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
-  const Given repelling = attraction.normal(normal);
-  if (normal.is_force()) require_held(tangential, friction_, repelling.value, increment_motions);
+  const Drive repelling = attraction.repelling(drive);
+  require_reach(repelling, grid_, gap);
+  if (drive.normal.is_force()) {
+    require_held(tangential, friction_, repelling.normal.value, increment_motions);
+  }
   ContactHistory repelled;
   if (law_->attracts()) {
     repelled = before;
@@ -146,17 +149,20 @@ PartialSlipSolution PartialSlipContact::solve(const Field& gap, Given normal,
   repulsion.resize(gap.size(), 0.0);
   for (double& r : repulsion) r = std::max(r, 0.0);
   Sweeps sweeps(*this, attraction.gap(), repelling, tangential, history, settings);
-  return finished(sweeps.run(std::move(repulsion), start), normal, attraction, settings);
+  return finished(sweeps.run(std::move(repulsion), start), drive, attraction, settings);
 }
 
-PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
+PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& drive,
                                              const TangentialDrive& creepage,
                                              const PartialSlipStart& start,
                                              const ContactSettings& settings) const {
-  require_contact(gap, normal, {start.pressure, start.shear, {}});
+  require_contact(gap, drive, {start.pressure, start.shear, {}});
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
-  const Given repelling = attraction.normal(normal);
-  if (normal.is_force()) require_held(creepage, friction_, repelling.value, rolling_motions);
+  const Drive repelling = attraction.repelling(drive);
+  require_reach(repelling, grid_, gap);
+  if (drive.normal.is_force()) {
+    require_held(creepage, friction_, repelling.normal.value, rolling_motions);
+  }
   const ContactHistory none;
   PartialSlipStart begin = start;
   begin.pressure = attraction.repulsion(std::move(begin.pressure));
@@ -164,7 +170,7 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, Given normal,
   // Without an initial shear, start from coarser boxes.
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
   Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, settings, true);
-  return finished(sweeps.run(begin.pressure, begin), normal, attraction, settings);
+  return finished(sweeps.run(begin.pressure, begin), drive, attraction, settings);
 }
 
 }  // namespace samcontact::contact

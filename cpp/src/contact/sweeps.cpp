@@ -30,12 +30,13 @@ constexpr double shear_tol_ratio = 0.5, fine = 1e-6, rounding = 1e-12;
 }  // namespace
 
 PartialSlipContact::Sweeps::Sweeps(const PartialSlipContact& contact, const Field& gap,
-                                   Given normal, const TangentialDrive& tangential,
+                                   const Drive& drive, const TangentialDrive& tangential,
                                    const ContactHistory& before, const ContactSettings& settings,
                                    bool rolls)
     : contact_(contact),
       gap_(gap),
-      normal_(normal),
+      drive_(drive),
+      modes_(drive, contact.grid_),
       tangential_(tangential),
       before_(before),
       settings_(settings),
@@ -96,7 +97,7 @@ void PartialSlipContact::Sweeps::solve_pressure(Field pressure, double tol) {
   if (!raised_.empty()) add_scaled(1.0, raised_, gap);
   const Solution before = std::move(s_.normal);
   s_.normal =
-      contact_.normal_.solve(gap, normal_, std::move(pressure), tol, settings_.max_iterations);
+      contact_.normal_.solve(gap, drive_, std::move(pressure), tol, settings_.max_iterations);
   s_.normal.iterations += before.iterations;
   s_.normal.operator_applications += before.operator_applications;
   s_.normal.work += before.work;
@@ -126,7 +127,7 @@ void PartialSlipContact::Sweeps::solve_shear(double tol) {
     }
     if (rolls_) difference_per_distance(free_slip);
   }
-  const Field touching = slip_part(p, normal.motion.approach, normal.load);
+  const Field touching = slip_part(p, normal.motion, normal.load);
   const bool first = s_.tangential.shear.empty();
   const Field start = first ? shear_before() : std::move(s_.tangential.shear);
   const std::vector<unsigned char> sticking = std::move(s_.tangential.sticking);
@@ -165,18 +166,36 @@ Field PartialSlipContact::Sweeps::shear_before() const {
   return shear;
 }
 
-Field PartialSlipContact::Sweeps::slip_part(const Field& pressure, double approach, double load) {
-  const double closer = approach - before_.approach;
-  if (before_.pressure.empty() || before_.has_moved || !(closer > 0)) return {};
+Field PartialSlipContact::Sweeps::slip_part(const Field& pressure, const RigidMotion& motion,
+                                            double load) {
+  double closer = motion.approach - before_.motion.approach;
+  const bool tilts = motion.tilt != before_.motion.tilt;
+  if (before_.pressure.empty() || before_.has_moved || !(closer > 0 || tilts)) return {};
   if (gap_before_.empty()) gap_before_ = find_gap_before();
+  const Field scaled = tilts ? gap_of_uniform_approach(motion, closer) : Field{};
+  if (!(closer > 0)) return {};
   const double contact = area(pressure);
   // Slip of round contacts so far, for a shear with this ratio to the pressure.
   const double ratio = contact_.friction_.ratio(contact > 0 ? load / contact : 0.0);
   const double most = 0.5 * (1 + contact_.crosswise_) * ratio * closer;
-  return slip_after_contact(
-      contact_.grid_,
-      {before_.pressure, pressure, gap_before_, closer, given_motion(contact), most},
-      contact_.crosswise_);
+  return slip_after_contact(contact_.grid_,
+                            {before_.pressure, pressure, tilts ? scaled : gap_before_, closer,
+                             given_motion(contact), most},
+                            contact_.crosswise_);
+}
+
+Field PartialSlipContact::Sweeps::gap_of_uniform_approach(const RigidMotion& motion,
+                                                          double& closer) const {
+  const Lowering now(contact_.grid_, motion), then(contact_.grid_, before_.motion);
+  closer = 0.0;
+  for (std::size_t i = 0; i < n_; ++i) closer = std::max(closer, now(i) - then(i));
+  Field gap = gap_before_;
+  // Cells that do not come closer touch due to other displacements, as late as the last ones.
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double own = now(i) - then(i);
+    gap[i] = own > 0 && gap[i] < own ? gap[i] / own * closer : std::max(gap[i], closer);
+  }
+  return gap;
 }
 
 double PartialSlipContact::Sweeps::area(const Field& pressure) const {
@@ -198,7 +217,8 @@ Field PartialSlipContact::Sweeps::find_gap_before() {
   if (contact_.is_coupled()) {
     contact_.coupling_.normal(before_.shear.data(), raised.data(), work_);
   }
-  for (std::size_t i = 0; i < n_; ++i) gap[i] += gap_[i] + raised[i] - before_.approach;
+  const Lowering lowering(contact_.grid_, before_.motion);
+  for (std::size_t i = 0; i < n_; ++i) gap[i] += gap_[i] + raised[i] - lowering(i);
   return gap;
 }
 
@@ -212,16 +232,17 @@ Field PartialSlipContact::Sweeps::update_gap() {
   Field change(n_), displacement(n_, 0.0);
   raise(s_.tangential.shear, change);
   add_scaled(-1.0, raised_, change);
+  const Lowering lowering(contact_.grid_, s.motion);
   for (std::size_t i = 0; i < n_; ++i) {
     // The displacement is unknown in cells without a body.
     if (std::isinf(gap_[i])) continue;
-    displacement[i] = s.gap[i] - gap_[i] - raised_[i] + s.motion.approach;
+    displacement[i] = s.gap[i] - gap_[i] - raised_[i] + lowering(i);
   }
   add_scaled(1.0, change, s.gap);
-  if (normal_.is_force()) {
-    const double closer = contact_mean(p, s.gap);
-    for (double& g : s.gap) g -= closer;
-    s.motion.approach += closer;
+  if (drive_.normal.is_force()) {
+    const RigidMotion closer = modes_.close(p, s.gap);
+    s.motion.approach += closer.approach;
+    for (int k = 0; k < 2; ++k) s.motion.tilt[k] += closer.tilt[k];
   }
   s.error = complementarity_error(p, displacement, s.gap, s.rounding);
   return change;

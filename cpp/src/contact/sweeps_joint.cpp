@@ -21,6 +21,16 @@ Field joined(const Field& pressure, const Field& shear, std::size_t n) {
   return tractions;
 }
 
+/// Lowering of body 1 due to a unit tilt about x (k = 0) or y [m].
+Field lever_arms(const Grid& grid, int k) {
+  RigidMotion turn;
+  turn.tilt[k] = 1.0;
+  const Lowering lowering(grid, turn);
+  Field arms(grid.surface_size());
+  for (std::size_t i = 0; i < arms.size(); ++i) arms[i] = lowering(i);
+  return arms;
+}
+
 }  // namespace
 
 Field PartialSlipContact::Sweeps::direction(int k) const {
@@ -36,13 +46,22 @@ Field PartialSlipContact::Sweeps::direction(int k) const {
 
 JointProblem PartialSlipContact::Sweeps::joint_problem() {
   const double cell = contact_.grid_.cell_area();
+  const Given& normal = drive_.normal;
   JointProblem problem{.operators = &contact_.joint_.operators(),
                        .gap = gap_,
-                       .normal = normal_.is_force() ? Given::force(normal_.value / cell) : normal_,
+                       .normal = normal.is_force() ? Given::force(normal.value / cell) : normal,
                        .cone = FrictionCone(contact_.friction_),
                        .free_slip = before_.free_slip,
                        .motion = Field(2 * n_, 0.0),
                        .rounding = s_.normal.rounding};
+  for (int k = 0; k < 2; ++k) {
+    const Given& tilt = drive_.tilt[k];
+    if (tilt.is_force()) {
+      problem.tilts.push_back({lever_arms(contact_.grid_, k), tilt.value / cell});
+    } else if (tilt.value != 0) {
+      add_scaled(-tilt.value, lever_arms(contact_.grid_, k), problem.gap);
+    }
+  }
   problem.free_slip.resize(2 * n_, 0.0);
   const auto& displacement = problem.operators->displacement;
   Field u = joined(before_.pressure, before_.shear, n_);
@@ -70,8 +89,13 @@ JointState PartialSlipContact::Sweeps::joint_start(const JointProblem& problem,
                                                    const Field& pressure,
                                                    const Field& shear) const {
   JointState state = start_from(problem, joined(pressure, shear, n_));
-  state.approach = normal_.is_force() ? s_.normal.motion.approach : normal_.value;
+  const Given& normal = drive_.normal;
+  state.approach = normal.is_force() ? s_.normal.motion.approach : normal.value;
   std::size_t mode = 0;
+  for (int k = 0; k < 2; ++k) {
+    if (drive_.tilt[k].is_force()) state.tilt[mode++] = s_.normal.motion.tilt[k];
+  }
+  mode = 0;
   for (int k = 0; k < 3; ++k) {
     if (tangential_[k].is_force()) state.motion[mode++] = s_.tangential.motion[k];
   }
@@ -102,9 +126,15 @@ void PartialSlipContact::Sweeps::take(const JointProblem& problem, const JointSo
   normal.tractions.pressure.assign(state.tractions.begin(), end);
   normal.gap = state.gap;
   normal.motion.approach = state.approach;
+  std::size_t mode = 0;
+  for (int k = 0; k < 2; ++k) {
+    const Given& tilt = drive_.tilt[k];
+    normal.motion.tilt[k] = tilt.is_force() ? state.tilt[mode++] : tilt.value;
+  }
+  normal.moment = moments(contact_.grid_, normal.tractions.pressure);
   normal.load = contact_.grid_.cell_area() *
                 ordered_sum(n_, [&](std::size_t i) { return state.tractions[i]; });
-  if (normal_.is_force() && found.converged) normal.load = normal_.value;
+  if (drive_.normal.is_force() && found.converged) normal.load = drive_.normal.value;
   normal.error = state.pressure_error;
   normal.converged = found.converged;
   take_shear(problem, state);

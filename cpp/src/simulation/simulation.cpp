@@ -155,7 +155,7 @@ void Simulation::check(const Target& target) const {
         "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");
   }
   if (!target.is_prescribed()) {
-    return contact::require_valid(target.drive, *setup_->contact_law);
+    return contact::require_valid(target.drive, *setup_->contact_law, setup_->grid);
   }
   if (setup_->contact_law->attracts()) {
     throw std::invalid_argument(

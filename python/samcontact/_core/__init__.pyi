@@ -19,6 +19,7 @@ __all__: list[str] = [
     "ContactLaw",
     "ContactSolver",
     "ConvergenceError",
+    "Drive",
     "Elastic",
     "FrictionLaw",
     "Grid",
@@ -226,6 +227,15 @@ class ContactLaw:
     @property
     def attracts(self) -> bool: ...
 
+class Drive:
+    def __init__(
+        self,
+        is_load: bool,
+        value: float,
+        is_moment: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(2)"],
+        tilt: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
+    ) -> None: ...
+
 class ContactSolver:
     def __init__(
         self,
@@ -242,8 +252,7 @@ class ContactSolver:
     def solve(
         self,
         gap: numpy.typing.NDArray[numpy.float64],
-        load_driven: bool,
-        value: float,
+        drive: Drive,
         initial_pressure: numpy.typing.NDArray[numpy.float64] | None,
         tol: float,
         max_iterations: int,
@@ -257,8 +266,7 @@ class PartialSlipContact:
     def roll(
         self,
         gap: numpy.typing.NDArray[numpy.float64],
-        load_driven: bool,
-        value: float,
+        drive: Drive,
         is_force: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(3)"],
         tangential: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
         initial_pressure: numpy.typing.NDArray[numpy.float64] | None,
@@ -272,14 +280,14 @@ class PartialSlipContact:
     def solve(
         self,
         gap: numpy.typing.NDArray[numpy.float64],
-        load_driven: bool,
-        value: float,
+        drive: Drive,
         is_force: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(3)"],
         tangential: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
         previous_pressure: numpy.typing.NDArray[numpy.float64] | None,
         previous_shear: numpy.typing.NDArray[numpy.float64] | None,
         previous_gap: numpy.typing.NDArray[numpy.float64] | None,
         previous_approach: float,
+        previous_tilt: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
         has_moved: bool,
         initial_pressure: numpy.typing.NDArray[numpy.float64] | None,
         tol: float,
@@ -324,6 +332,7 @@ class State:
     def layers(self) -> int: ...
     def max_equivalent_plastic_strain(self, body: int) -> float: ...
     def max_plastic_strain_magnitude(self, body: int) -> float: ...
+    def moment(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
     def own_box(self, body: int) -> typing.Annotated[list[int], "FixedSize(5)"] | None: ...
     def plastic_cells(self, body: int) -> int: ...
     def plastic_strain(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -437,6 +446,8 @@ class State:
     @property
     def substeps(self) -> int: ...
     @property
+    def tilt(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
+    @property
     def time(self) -> float: ...
     @property
     def travel(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
@@ -517,8 +528,7 @@ class Simulation:
     def stand_at(self, state: State) -> None: ...
     def step(
         self,
-        kind: str,
-        value: float,
+        drive: Drive,
         pressure: numpy.typing.NDArray[numpy.float64] | None,
         shear_x: numpy.typing.NDArray[numpy.float64] | None,
         shear_y: numpy.typing.NDArray[numpy.float64] | None,
@@ -533,6 +543,8 @@ class Simulation:
     def counters(self) -> dict[str, typing.Any]: ...
     @property
     def state(self) -> State: ...
+    @property
+    def tilt(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
 
 def contact_outline(
     pressure: numpy.typing.NDArray[numpy.float64], along_x: bool, along_y: bool, rise: float

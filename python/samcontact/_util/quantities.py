@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
 _DISPLAY_FACTORS = {
     "µm": 1e6, "µm²": 1e12, "mm²": 1e6, "µm³": 1e18, "MPa": 1e-6, "GPa": 1e-9, "%": 1e2, "µJ": 1e6,
+    "mrad": 1e3,
 }  # fmt: skip
 """Factors from SI units to the units shown."""
 _MAX_AREA_IN_SQUARE_MICRONS = 1e-8  # area [m^2] below which µm² are shown
@@ -115,6 +116,10 @@ CONTACT = {
     # scalars of each increment
     "load": Q("N", "normal load", "N", "load", "load", 6),
     "approach": Q("m", "rigid-body approach", "µm", "approach", "approach", 6),
+    "tilt_x": Q("rad", "rotation of body 1 relative to body 2 about x", "mrad", "tilt about x"),
+    "tilt_y": Q("rad", "rotation of body 1 relative to body 2 about y", "mrad", "tilt about y"),
+    "moment_x": Q("N m", "moment of the pressure on body 2 about x", "N m", "moment about x"),
+    "moment_y": Q("N m", "moment of the pressure on body 2 about y", "N m", "moment about y"),
     "tangential_load_x": Q(
         "N", "tangential force on body 2 along +x", "N",
         "tangential force, x", "tangential\nforce, x",

@@ -195,6 +195,8 @@ def reason_for_grid(case: Any) -> str:
         return "grid.periodic prescribes the period"
     if case.wear is not None:
         return "wear changes the size of the contact"
+    if any(segment.tilting for segment in case.path):
+        return "moments and tilts move the contact"
     if not case.surface.is_known:
         return "the heights of the surface are given at samples"
     for name in ("relief1", "relief2"):

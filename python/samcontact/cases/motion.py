@@ -27,8 +27,9 @@ from .base import (
     convert,
     in_unit,
 )
-from .slipping import TANGENTIAL_FIELDS, EndState, Force, Fretting, TangentialSection
+from .slipping import TANGENTIAL_FIELDS, EndState, Force, Fretting
 from .surface_shape import SelfAffineRoughness
+from .tilting import TILTING_FIELDS, TiltingSection
 
 if TYPE_CHECKING:
     from ..problem.grid import Grid
@@ -81,7 +82,7 @@ class Sliding(_Passes):
     slider: BodyNumber = 1
 
 
-class Segment(TangentialSection):
+class Segment(TiltingSection):
     """[[path]]: ramp of load or approach from the previous value, or passes at a constant value."""
 
     load: Annotated[Finite, in_unit("N")] | None = None
@@ -142,13 +143,25 @@ class Segment(TangentialSection):
         if self.spacing == "linear" and changed(self, ["exponent"]):
             raise ValueError('exponent requires spacing = "power"')
         if kinds:
-            others = {"start", "spacing", "exponent", "advance", *TANGENTIAL_FIELDS}
+            others = {
+                "start",
+                "spacing",
+                "exponent",
+                "advance",
+                *TANGENTIAL_FIELDS,
+                *TILTING_FIELDS,
+            }
             others.add("duration" if self.fret is None else "heat_factor")
             given = sorted(changed(self, others))
             if given:
                 hint = ": set its speed instead of duration" if "duration" in given else ""
                 names = ", ".join(given)
                 raise ValueError(f"{kinds[0]} cannot be combined with {names}{hint}")
+        if self.approach is not None and any(n.startswith("moment") for n in self.tilting):
+            raise ValueError(
+                "moment_x and moment_y cannot be combined with approach: prescribe load and "
+                "moment, or approach and tilt"
+            )
         if self.torque is not None and self.advance is not None:
             raise ValueError(
                 "torque cannot be combined with advance: prescribe twist = spin * distance rolled"
@@ -177,7 +190,10 @@ class Segment(TangentialSection):
 
     def scaled(self, factor: float) -> Segment:
         """Return a copy with all forces multiplied by a factor."""
-        forces = ("load", "start", "tangential_load_x", "tangential_load_y", "torque")
+        forces = (
+            "load", "start", "tangential_load_x", "tangential_load_y", "torque", "moment_x",
+            "moment_y",
+        )  # fmt: skip
         return self.model_copy(
             update={name: factor * v for name in forces if (v := getattr(self, name)) is not None}
             | {n: part.scaled(factor) for n in ("roll", "fret") if (part := getattr(self, n))}
@@ -205,7 +221,9 @@ class Segment(TangentialSection):
             options = {"increments": self.increments, "heat_factor": self.heat_factor}
             options |= self.passes.model_dump() | {name: target}
             make: Any = paths.rolling if self.roll is not None else paths.sliding
-            return make(**options), EndState("load")
+            return make(**options), reached._replace(
+                quantity="load", value=0.0, forces=(0.0, 0.0, 0.0)
+            )
         start = self.start
         if start is None:
             if reached[0] not in ("", name):
@@ -222,7 +240,7 @@ class Segment(TangentialSection):
             "heat_factor": self.heat_factor,
         }
         optional = (self.advance, self.duration, self.heat_factor)
-        if target == start and (self.along or optional != (None, None, None)):
+        if target == start and (self.along or self.tilting or optional != (None, None, None)):
             if changed(self, ["spacing"]):
                 raise ValueError(
                     f"spacing requires a change of {name}, which stays at {target!r}: omit spacing"
@@ -231,8 +249,8 @@ class Segment(TangentialSection):
         else:
             steps = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
         parts = fractions(self.increments, self.spacing, self.exponent)
-        ends = EndState(name, target, reached.forces)
-        return steps, self.add_along(steps, parts.tolist(), ends)
+        ends = self.add_along(steps, parts.tolist(), reached._replace(quantity=name, value=target))
+        return steps, self.add_tilting(steps, parts.tolist(), ends)
 
 
 class FileRelief(HeightsFile):

@@ -21,7 +21,7 @@ Force = Annotated[Finite, in_unit("N")]
 
 
 class EndState(NamedTuple):
-    """End of a path segment: name and value of load or approach, tangential forces, torque.
+    """End of a path segment: load or approach, tangential forces and torque, moments and tilts.
 
     A force is None after a prescribed motion, because this force is unknown before the solution.
     """
@@ -29,6 +29,8 @@ class EndState(NamedTuple):
     quantity: str = ""
     value: float = 0.0
     forces: tuple[float | None, ...] = (0.0, 0.0, 0.0)
+    about: tuple[tuple[float | None, float | None], ...] = ((0.0, 0.0), (0.0, 0.0))
+    """Moment and tilt, about x and about y; None if unknown."""
 
 
 class TangentialSection(Section):

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from .. import _core
 from .._util import memory
-from .._util.checks import FloatArray, exactly_one, finite_array, number, require_type
+from .._util.checks import FloatArray, finite_array, require_type
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
@@ -29,6 +29,7 @@ from .border_advice import add_border_remedies, advised
 from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
+from .normal_drive import NormalDrive
 from .tangential_drive import Pressing, TangentialDriver, tangential_drive
 
 
@@ -141,6 +142,8 @@ class ContactSolver(ContactFields):
         *,
         load: float | None = None,
         approach: float | None = None,
+        moment: Sequence[float | None] | None = None,
+        tilt: Sequence[float | None] | None = None,
         shift: Sequence[float | None] | None = None,
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
@@ -163,7 +166,16 @@ class ContactSolver(ContactFields):
         load : float
             Normal load [N], >= 0; with attraction, >= minus the maximum tensile force.
         approach : float
-            Rigid-body approach [m]. Exactly one of load and approach must be given.
+            Rigid-body approach at the origin of the grid [m]. Exactly one of load and approach must
+            be given.
+        moment : pair of float, optional
+            Moment about x and y on body 2 at the origin of the grid [N m], together with `load`: a
+            load that acts at (x, y) has the moment (load y, -load x). The tilt follows from it. A
+            moment beyond the edge of the bodies has no equilibrium. None for an axis leaves it to
+            `tilt`; across a periodic direction there is neither moment nor tilt.
+        tilt : pair of float, optional
+            Rotation of body 1 relative to body 2 about x and y [rad], which lowers body 1 by
+            tilt[0] y - tilt[1] x. An axis without moment and tilt does not rotate.
         shift : pair of float, optional
             With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
             increment [m]. `None` for a component, or for both, means that `tangential_load`
@@ -229,7 +241,8 @@ class ContactSolver(ContactFields):
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
-        return solve_driven(self, gap, load, approach, drive, initial_pressure)
+        normal = NormalDrive.of(load, approach, moment, tilt)
+        return solve_driven(self, gap, normal, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:
         """Return a copy of this solver for a grid with other numbers of cells along x and y."""
@@ -240,15 +253,14 @@ class ContactSolver(ContactFields):
         self,
         start: FloatArray | None,
         window: Domain,
-        driver: str,
-        value: float,
+        normal: NormalDrive,
         drive: TangentialDriver,
     ) -> tuple[ContactSolution, str]:
         """Return the solution, and a message if the contact reaches the grid edge ("" if not).
 
         If the iteration from `start` does not converge, it is repeated without `start`.
         """
-        contact = window.initial_gap, driver == "load", value
+        contact = window.initial_gap, normal.to_core()
         try:
             return self._solved(contact, drive, start)
         except _core.ConvergenceError:
@@ -279,15 +291,13 @@ def _made(
 def solve_driven(  # warnings show the line two calls up
     initial: ContactSolver,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
-    load: float | None,
-    approach: float | None,
+    normal: NormalDrive,
     drive: TangentialDriver,
     initial_pressure: ArrayLike | None = None,
 ) -> ContactSolution:
-    """Solve the contact for a load [N] or an approach [m], and a tangential drive."""
-    driver = exactly_one(load=load, approach=approach)
-    value = number(driver, load if approach is None else approach)
-    if driver == "approach":
+    """Solve the contact for a normal and a tangential drive."""
+    target = normal.target
+    if normal.name == "approach":
         require_reference(initial.heat)
     start = None
     if initial_pressure is not None:
@@ -300,25 +310,24 @@ def solve_driven(  # warnings show the line two calls up
     window, bodies = surfaces.over(solver.grid), (initial.body1, initial.body2)
     pulled = initial.contact_law.attracts
     setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
-    target = {"load": load, "approach": approach}
     finding = setup.warn_of_units(
         initial.heat, target, is_loaded=drive.previous is not None, stacklevel=3
     )
     while True:
         try:
-            solution, complaint = solver._solved_from(start, window, driver, value, drive)
+            solution, complaint = solver._solved_from(start, window, normal, drive)
             break
         except _core.ConvergenceError as error:
             hertz_estimate.explain_digits(error, setup.gap)
             raise
         except _core.GridTooSmallError as error:
-            hertz_estimate.explain_size(error, setup.hertz(load, approach))
+            hertz_estimate.explain_size(error, setup.hertz(**target))
             if not callable(gap) and not initial.grid.periodic:
                 add_border_remedies(error, setup)
             if not callable(gap) or initial.grid.periodic or pulled:
                 raise
             with explain_failed_enlargement(error, window.grid):
-                counts = counts_for(error, initial.grid, setup, load, approach)
+                counts = counts_for(error, initial.grid, setup, **target)
                 solver, before = initial._over(counts), window
                 window = surfaces.over(solver.grid)
                 require_consistent_overlap(window, before)

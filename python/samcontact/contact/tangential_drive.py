@@ -25,8 +25,8 @@ from ..solutions.contact_solution import (
 
 _DIRECTIONS = ("x", "y")
 
-Pressing = tuple[FloatArray, bool, float]
-"""Initial gap [m]; whether the load is prescribed (not the approach); load [N] or approach [m]."""
+Pressing = tuple[FloatArray, _core.Drive]
+"""Initial gap [m]; load or approach, and moments or tilts."""
 Settings = tuple[float, int, bool, bool]
 """Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether,
 without convergence, the state with the smallest error is accepted."""
@@ -95,19 +95,19 @@ class TangentialDrive:
         """Mean displacement of both surfaces through the grid [m]."""
         return 0.5 * (self.travels[0] + self.travels[1])
 
-    def _before(self, grid: Grid) -> Before | tuple[None, None, None, float]:
+    def _before(self, grid: Grid) -> Before | tuple[None, None, None, float, tuple[float, float]]:
         """Return the fields at the end of the preceding increment, on the current grid."""
         if self.previous is None:
-            return None, None, None, 0.0
+            return None, None, None, 0.0, (0.0, 0.0)
         before = before_on(self.previous, grid)
         cells = round(self.mean_travel / grid.dx)
         if cells == 0:
             return before
-        pressure, shear, _, approach = before
+        pressure, shear, _, approach, tilt = before
         if grid.along_x:
-            return np.roll(pressure, cells, -2), np.roll(shear, cells, -2), None, approach
+            return np.roll(pressure, cells, -2), np.roll(shear, cells, -2), None, approach, tilt
         _require_kept(pressure, cells, grid)
-        return carried(pressure, cells), carried(shear, cells), None, approach
+        return carried(pressure, cells), carried(shear, cells), None, approach, tilt
 
     def solved(
         self,
@@ -118,7 +118,7 @@ class TangentialDrive:
         settings: Settings,
     ) -> tuple[PartialSlipSolution, str]:
         """Return the solution with accumulated motions, and a message about the grid edge."""
-        p, s, g, d = self._before(grid)
+        p, s, g, d, tilt = self._before(grid)
         moves = self.mean_travel != 0
         if start is None and moves and self.previous is not None:
             start = before_on(self.previous, grid)[0]  # the contact keeps its position on the grid
@@ -131,7 +131,9 @@ class TangentialDrive:
             y -= lead * turn
         drive = self.given.is_force, (x, y, turn)
         tol, most, refuse, accept = settings
-        found = core.solve(*contact, *drive, p, s, g, d, moves, start, tol, most, refuse, accept)
+        found = core.solve(
+            *contact, *drive, p, s, g, d, tilt, moves, start, tol, most, refuse, accept
+        )
         dx, dy, turned = found.pop("motion")
         return self._total(grid, found, (dx, dy + lead * turned), turned)
 
@@ -262,8 +264,8 @@ def _maybe(name: str, value: Any) -> float | None:
     return None if value is None else finite(name, value)
 
 
-def pair_of(name: str, pair: Any) -> list[float | None]:
-    """Return a pair of numbers along x and y, each of which may be None."""
+def pair_of(name: str, pair: Any, relation: str = "along") -> list[float | None]:
+    """Return a pair of numbers along (or about) x and y, each of which may be None."""
     if pair is None:
         return [None, None]
     if (
@@ -271,7 +273,7 @@ def pair_of(name: str, pair: Any) -> list[float | None]:
         or not hasattr(pair, "__len__")
         or (isinstance(pair, np.ndarray) and pair.ndim == 0)
     ):
-        raise TypeError(f"{name} must be two numbers, along x and y, got {in_short(pair)}")
+        raise TypeError(f"{name} must be two numbers, {relation} x and y, got {in_short(pair)}")
     if len(pair) != 2:
-        raise ValueError(f"{name} must be two numbers, along x and y, got {len(pair)}")
-    return [_maybe(f"{name} along {a}", v) for a, v in zip(_DIRECTIONS, pair, strict=True)]
+        raise ValueError(f"{name} must be two numbers, {relation} x and y, got {len(pair)}")
+    return [_maybe(f"{name} {relation} {a}", v) for a, v in zip(_DIRECTIONS, pair, strict=True)]

@@ -242,18 +242,18 @@ def _work(simulation: Simulation, states: Sequence[State]) -> FloatArray:
     """Return the work of forces, moments and travel in each increment after the first [J]."""
     values = np.array([_forces_and_motions(simulation, state) for state in states])
     load, approach = values[:, 0], values[:, 1]
-    forces, motions = values[:, 2:5], values[:, 5:]
+    forces, motions = values[:, 2:7], values[:, 7:]
     along: FloatArray = np.sum(0.5 * (forces[1:] + forces[:-1]) * np.diff(motions, axis=0), axis=1)
     normal: FloatArray = _mean_load(load[:-1], load[1:]) * np.diff(approach)
     return along + normal + _work_of_travel(simulation, states)
 
 
 def _forces_and_motions(simulation: Simulation, state: State) -> tuple[float, ...]:
-    """Return load, approach, tangential force and moment, and the motions of force and moment."""
-    forces = state.load, state.approach, *state.tangential_load, state.torque
+    """Return load, approach, other forces and moments, and the motions of these."""
+    forces = (state.load, state.approach, *state.tangential_load, state.torque, *state.moment)
     if _slides_fully(simulation):
-        return *forces, state.travel[0] - state.travel[1], 0.0, 0.0
-    return *forces, *state.shift, state.twist
+        return *forces, state.travel[0] - state.travel[1], 0.0, 0.0, *state.tilt
+    return *forces, *state.shift, state.twist, *state.tilt
 
 
 def _work_of_travel(simulation: Simulation, states: Sequence[State]) -> FloatArray:

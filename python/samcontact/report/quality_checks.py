@@ -67,6 +67,16 @@ def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
     return Check(name, error, tol)
 
 
+def _lowered_by_tilt(dataset: xr.Dataset) -> FloatArray:
+    """Return the lowering of body 1 by the tilts [m], shape (increment, x, y)."""
+    if "tilt_x" not in dataset:
+        return np.zeros((dataset.sizes["increment"], 1, 1))
+    x, y = dataset["x"].values, dataset["y"].values
+    about_x, about_y = (dataset[f"tilt_{axis}"].values[:, None, None] for axis in "xy")
+    lowered: FloatArray = about_x * y - about_y * x[:, None]
+    return lowered
+
+
 def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
     """Check that pressure and gap are not negative and that one of them is zero in each cell."""
     approach = dataset["approach"].values
@@ -77,7 +87,8 @@ def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
     gap = dataset["gap"].values[solved]
     initial = dataset["initial_gap"].values
     body = np.isfinite(initial)
-    moved = gap - np.where(body, initial, 0.0) + approach[solved, None, None]
+    lowered = approach[solved, None, None] + _lowered_by_tilt(dataset)[solved]
+    moved = gap - np.where(body, initial, 0.0) + lowered
     # the displacement is undefined where there is no body
     displacement: FloatArray = np.max(np.abs(moved), axis=(1, 2), initial=0.0, where=body)
     name = "minimum contact pressure"

@@ -20,7 +20,7 @@ from .identity import Identity, differences
 from .tree import Tree, read_tree, write_tree
 
 _FORMAT = "samcontact checkpoint"
-_FORMAT_VERSION = 11
+_FORMAT_VERSION = 12
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 
 READ_ERRORS = (

@@ -160,6 +160,11 @@ def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:
     dataset.coords["increment"] = CONTACT["increment"].variable("increment", numbers)
     for name, value in _SCALARS.items():
         add(dataset, name, "increment", np.array([value(state) for state in states]))
+    if any(np.any(state.tilt) for state in states):
+        for name in ("tilt", "moment"):
+            for number, axis in enumerate("xy"):
+                values = np.array([getattr(state, name)[number] for state in states])
+                add(dataset, f"{name}_{axis}", "increment", values)
 
 
 def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:

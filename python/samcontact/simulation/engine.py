@@ -122,7 +122,7 @@ class Engine:
         """
         with self.access:
             while True:
-                step = self._arguments.checked(self.heat, **given)
+                step = self._arguments.checked(self.heat, **given, held_tilt=self.core.tilt)
                 target = step.target
                 self.setup.contact_law.require_possible(step.heat, given)
                 if monitor.checks_steps:
@@ -153,7 +153,7 @@ class Engine:
                 self.core.stand_at(before)
                 raise
         self.heat = step.heat
-        if self.estimate.plastic and step.kind != "pressure" and self.hold_strain(core):
+        if self.estimate.plastic and step.normal is not None and self.hold_strain(core):
             state = self.state
         self.history.add(given)
         complaints: list[str] = core.warnings

@@ -14,6 +14,8 @@ Step = Mapping[str, Any]
 Ends = list[tuple[int, int]]
 """Index pairs (from 0): an increment of one path, and one of another path with an equal target."""
 _TARGETS = ("load", "approach", "torque")
+_PAIRS = ("tangential_load", "moment", "tilt")
+"""Targets along or about x and y, each of which may be None."""
 _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0
 _MAX_REMAINING_FRACTION = 0.65
@@ -80,9 +82,9 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
     found = {name: abs(step[name] - before[name]) for name in _TARGETS if name in step}
     if "twist" in step:
         found["twist"] = abs(step["twist"])
-    for name in ("tangential_load", "shift", "advance"):
+    for name in (*_PAIRS, "shift", "advance"):
         if name in step:
-            starts = before[name] if name == "tangential_load" else (0.0, 0.0)
+            starts = before[name] if name in _PAIRS else (0.0, 0.0)
             changes = [0.0 if q is None else q - p for p, q in zip(starts, step[name], strict=True)]
             found[name] = max(map(abs, changes))
     return found
@@ -93,7 +95,8 @@ def _before(
 ) -> dict[str, Any]:
     """Return load, approach and other targets before an increment; computed if not prescribed."""
     if number == 0:
-        return {"load": 0.0, "approach": start, "torque": 0.0, "tangential_load": (0.0, 0.0)}
+        pairs = dict.fromkeys(_PAIRS, (0.0, 0.0))
+        return {"load": 0.0, "approach": start, "torque": 0.0, **pairs}
     step, state = path[number - 1], states[number - 1]
     approach = state.approach if state.load > 0 else start
     found: dict[str, Any] = {"load": state.load, "approach": approach, "torque": state.torque}
@@ -101,6 +104,9 @@ def _before(
     rounding = 1e-9 * state.load
     held = ((given, q if abs(q) > rounding else 0.0) for given, q in forces)
     found["tangential_load"] = tuple(q if given is None else given for given, q in held)
+    for name in {"moment", "tilt"} & path[number].keys():
+        reached = zip(step.get(name, (None, None)), getattr(state, name), strict=True)
+        found[name] = tuple(float(q) if given is None else given for given, q in reached)
     return found | {name: step[name] for name in _TARGETS if name in step}
 
 
@@ -119,11 +125,12 @@ def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, A
     for name in _MOTIONS:
         if name in step:
             first[name] = second[name] = 0.5 * step[name]
-    if "tangential_load" in step:
-        first["tangential_load"] = tuple(
-            None if q is None else 0.5 * (p + q)
-            for p, q in zip(before["tangential_load"], step["tangential_load"], strict=True)
-        )
+    for name in _PAIRS:
+        if name in step:
+            first[name] = tuple(
+                None if q is None else 0.5 * (p + q)
+                for p, q in zip(before[name], step[name], strict=True)
+            )
     if "shift" in step:
         first["shift"] = second["shift"] = tuple(
             None if s is None else 0.5 * s for s in step["shift"]
@@ -136,9 +143,9 @@ def _continues(before: Step, step: Step, after: Step) -> bool:
     if step.keys() != after.keys():
         return False
     changes = [(before[name], step[name], after[name]) for name in _TARGETS if name in step]
-    if "tangential_load" in step:
-        changes += zip(before["tangential_load"], step["tangential_load"], after["tangential_load"],
-                    strict=True)  # fmt: skip
+    for name in _PAIRS:
+        if name in step:
+            changes += zip(before[name], step[name], after[name], strict=True)
     changes += [(0.0, step[n], step[n] + after[n]) for n in ("twist",) if n in step]
     for name in ("shift", "advance"):
         if name in step:

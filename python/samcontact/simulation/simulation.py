@@ -192,6 +192,8 @@ class Simulation(Configured, HtmlTable):
         torque: float | None = None,
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
+        moment: Sequence[float | None] | None = None,
+        tilt: Sequence[float | None] | None = None,
     ) -> State:
         """Advance by one increment under load control, approach control or prescribed pressure.
 
@@ -200,32 +202,30 @@ class Simulation(Configured, HtmlTable):
         load, approach : float
             Normal load [N], >= 0 or, with attraction, >= minus the attractive force; approach [m].
         pressure : array_like, shape (nx, ny)
-            Prescribed pressure [Pa]; the contact is not solved. Excludes `load` and `approach`.
+            Prescribed pressure [Pa], without load and approach; the contact is not solved.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
-            Prescribed shear traction s_x, or (s_x, s_y), on body 2 [Pa]. Only with `pressure`.
-            Default: friction * pressure.
+            Shear s_x, or (s_x, s_y), on body 2 [Pa], with `pressure`; default friction * pressure.
         advance : pair of floats, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
             positive along +x [m]. Equal values mean rolling towards -x, different values sliding by
-            the difference (creepage with `Coulomb`). Plastic strain moves with the body; the grid
-            stays with the contact. Motion by whole cells is exact; otherwise see `State.origin`.
+            the difference (creepage with `Coulomb`). Plastic strain moves with the body. Motion by
+            whole cells is exact; else see `State.origin`.
         shift : pair of floats, optional
-            With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
-            increment [m]. None for a component leaves that direction to `tangential_load`.
+            With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
+            [m]. None for a component leaves that direction to `tangential_load`.
         tangential_load : pair of floats, optional
-            With `Coulomb`: force on body 2 at the end of the increment [N]. A direction without
-            prescribed force or displacement is held fixed.
+            With `Coulomb`: final force on body 2 [N]. A direction without force and shift is held.
         twist : float, optional
-            With `Coulomb`: rotation of body 1 relative to body 2 about z at the origin, in this
-            increment [rad]; for rolling bodies, spin times mean distance. Not with `torque`.
+            With `Coulomb`: rotation of body 1 over body 2 about z in this increment [rad].
         torque : float, optional
-            Final moment on body 2 [N m]. Without twist and torque, the bodies do not rotate.
+            Final moment on body 2 [N m]. Without twist and torque, no rotation.
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s], > 0. Only with `heat.history`, where the heat flux
-            follows the pressure at the end of the increment, or with `heat.partition`. With
-            `heat.history`, unloaded bodies may move at once, in the duration 0.
+            Duration of the increment [s], > 0, with `heat.history` (the heat flux follows the final
+            pressure; unloaded bodies may move at once, in the duration 0) or `heat.partition`.
+        moment, tilt : pair of floats, optional
+            As in `ContactSolver.solve`, at the end of the increment. Without both, no rotation.
 
         Returns
         -------
@@ -251,9 +251,9 @@ class Simulation(Configured, HtmlTable):
             With on_stall="warn", ConvergenceWarning is issued for each increment concerned.
         """
         given = {
-            "load": load, "approach": approach, "pressure": pressure, "shear": shear,
-            "advance": advance, "shift": shift, "tangential_load": tangential_load,
-            "twist": twist, "torque": torque, "heat_factor": heat_factor, "duration": duration,
+            "load": load, "approach": approach, "pressure": pressure, "shear": shear, "tilt": tilt,
+            "advance": advance, "shift": shift, "tangential_load": tangential_load, "twist": twist,
+            "torque": torque, "heat_factor": heat_factor, "duration": duration, "moment": moment,
         }  # fmt: skip
         state, found = self.engine.advance(given, self.monitor)
         self.monitor.warn(state, self.engine.estimate, found, stacklevel=2)

@@ -20,6 +20,7 @@ from .._util.checks import (
     value_per_body,
 )
 from .._util.short_text import in_short
+from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
 from ..problem.cell_fields import shear_components
@@ -35,7 +36,7 @@ from ..problem.heating import (
 
 STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
-    "torque", "heat_factor", "duration",
+    "torque", "heat_factor", "duration", "moment", "tilt",
 )  # fmt: skip
 """Arguments of `Simulation.step`."""
 
@@ -44,8 +45,8 @@ STEP_ARGUMENTS = (
 class Step:
     """Targets and motions of an increment for the core, and the heat from this increment on."""
 
-    kind: str
-    value: float
+    normal: NormalDrive | None
+    """None with prescribed tractions."""
     heat: Heat
     heating: list[Any]
     duration: float
@@ -58,17 +59,22 @@ class Step:
     @property
     def target(self) -> dict[str, float]:
         """Load or approach, as a dictionary with one entry; empty with prescribed tractions."""
-        return {} if self.kind == "pressure" else {self.kind: self.value}
+        return {} if self.normal is None else self.normal.target
 
     def to_core(self) -> dict[str, Any]:
         given = vars(self).copy()
         del given["heat"]
-        drive = given.pop("tangential")
-        return given | {"is_force": drive.is_force, "tangential": drive.values}
+        drive, normal = given.pop("tangential"), given.pop("normal") or _NO_LOAD
+        return given | {
+            "drive": normal.to_core(),
+            "is_force": drive.is_force,
+            "tangential": drive.values,
+        }
 
 
 AT_REST = 0.0, 0.0
 """Default of `advance`."""
+_NO_LOAD = NormalDrive("load", 0.0)
 _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
 
@@ -94,26 +100,31 @@ class StepArguments:
         torque: float | None = None,
         heat_factor: float | Sequence[float] | None = None,
         duration: float | None = None,
+        moment: Sequence[float | None] | None = None,
+        tilt: Sequence[float | None] | None = None,
+        held_tilt: Sequence[float] = UNTILTED,
     ) -> Step:
-        """Check arguments of `Simulation.step`, given the current heat, and return the step."""
+        """Check the arguments of `Simulation.step`, given heat and tilt, and return the step."""
         grid, friction = self.grid, self.friction
         kind = exactly_one(load=load, approach=approach, pressure=pressure)
-        value = 0.0
+        normal: NormalDrive | None = None
         given: dict[str, FloatArray | None] = {}
         if pressure is not None:
+            _require_no_tilt(moment=moment, tilt=tilt)
             given = dict(zip(("shear_x", "shear_y"), shear_components(grid, shear), strict=True))
             given["pressure"] = tractions("pressure", pressure, grid.surface_shape)
         elif shear is not None:
             raise ValueError(f"shear cannot be combined with {kind}: set friction instead")
         else:
-            value = number(kind, load if kind == "load" else approach)
+            normal = NormalDrive.of(load, approach, moment, tilt, held_tilt)
         travels = AT_REST if advance is AT_REST else _travels(grid, advance)
         tangential = _NO_MOTION
         if not (shift is None and tangential_load is None and twist is None and torque is None):
             tangential = given_along(friction, shift, tangential_load, twist, torque)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
-        lasts = _duration(heat, duration, is_unloaded=kind == "load" and value == 0.0)
+        is_unloaded = normal is not None and normal.target == {"load": 0.0}
+        lasts = _duration(heat, duration, is_unloaded=is_unloaded)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
@@ -121,7 +132,7 @@ class StepArguments:
             )
         if heat_factor is not None:
             heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
-        is_loaded = (kind, value) != ("load", 0.0)
+        is_loaded = not is_unloaded
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
             if heat.track is not None and is_loaded:
@@ -132,7 +143,7 @@ class StepArguments:
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
-        return Step(kind, value, heat, heated, lasts or 0.0, travels, tangential, **given)
+        return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""
@@ -177,6 +188,15 @@ def _require_possible(
             f"torque cannot be combined with advance, got {in_short(torque)}: prescribe "
             "twist = spin x distance rolled"
         )
+
+
+def _require_no_tilt(**given: Any) -> None:
+    for name, value in given.items():
+        if value is not None:
+            raise ValueError(
+                f"{name} cannot be combined with a prescribed pressure, got {in_short(value)}: "
+                "no equilibrium is solved"
+            )
 
 
 def largest_cold_load(steps: Sequence[Mapping[str, Any]]) -> float | None:

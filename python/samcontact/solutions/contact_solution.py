@@ -17,8 +17,8 @@ from ..problem.grid import Grid
 from .contact_area import contact_area
 from .outline import Outline, outline_of
 
-Before = tuple[FloatArray, FloatArray, FloatArray | None, float]
-"""Pressure, shear, gap and approach at the end of an increment; None for an unknown quantity."""
+Before = tuple[FloatArray, FloatArray, FloatArray | None, float, tuple[float, float]]
+"""Pressure, shear, gap (None if unknown), approach and tilt at the end of an increment."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
@@ -36,9 +36,15 @@ class ContactSolution(ShortRepr, HtmlTable):
     gap : ndarray, shape (nx, ny)
         Separation under load [m]; zero, to the accuracy `error`, where the repulsion is positive.
     approach : float
-        Rigid-body approach [m].
+        Rigid-body approach at the origin of the grid [m].
+    tilt : ndarray, shape (2,)
+        Rotation of body 1 relative to body 2 about x and y [rad]: body 1 is lowered by
+        ``approach + tilt[0] * y - tilt[1] * x``.
     load : float
         Normal load [N].
+    moment : ndarray, shape (2,)
+        Moment of the pressure on body 2 about x and y at the origin of the grid [N m]: the sums of
+        ``p y`` and ``-p x`` over the area.
     iterations : int
         Conjugate-gradient iterations on this grid; iterations on coarser grids are not counted.
     operator_applications : int
@@ -60,7 +66,9 @@ class ContactSolution(ShortRepr, HtmlTable):
     repulsion: FloatArray
     gap: FloatArray
     approach: float
+    tilt: FloatArray
     load: float
+    moment: FloatArray
     iterations: int
     operator_applications: int
     work: float
@@ -88,6 +96,7 @@ class ContactSolution(ShortRepr, HtmlTable):
         return [
             ("load", quantity(self.load, "N")),
             ("approach", quantity(self.approach, "m")),
+            *rows_of_tilt(self.tilt, self.moment),
             ("maximum pressure", quantity(float(self.pressure.max()), "Pa")),
             ("contact area", quantity(self.contact_area, "m²")),
             ("cells in contact", f"{np.count_nonzero(self.in_contact)} of {self.pressure.size}"),
@@ -241,6 +250,13 @@ def both(values: FloatArray, unit: str) -> str:
     return ", ".join(quantity(float(v) if abs(v) > small else 0.0, unit) for v in values)
 
 
+def rows_of_tilt(tilt: FloatArray, moment: FloatArray) -> Rows:
+    """Return table rows of tilt and moment about x and y; none without tilt."""
+    if not np.any(tilt):
+        return []
+    return [("tilt", both(tilt, "rad")), ("moment", both(moment, "N m"))]
+
+
 def fits(solution: ContactSolution, grid: Grid) -> bool:
     """Whether a grid contains all cells of the grid of a solution; more cells are allowed."""
     own = solution.grid
@@ -250,7 +266,7 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 
 
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
-    """Return pressure, shear, gap and approach of a solution on a grid with equal cells.
+    """Return pressure, shear, gap, approach and tilt of a solution on a grid with equal cells.
 
     Raises ValueError for a grid with other cells; `name` is the argument named in the message."""
     if not fits(solution, grid):
@@ -263,4 +279,5 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
     ]
     p, s = np.pad(solution.pressure, margins), np.pad(solution.shear, [(0, 0), *margins])
     known = grid.surface_shape == solution.grid.surface_shape
-    return p, s, solution.gap if known else None, solution.approach
+    tilt = float(solution.tilt[0]), float(solution.tilt[1])
+    return p, s, solution.gap if known else None, solution.approach, tilt

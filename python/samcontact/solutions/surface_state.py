@@ -15,16 +15,42 @@ from ..problem.contact_law import in_contact
 from ..problem.grid import Grid
 from ..problem.setup import SimulationSetup
 from .contact_area import contact_area
-from .contact_solution import both
+from .contact_solution import both, rows_of_tilt
 from .outline import Outline, outline_of
 from .stress_at_points import require_closed_forms, stress_at_points
 
 
-class SurfaceState:
+class RigidMotionState:
+    """Normal rigid-body motion at the end of an increment, and the moment of the pressure."""
+
+    _core: Any
+
+    @property
+    def approach(self) -> float:
+        """Rigid-body approach at the origin [m]; NaN under prescribed tractions."""
+        return float(self._core.approach)
+
+    @property
+    def tilt(self) -> FloatArray:
+        """Rotation of body 1 relative to body 2 about x and y [rad], shape (2,).
+
+        Body 1 is lowered by ``approach + tilt[0] * y - tilt[1] * x``.
+        """
+        return np.array(self._core.tilt)
+
+    @property
+    def moment(self) -> FloatArray:
+        """Moment of the pressure on body 2 about x and y at the origin [N m], shape (2,).
+
+        It is the sum of ``p y`` and of ``-p x`` over the area.
+        """
+        return np.array(self._core.moment())
+
+
+class SurfaceState(RigidMotionState):
     """Tractions, gap and rigid-body motion at the end of an increment."""
 
     grid: Grid
-    _core: Any
     setup: SimulationSetup
 
     @cached_property
@@ -170,16 +196,12 @@ class SurfaceState:
         area = self.contact_area
         return self.load / area if area > 0 else 0.0
 
-    @property
-    def approach(self) -> float:
-        """Rigid-body approach [m]; NaN under prescribed tractions."""
-        return float(self._core.approach)
-
 
 def rows_along_surface(state: SurfaceState) -> Rows:
-    """Return table rows of tangential forces and motions; none in full sliding."""
+    """Return table rows of tilts, and in partial slip of tangential forces and motions."""
+    tilted = rows_of_tilt(state.tilt, state.moment)
     if not state.setup.friction.sticks:
-        return []
+        return tilted
     touching = int(np.count_nonzero(state.in_contact))
     rows = [
         ("tangential load", both(state.tangential_load, "N")),
@@ -190,7 +212,7 @@ def rows_along_surface(state: SurfaceState) -> Rows:
     if state.twist != 0.0:
         rotational = [("torque", state.torque, "N m"), ("twist", state.twist, "rad")]
         rows[2:2] = [(name, quantity(value, unit)) for name, value, unit in rotational]
-    return rows
+    return [*tilted, *rows]
 
 
 def _require_sticking(name: str, setup: SimulationSetup) -> None:

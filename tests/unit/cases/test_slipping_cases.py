@@ -165,7 +165,7 @@ def test_forces_scale_with_other_loads():
     ("segment", "message"),
     [
         ("load = 700.0\nforce_x = 1.0", r"path\[1\]\.force_x: .*did you mean tangential_load_x\?"),
-        ("load = 700.0\nmoment = 1.0", r"path\[1\]\.moment: .*did you mean torque\?"),
+        ("load = 700.0\nmoment = 1.0", r"path\[1\]\.moment: .*did you mean moment_x\?"),
         ("load = 700.0\nshift_x = '1 N'", r"path\[1\]\.shift_x: must be .* converts to m, got"),
         (
             "load = 700.0\nshift_x = 1.0\ntangential_load_x = 1.0",

@@ -69,7 +69,7 @@ class ContactSolver {
   /// Throws ConvergenceError unless the solution has converged.
   void require_solved(const Solution& solution, const Drive& drive,
                       const ContactSettings& settings) const;
-  Solution solve_coupled(const Field& gap, Given normal, Field pressure,
+  Solution solve_coupled(const Field& gap, const Drive& drive, Field pressure,
                          const ContactSettings& settings) const;
 
   Grid grid_;

@@ -20,7 +20,7 @@ struct LaggedContact {
 /// Repeats the solution until the lagged part equals that of its own pressure; slow iterations are
 /// accelerated. The error of the solution contains the change of the lagged part in the contact,
 /// relative to the largest other displacement.
-Solution solve_lagged(const LaggedContact& contact, const Field& gap, Given normal, Field pressure,
-                      double tol);
+Solution solve_lagged(const LaggedContact& contact, const Grid& grid, const Field& gap,
+                      const Drive& drive, Field pressure, double tol);
 
 }  // namespace samcontact::contact

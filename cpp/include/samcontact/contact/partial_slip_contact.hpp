@@ -22,7 +22,7 @@ struct ContactHistory {
                    // second
   Field shear;     // [2][i][j] [Pa], on body 2
   Field gap;       // [i][j] [m]; empty: gap of the present surfaces under these tractions
-  double approach = 0.0;
+  RigidMotion motion = {};
   /// Whether the contact has moved over the surfaces: the tractions are given at the present
   /// positions of their cells, and newly contacting cells enter from the side of the contact.
   bool has_moved = false;
@@ -66,14 +66,14 @@ class PartialSlipContact {
   /// constant. If the sweeps stall, settings.after_stall states what follows. Throws
   /// std::invalid_argument (invalid input, a force above the friction limit), GridTooSmallError and
   /// ConvergenceError.
-  PartialSlipSolution solve(const Field& gap, Given normal, const TangentialDrive& tangential,
+  PartialSlipSolution solve(const Field& gap, const Drive& drive, const TangentialDrive& tangential,
                             const ContactHistory& before, const PartialSlipStart& start,
                             const ContactSettings& settings) const;
 
   /// Solves steady rolling towards +x with creepages along x and y and a spin, per distance rolled
   /// [-, -, 1/m], or with the corresponding forces. Slip [-] and friction work [N] of the solution
   /// are per distance rolled as well. Throws as solve() does.
-  PartialSlipSolution roll(const Field& gap, Given normal, const TangentialDrive& creepage,
+  PartialSlipSolution roll(const Field& gap, const Drive& drive, const TangentialDrive& creepage,
                            const PartialSlipStart& start, const ContactSettings& settings) const;
 
   const Grid& grid() const { return grid_; }
@@ -84,9 +84,9 @@ class PartialSlipContact {
 
  private:
   class Sweeps;
-  void require_contact(const Field& gap, Given normal, const ContactHistory& before) const;
+  void require_contact(const Field& gap, const Drive& drive, const ContactHistory& before) const;
   /// Completes the solution for the repulsion: edge of the grid, attraction, errors.
-  PartialSlipSolution finished(PartialSlipSolution solution, Given normal,
+  PartialSlipSolution finished(PartialSlipSolution solution, const Drive& drive,
                                const Attraction& attraction, const ContactSettings& settings) const;
 
   Grid grid_;

@@ -10,7 +10,7 @@ namespace samcontact::contact {
 
 class PartialSlipContact::Sweeps {
  public:
-  Sweeps(const PartialSlipContact& contact, const Field& gap, Given normal,
+  Sweeps(const PartialSlipContact& contact, const Field& gap, const Drive& drive,
          const TangentialDrive& tangential, const ContactHistory& before,
          const ContactSettings& settings, bool rolls = false);
 
@@ -32,7 +32,10 @@ class PartialSlipContact::Sweeps {
 
   /// Part of a rigid motion that newly contacting cells slip; empty if there are none, and before
   /// the first contact, for which the normal load is applied first.
-  Field slip_part(const Field& pressure, double approach, double load);
+  Field slip_part(const Field& pressure, const RigidMotion& motion, double load);
+  /// Gap before the increment, scaled so that a uniform approach by `closer` closes it at the same
+  /// times as a motion that tilts the bodies.
+  Field gap_of_uniform_approach(const RigidMotion& motion, double& closer) const;
   /// Contact area [m^2].
   double area(const Field& pressure) const;
   /// Approximate maximum of the prescribed slip [m].
@@ -61,7 +64,8 @@ class PartialSlipContact::Sweeps {
 
   const PartialSlipContact& contact_;
   const Field& gap_;
-  const Given normal_;
+  const Drive drive_;
+  const RigidModes modes_;
   const TangentialDrive& tangential_;
   const ContactHistory& before_;
   const ContactSettings& settings_;

@@ -25,6 +25,13 @@ double force_error(const JointProblem& problem, const JointState& state, double 
     const double sum = ordered_sum(n, [&](std::size_t i) { return state.tractions[i]; });
     error = std::fabs(sum - problem.normal.value) / problem.normal.value;
   }
+  for (const JointProblem::Mode& mode : problem.tilts) {
+    const double sum = ordered_dot(mode.direction.data(), state.tractions.data(), n);
+    const double possible = ordered_sum(n, [&](std::size_t i) {
+      return std::fabs(mode.direction[i]) * std::max(state.tractions[i], 0.0);
+    });
+    if (possible > 0) error = std::max(error, std::fabs(mode.target - sum) / possible);
+  }
   for (const JointProblem::Mode& mode : problem.modes) {
     const double* shear = state.tractions.data() + n;
     const double sum = ordered_dot(mode.direction.data(), shear, 2 * n);
@@ -96,8 +103,12 @@ double JointState::outward(std::size_t i) const {
 
 JointState start_from(const JointProblem& problem, Field tractions) {
   const std::size_t n = problem.size();
-  JointState state{std::move(tractions), std::vector<JointCellState>(n, JointCellState::open),
-                   Field(2 * n, 0.0), 0.0, std::vector<double>(problem.modes.size(), 0.0)};
+  JointState state{std::move(tractions),
+                   std::vector<JointCellState>(n, JointCellState::open),
+                   Field(2 * n, 0.0),
+                   0.0,
+                   std::vector<double>(problem.tilts.size(), 0.0),
+                   std::vector<double>(problem.modes.size(), 0.0)};
   std::fill_n(state.direction.begin(), n, 1.0);
   const FrictionCone& cone = problem.cone;
   bool touches = false;
@@ -153,6 +164,9 @@ void evaluate(const JointProblem& problem, JointState& state, ComplexField& work
     state.slip[i] -= state.displacement[n + i];
     state.slip[n + i] -= state.displacement[2 * n + i];
   });
+  for (std::size_t k = 0; k < problem.tilts.size(); ++k) {
+    add_scaled(-state.tilt[k], problem.tilts[k].direction, state.gap);
+  }
   add_scaled(1.0, problem.motion, state.slip);
   for (std::size_t k = 0; k < problem.modes.size(); ++k) {
     add_scaled(state.motion[k], problem.modes[k].direction, state.slip);

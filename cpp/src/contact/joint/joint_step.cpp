@@ -82,6 +82,11 @@ void JointStep::add_constraints() {
     add(problem_.normal.value);
     std::fill_n(direction.begin(), n_, 0.0);
   }
+  for (const JointProblem::Mode& mode : problem_.tilts) {
+    std::copy(mode.direction.begin(), mode.direction.end(), direction.begin());
+    add(mode.target);
+    std::fill_n(direction.begin(), n_, 0.0);
+  }
   for (const JointProblem::Mode& mode : problem_.modes) {
     std::copy(mode.direction.begin(), mode.direction.end(),
               direction.begin() + static_cast<std::ptrdiff_t>(n_));
@@ -252,11 +257,11 @@ void JointStep::update(const Field& change) {
   for (std::size_t k = 0; k < constraints_.size(); ++k, ++at) {
     const double length = constraints_[k].residual_length;
     const double moved = length > 0 ? change[at] * normal_ / length : 0.0;
-    if (k == 0 && problem_.normal.is_force()) {
-      state_.approach += moved;
-    } else {
-      state_.motion[k - (problem_.normal.is_force() ? 1 : 0)] += moved;
-    }
+    const std::size_t tilt = problem_.normal.is_force() ? 1 : 0;
+    const std::size_t motion = tilt + problem_.tilts.size();
+    (k < tilt     ? state_.approach
+     : k < motion ? state_.tilt[k - tilt]
+                  : state_.motion[k - motion]) += moved;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/threads.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/survey.hpp"
 #include "samcontact/contact/normal/working_set.hpp"
 
@@ -25,13 +26,16 @@ constexpr int max_stalled_steps = 20;
 /// Cells are added to the set only if its last change dropped less than this fraction of them: if
 /// many cells are dropped and added alternately, the iteration can cycle.
 constexpr double calm_fraction = 0.01;
+/// Maximum number of times that a change of pressure is halved for the sake of the moments.
+constexpr int max_retreats = 30;
 
 class ActiveSet {
  public:
   ActiveSet(const NearProblem& problem, Field pressure, Field displacement)
       : problem_(problem),
         n_(pressure.size()),
-        load_driven_(problem.normal.is_force()),
+        load_driven_(problem.modes.normal().is_force()),
+        tilts_(problem.modes.tilts()),
         p_(std::move(pressure)),
         r_(n_),
         z_(n_),
@@ -44,14 +48,16 @@ class ActiveSet {
   ActiveSetResult run(bool trim, double tol, int max_iterations) {
     for (;; trim = false) {
       check_interrupt();
-      const Totals all = totals(p_, rest_, problem_.gap);
+      if (tilts_) level(problem_.modes.slope(rest_, [this](std::size_t i) { return p_[i]; }));
+      const Totals all = totals(p_, rest_, gap());
       watch_energy(all);
       const double hold = trim ? 1.0 / problem_.self_influence : 0.0;
       const Survey cells = survey(p_, rest_, approach_, hold, all, states_);
       if (cells.error <= tol || iterations_ >= max_iterations) break;
       if (choose_working_set(cells) == 0) break;
+      const Field before = tilts_ ? p_ : Field{};
       const bool descends = minimise(tol, max_iterations);
-      drop_tension();
+      drop_tension(before);
       if (!descends) break;
     }
     ActiveSetResult result;
@@ -77,12 +83,23 @@ class ActiveSet {
   /// Updates approach and scales. If the last change of the set raised the energy, the set is
   /// changed more often from then on.
   void watch_energy(const Totals& all) {
-    approach_ = problem_.normal.value;
+    approach_ = problem_.modes.normal().value;
     if (load_driven_) approach_ = all.contacts > 0 ? all.rest_in_contact / all.contacts : 0.0;
     const double energy = all.energy - (load_driven_ ? 0.0 : approach_ * all.pressure);
     if (energy > energy_) patience_ *= patience_loss;
     energy_ = energy;
     take_scales(all);
+  }
+
+  /// Initial gap, less the plane of the tilt.
+  const Field& gap() const { return tilts_ ? tilted_gap_ : problem_.gap; }
+
+  /// Tilts body 1 further.
+  void level(const AboutAxes& tilt) {
+    problem_.modes.lower(tilt, rest_);
+    for (int k = 0; k < 2; ++k) tilt_[k] += tilt[k];
+    tilted_gap_ = problem_.gap;
+    problem_.modes.lower(tilt_, tilted_gap_);
   }
 
   /// Stores the scales of pressure and displacement, which hardly change on one set.
@@ -98,21 +115,30 @@ class ActiveSet {
     for_each_cell(std::ssize(states_), [&](std::ptrdiff_t i) {
       states_[i] = states_[i] == working || (release && states_[i] != idle);
     });
-    if (cells.dropped > 0 && cells.working + (release ? cells.penetrating : 0) > 0) {
-      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] = states_[i] ? p_[i] : 0.0; });
-      settle();
-      take_scales(totals(p_, rest_, problem_.gap));
-    }
+    if (cells.dropped > 0 && cells.working + (release ? cells.penetrating : 0) > 0) trim_to_set();
     set_.assign(states_, true);
     others_.assign(states_, false);
     return set_.size();
   }
 
-  /// Scales a pressure that was changed directly to the load, and computes its displacement.
+  /// Removes the pressure outside the set, unless the set cannot carry the moments.
+  void trim_to_set() {
+    const Field before = tilts_ ? p_ : Field{};
+    for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] = states_[i] ? p_[i] : 0.0; });
+    if (!problem_.modes.meet(p_)) {
+      p_ = before;
+      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { states_[i] |= in_contact(p_[i]); });
+      return;
+    }
+    settle();
+    take_scales(totals(p_, rest_, gap()));
+  }
+
+  /// Computes the displacement of a pressure that was changed directly.
   void settle() {
-    if (load_driven_) scale_to_sum(p_, problem_.normal.value / problem_.cell_area);
     apply(p_, rest_);
     add_gap();
+    problem_.modes.lower(tilt_, rest_);
   }
 
   void add_gap() {
@@ -130,6 +156,7 @@ class ActiveSet {
   /// false if rounding errors leave no descent.
   bool minimise(double tol, int max_iterations) {
     for_each_cell(std::ssize(r_), [&](std::ptrdiff_t i) { r_[i] = t_[i] = 0.0; });
+    if (tilts_) level(problem_.modes.slope(rest_, [this](std::size_t i) { return states_[i]; }));
     double stand = position();
     update_residual(set_.lowest(p_, 0.0), others_.lowest(rest_, stand), stand);
     double zr_old = 0.0, lowest_residual = residual_;
@@ -141,11 +168,13 @@ class ActiveSet {
       // sum of r over the set is zero, so that z r equals the product of M r and r.
       problem_.operators.preconditioner.apply(r_.data(), z_.data(), work_);
       ++preconditioner_count_;
+      flatten(z_);
       const Sums zr = set_.sums(z_, r_);
       const double beta = step > 1 ? zr.product / zr_old : 0.0;
       zr_old = zr.product;
       set_.update_direction(beta, z_, load_driven_ ? zr.plain / set_.size() : 0.0, t_);
       apply(t_, z_);  // z is free until the next step
+      const AboutAxes turn = flatten(z_);
       const Sums zt = set_.sums(z_, t_);
       const double curvature = zt.product;
       // A working set that is already solved has no descent: then only the set has to change.
@@ -156,9 +185,13 @@ class ActiveSet {
       const double length = zr.product / curvature;
       const double lowest_p = set_.add(length, t_, p_, 0.0);
       set_.add(length, z_, rest_, 0.0);
+      for (int k = 0; k < 2; ++k) tilt_[k] += length * turn[k];
       if (load_driven_) stand += length * zt.plain / set_.size();
       const double lowest_gap = others_.add(length, z_, rest_, stand);
-      if (u_scale_ == 0) take_scales(totals(p_, rest_, problem_.gap));  // the first pressure
+      if (u_scale_ == 0) {  // the first pressure
+        level({});
+        take_scales(totals(p_, rest_, gap()));
+      }
       update_residual(lowest_p, lowest_gap, stand);
       stalled_steps = residual_ < 0.5 * lowest_residual ? 0 : stalled_steps + 1;
       if (stalled_steps == 0) lowest_residual = residual_;
@@ -171,7 +204,32 @@ class ActiveSet {
     }
   }
 
-  void drop_tension() {
+  /// Removes from a field the plane that leaves no moments over the set; returns its tilt.
+  AboutAxes flatten(Field& field) {
+    if (!tilts_) return {};
+    const AboutAxes tilt =
+        problem_.modes.slope(field, [this](std::size_t i) { return states_[i]; });
+    problem_.modes.lower(tilt, field);
+    return tilt;
+  }
+
+  void drop_tension(const Field& before) {
+    const Field solved = tilts_ ? p_ : Field{};
+    clip_tension();
+    if (dropped_ == 0) return;
+    // Part of the way from the start of the set, whose cells can carry the moments.
+    double share = 1.0;
+    for (int n = 0; !problem_.modes.meet(p_); ++n) {
+      share = n < max_retreats ? 0.5 * share : 0.0;
+      for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) {
+        p_[i] = std::max(before[i] + share * (solved[i] - before[i]), 0.0);
+      });
+      if (share == 0) break;
+    }
+    settle();
+  }
+
+  void clip_tension() {
     dropped_ = 0;
     const std::ptrdiff_t n = std::ssize(p_);
 #pragma omp parallel for schedule(static) reduction(+ : dropped_) if (n >= min_parallel_cells)
@@ -179,14 +237,15 @@ class ActiveSet {
       dropped_ += p_[i] < 0;
       p_[i] = std::max(p_[i], 0.0);
     }
-    if (dropped_ > 0) settle();
   }
 
   const NearProblem& problem_;
   const std::size_t n_;
-  const bool load_driven_;
+  const bool load_driven_, tilts_;
   Field p_, r_, z_, t_;
-  Field rest_;                         // gap + displacement: the gap except for the approach
+  Field rest_;        // gap + displacement - plane of the tilt: the gap except for the approach
+  Field tilted_gap_;  // of the last level(); empty without free tilts
+  AboutAxes tilt_{};
   std::vector<unsigned char> states_;  // of CellState
   CellRuns set_, others_;
   ComplexField work_;

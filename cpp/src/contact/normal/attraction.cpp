@@ -20,6 +20,7 @@ Attraction::Attraction(const ContactLaw& law, const Grid& grid,
     : given_(gap), cell_area_(grid.cell_area()) {
   if (!law.attracts()) return;
   pull_ = contact::attraction(law, gap);
+  moment_ = moments(grid, pull_);
   force_ = cell_area_ * ordered_sum(gap.size(), [&](std::size_t i) { return pull_[i]; });
   attracted_.resize(gap.size());
   ComplexField scratch;
@@ -27,14 +28,20 @@ Attraction::Attraction(const ContactLaw& law, const Grid& grid,
   for (std::size_t i = 0; i < gap.size(); ++i) attracted_[i] = gap[i] - attracted_[i];
 }
 
-Given Attraction::normal(const Given& normal) const {
-  if (pull_.empty() || !normal.is_force()) return normal;
+Drive Attraction::repelling(const Drive& drive) const {
+  const Given& normal = drive.normal;
+  if (pull_.empty() || !normal.is_force()) return drive;
   const double repulsion = normal.value + force_;
   require(
       repulsion >= -rounding_fraction * force_, "load",
       "at least " + to_short_text(-force_, 6) + " N, the maximum tensile force of the contact law",
       normal.value);
-  return Given::force(repulsion > rounding_fraction * force_ ? repulsion : 0.0);
+  Drive repelling = drive;
+  repelling.normal.value = repulsion > rounding_fraction * force_ ? repulsion : 0.0;
+  for (int k = 0; k < 2; ++k) {
+    if (drive.tilt[k].is_force()) repelling.tilt[k].value += moment_[k];
+  }
+  return repelling;
 }
 
 Field Attraction::repulsion(Field pressure) const {
@@ -43,10 +50,14 @@ Field Attraction::repulsion(Field pressure) const {
   return pressure;
 }
 
-Solution Attraction::with_attraction(Solution solution, const Given& normal) const {
+Solution Attraction::with_attraction(Solution solution, const Drive& drive) const {
   if (pull_.empty()) return solution;
   for (std::size_t i = 0; i < pull_.size(); ++i) solution.tractions.pressure[i] -= pull_[i];
-  solution.load = normal.is_force() ? normal.value : solution.load - force_;
+  solution.load = drive.normal.is_force() ? drive.normal.value : solution.load - force_;
+  for (int k = 0; k < 2; ++k) {
+    const Given& tilt = drive.tilt[k];
+    solution.moment[k] = tilt.is_force() ? tilt.value : solution.moment[k] - moment_[k];
+  }
   return solution;
 }
 

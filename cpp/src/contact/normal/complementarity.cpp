@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
@@ -49,13 +50,14 @@ double scale_to_sum(Field& pressure, double sum) {
   return scale;
 }
 
-double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
-                 Given normal, Field& gap) {
-  const std::ptrdiff_t n = initial_gap.size();
-  for_each_cell(n, [&](std::ptrdiff_t i) { gap[i] = initial_gap[i] + displacement[i]; });
-  const double approach = normal.is_force() ? contact_mean(pressure, gap) : normal.value;
-  for_each_cell(n, [&](std::ptrdiff_t i) { gap[i] -= approach; });
-  return approach;
+AboutAxes moments(const Grid& grid, const Field& pressure) {
+  const std::vector<double> x = grid.x(), y = grid.y();
+  const std::size_t n = pressure.size();
+  const double about_x =
+      ordered_sum(n, [&](std::size_t i) { return pressure[i] * y[i % grid.ny]; });
+  const double about_y =
+      ordered_sum(n, [&](std::size_t i) { return pressure[i] * x[i / grid.ny]; });
+  return {about_x * grid.cell_area(), -about_y * grid.cell_area()};
 }
 
 }  // namespace samcontact::contact

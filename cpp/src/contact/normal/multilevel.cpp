@@ -12,6 +12,7 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/normal/active_set.hpp"
 #include "samcontact/contact/normal/coarsening.hpp"
@@ -56,7 +57,7 @@ class Multilevel::Level {
 
   /// Counts the work in units of fft::filter_cost. is_start: the solution only serves as a start,
   /// for which its pressure suffices.
-  Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
+  Solution solve(const Field& initial_gap, const RigidModes& modes, Field pressure, double tol,
                  int max_iterations, bool is_start = false) const;
 
   const Grid& grid() const { return grid_; }
@@ -64,10 +65,11 @@ class Multilevel::Level {
   std::shared_ptr<const NearOperators> near(int nx, int ny) const;
 
  private:
-  Field coarse_start(const Field& gap, Given normal, int max_iterations, double& work) const;
+  Field coarse_start(const Field& gap, const RigidModes& modes, int max_iterations,
+                     double& work) const;
   /// Rounding error of gaps under load if the displacement has no mean [m]; otherwise it is
   /// negligible.
-  double rounding(const Field& gap, double lowest, Given normal) const;
+  double rounding(const Field& gap, double lowest, const RigidModes& modes) const;
 
   Grid grid_;
   operators::SurfaceInfluence influence_;
@@ -85,24 +87,25 @@ class Rounds {
   using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
 
   Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
-         const Field& initial_gap, Given normal, Field pressure, bool warm, double rounding)
+         const Field& initial_gap, const RigidModes& modes, Field pressure, bool warm,
+         double rounding)
       : grid_(grid),
         displacement_(displacement),
         near_(std::move(near)),
         initial_gap_(initial_gap),
-        normal_(normal),
+        modes_(modes),
         warm_(warm),
         box_{},
         u_(initial_gap.size()) {
     solution_.tractions.pressure = std::move(pressure);
     solution_.gap.resize(initial_gap.size());
     solution_.rounding = rounding;
-    if (normal.is_force())
-      scale_to_sum(solution_.tractions.pressure, normal.value / grid.cell_area());
+    met_ = modes_.meet_anywhere(solution_.tractions.pressure);
   }
 
   /// One round without a check: the start of the next finer grid.
   Solution start(double tol, int max_iterations) {
+    if (!met_) return {};  // the coarse cells end before the line of action of the load
     evaluate();
     if (solution_.error > tol) {
       choose_box();
@@ -135,18 +138,16 @@ class Rounds {
     displacement_.apply(solution_.tractions.pressure.data(), u_.data(), work_);
     ++solution_.operator_applications;
     solution_.work += displacement_.cost();
-    solution_.motion.approach =
-        close_gap(initial_gap_, u_, solution_.tractions.pressure, normal_, solution_.gap);
+    for_each_cell(std::ssize(u_),
+                  [&](std::ptrdiff_t i) { solution_.gap[i] = initial_gap_[i] + u_[i]; });
+    solution_.motion = modes_.close(solution_.tractions.pressure, solution_.gap);
     solution_.error =
         complementarity_error(solution_.tractions.pressure, u_, solution_.gap, solution_.rounding);
   }
 
   void keep_load() {
-    if (!normal_.is_force()) return;
     Field& p = solution_.tractions.pressure;
-    const double sum = normal_.value / grid_.cell_area();
-    const double present = ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
-    if (std::fabs(present - sum) > max_load_error * sum) scale_to_sum(p, sum);
+    if (!modes_.is_met(p, max_load_error)) modes_.meet_anywhere(p);
   }
 
   /// Part of a surface field over the box.
@@ -158,7 +159,8 @@ class Rounds {
 
   /// Chooses the box; true if contact has become possible outside the previous one.
   bool choose_box() {
-    const Box box = possible_contact(grid_, solution_.tractions.pressure, solution_.gap);
+    const Box box =
+        modes_.united(possible_contact(grid_, solution_.tractions.pressure, solution_.gap));
     if (box_.contains(box)) return false;
     box_ = with_margin(grid_, box, box_);
     return true;
@@ -167,7 +169,7 @@ class Rounds {
   void round(bool first, double tol, int max_iterations) {
     const auto near = near_(box_.nx, box_.ny);
     const bool exact = near->displacement.is_exact();
-    NearProblem problem{*near, part(initial_gap_), normal_, grid_.cell_area(),
+    NearProblem problem{*near, part(initial_gap_), modes_.over(box_),
                         displacement_.self_influence()};
     Field pressure = part(solution_.tractions.pressure);
     Field displacement = part(u_);
@@ -190,9 +192,9 @@ class Rounds {
   }
 
   Solution plain(double tol, int max_iterations) {
-    Solution end = polonsky_keer(displacement_, initial_gap_, grid_.cell_area(), normal_,
-                                 std::move(solution_.tractions.pressure), tol,
-                                 max_iterations - solution_.iterations, solution_.rounding);
+    Solution end =
+        polonsky_keer(displacement_, initial_gap_, modes_, std::move(solution_.tractions.pressure),
+                      tol, max_iterations - solution_.iterations, solution_.rounding);
     end.iterations += solution_.iterations;
     end.negative_curvatures += solution_.negative_curvatures;
     end.work = end.work * displacement_.cost() + solution_.work;
@@ -204,8 +206,9 @@ class Rounds {
   const operators::NormalDisplacement& displacement_;
   const Near near_;
   const Field& initial_gap_;
-  const Given normal_;
+  const RigidModes& modes_;
   const bool warm_;
+  bool met_ = true;
   Box box_;
   Field u_;
   ComplexField work_;
@@ -222,7 +225,7 @@ std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) con
   return near_;
 }
 
-Field Multilevel::Level::coarse_start(const Field& gap, Given normal, int max_iterations,
+Field Multilevel::Level::coarse_start(const Field& gap, const RigidModes& modes, int max_iterations,
                                       double& work) const {
   {
     const std::lock_guard lock(mutex_);
@@ -230,13 +233,15 @@ Field Multilevel::Level::coarse_start(const Field& gap, Given normal, int max_it
   }
   const Grid& coarse = coarser_->grid();
   const Solution start =
-      coarser_->solve(coarsened(grid_, gap), normal, Field(coarse.surface_size(), 0.0), coarse_tol,
-                      max_iterations, true);
+      coarser_->solve(coarsened(grid_, gap), modes.coarsened(), Field(coarse.surface_size(), 0.0),
+                      coarse_tol, max_iterations, true);
   work += start.work;
-  return refined(grid_, start.tractions.pressure);
+  const Field& found = start.tractions.pressure;
+  return found.empty() ? Field(grid_.surface_size(), 0.0) : refined(grid_, found);
 }
 
-double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal) const {
+double Multilevel::Level::rounding(const Field& gap, double lowest, const RigidModes& modes) const {
+  const Given& normal = modes.normal();
   if (!normal.is_force() || !(grid_.period.x > 0 && grid_.period.y > 0)) return 0.0;
   const double longest = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy);
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
@@ -248,8 +253,9 @@ double Multilevel::Level::rounding(const Field& gap, double lowest, Given normal
   return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
 }
 
-Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field pressure,
+Solution Multilevel::Level::solve(const Field& initial_gap, const RigidModes& modes, Field pressure,
                                   double tol, int max_iterations, bool is_start) const {
+  const Given& normal = modes.normal();
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
   if (normal.is_force() ? normal.value == 0 : normal.value <= lowest) {
     // Separated, or just touching: nothing to solve.
@@ -263,11 +269,11 @@ Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field 
   double work = 0.0;
   const bool warm = !is_zero(pressure);
   if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
-    pressure = coarse_start(initial_gap, normal, max_iterations, work);
+    pressure = coarse_start(initial_gap, modes, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
-  Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm,
-                rounding(initial_gap, lowest, normal));
+  Rounds rounds(grid_, displacement_, near_of, initial_gap, modes, std::move(pressure), warm,
+                rounding(initial_gap, lowest, modes));
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;
@@ -280,8 +286,9 @@ Multilevel::~Multilevel() = default;
 Multilevel::Multilevel(Multilevel&&) noexcept = default;
 Multilevel& Multilevel::operator=(Multilevel&&) noexcept = default;
 
-Solution Multilevel::solve_with_ends(const Field& initial_gap, Given normal, Field pressure,
-                                     double tol, int max_iterations) const {
+Solution Multilevel::solve_with_ends(const Field& initial_gap, const RigidModes& modes,
+                                     Field pressure, double tol, int max_iterations) const {
+  const Given& normal = modes.normal();
   double lowest = INFINITY, highest = -INFINITY;
   for (std::size_t i = 0; i < initial_gap.size(); ++i) {
     if (std::isinf(initial_gap[i])) {
@@ -299,7 +306,7 @@ Solution Multilevel::solve_with_ends(const Field& initial_gap, Given normal, Fie
   for (int n = 0; n < max_attempts; ++n, beyond *= further_off) {
     Field gap = initial_gap;
     for (double& g : gap) g = std::isinf(g) ? highest + beyond : g;
-    Solution solution = finest_->solve(gap, normal, pressure, tol, max_iterations);
+    Solution solution = finest_->solve(gap, modes, pressure, tol, max_iterations);
     bool touches = false;
     for (std::size_t i = 0; i < gap.size(); ++i) {
       if (!std::isinf(initial_gap[i])) continue;
@@ -316,19 +323,34 @@ const operators::SurfaceDisplacement& Multilevel::displacement() const {
   return finest_->displacement();
 }
 
-Solution Multilevel::solve(const Field& initial_gap, Given normal, Field pressure, double tol,
+Solution Multilevel::solve(const Field& initial_gap, const Drive& drive, Field pressure, double tol,
                            int max_iterations) const {
-  const auto has_none = [](double gap) { return std::isinf(gap); };
-  const bool ends = std::any_of(initial_gap.begin(), initial_gap.end(), has_none);
-  Solution solution =
-      ends ? solve_with_ends(initial_gap, normal, std::move(pressure), tol, max_iterations)
-           : finest_->solve(initial_gap, normal, std::move(pressure), tol, max_iterations);
+  const Grid& grid = finest_->grid();
+  const RigidModes modes(drive, grid);
+  const RigidMotion held = drive.held();
+  Field tilted;
+  if (held.is_tilted()) {
+    const Lowering lowering(grid, held);
+    tilted = initial_gap;
+    for (std::size_t i = 0; i < tilted.size(); ++i) tilted[i] -= lowering(i);
+  }
+  const Field& gap = held.is_tilted() ? tilted : initial_gap;
+  const auto has_none = [](double g) { return std::isinf(g); };
+  Solution solution = std::any_of(gap.begin(), gap.end(), has_none)
+                          ? solve_with_ends(gap, modes, std::move(pressure), tol, max_iterations)
+                          : finest_->solve(gap, modes, std::move(pressure), tol, max_iterations);
   solution.work /= displacement().cost();
-  const double area = finest_->grid().cell_area();
+  for (int k = 0; k < 2; ++k) solution.motion.tilt[k] += held.tilt[k];
   const Field& p = solution.tractions.pressure;
-  solution.load = normal.is_force()
-                      ? normal.value
-                      : area * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+  const Given& normal = drive.normal;
+  solution.load =
+      normal.is_force()
+          ? normal.value
+          : grid.cell_area() * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+  solution.moment = moments(grid, p);
+  for (int k = 0; k < 2; ++k) {
+    if (drive.tilt[k].is_force()) solution.moment[k] = drive.tilt[k].value;
+  }
   return solution;
 }
 

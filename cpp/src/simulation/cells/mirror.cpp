@@ -52,6 +52,11 @@ fft::Symmetry symmetry_of(const contact::TangentialDrive& drive) {
   return drive[0].value != 0 ? fft::Symmetry::y : fft::Symmetry::xy;
 }
 
+fft::Symmetry symmetry_of(const contact::Drive& drive) {
+  if (drive.tilt[0].value != 0) return fft::Symmetry::none;
+  return drive.tilt[1].value != 0 ? fft::Symmetry::y : fft::Symmetry::xy;
+}
+
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b) { return std::min(a, b); }
 
 Box stored_part(const Grid& grid, fft::Symmetry symmetry) {

@@ -102,6 +102,11 @@ Target between(const State& from, const Target& target, double fraction) {
     }
   }
   double& normal = part.drive.normal.value;
+  const contact::AboutAxes moment = from.moment();
+  for (int k = 0; k < 2 && !target.is_prescribed(); ++k) {
+    contact::Given& tilt = part.drive.tilt[k];
+    tilt.value = mix(tilt.is_force() ? moment[k] : from.tilt[k], tilt.value);
+  }
   if (target.is_load()) {
     normal = mix(from.load, normal);
   } else if (target.is_approach()) {

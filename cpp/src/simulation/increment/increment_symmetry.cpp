@@ -12,6 +12,8 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   Symmetry symmetry = task.setup().symmetry(task.from.travel);
   if (task.target.is_prescribed()) {
     symmetry = symmetry_of(tractions, task.setup().grid);
+  } else {
+    symmetry = common(symmetry, symmetry_of(task.target.drive));
   }
   if (task.setup().friction.sticks()) {
     symmetry = common(symmetry, symmetry_of(tangential_drive(task)));

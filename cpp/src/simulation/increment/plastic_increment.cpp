@@ -185,6 +185,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.contact_gap.clear();
   state.load = result.contact.load;
   state.approach = result.contact.motion.approach;
+  state.tilt = result.contact.motion.tilt;
   state.flowed = {};
   state.advance = {};
   state.met = {};

@@ -117,7 +117,7 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
   const Grid& grid = task.setup().grid;
   const Travel& by = task.from.advance;
   contact::ContactHistory before;
-  before.approach = task.from.approach;
+  before.motion = task.from.rigid_motion();
   if (by == Travel{}) {
     before.pressure = task.from.tractions.pressure;
     before.shear = shear_vectors(task.from.tractions);
@@ -183,7 +183,7 @@ Field& SlipHistory::begin_slip() {
 
 contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
                                      const contact::ContactSettings& settings) {
-  const contact::Given normal = task_.target.drive.normal;
+  const contact::Drive& drive = task_.target.drive;
   const auto& heating = task_.target.heating;
   if (!heating[0].is_on() && !heating[1].is_on()) return solve_cold(gap, start, settings);
   const contact::LaggedContact contact{
@@ -200,11 +200,11 @@ contact::Solution SlipHistory::solve(const Field& gap, const Field& start,
         inner.tol = tol;
         return solve_cold(lagged, pressure, inner);
       }};
-  contact::Solution solution = contact::solve_lagged(contact, gap, normal, start, settings.tol);
+  contact::Solution solution =
+      contact::solve_lagged(contact, task_.setup().grid, gap, drive, start, settings.tol);
   if (!solution.converged && stall_warning_.empty()) {
-    throw ConvergenceError("partial slip with heat did not converge at " +
-                               describe(contact::Drive{normal}) + ": error " +
-                               to_short_text(solution.error) + " after " +
+    throw ConvergenceError("partial slip with heat did not converge at " + describe(drive) +
+                               ": error " + to_short_text(solution.error) + " after " +
                                std::to_string(solution.iterations) + " iterations, tol " +
                                to_text(settings.tol) + ": reduce the load or heat",
                            solution.iterations, solution.error);
@@ -217,7 +217,7 @@ contact::Solution SlipHistory::solve_cold(const Field& gap, const Field& start,
   const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion,
                                         jointly_};
   contact::PartialSlipSolution found = task_.setup().partial_slip->solve(
-      gap, task_.target.drive.normal, tangential_drive(task_), before_, first, settings);
+      gap, task_.target.drive, tangential_drive(task_), before_, first, settings);
   shear_ = std::move(found.tangential);
   stall_warning_ = std::move(found.stall_warning);
   jointly_ = found.joint.steps > 0;

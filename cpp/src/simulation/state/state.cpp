@@ -85,6 +85,10 @@ std::array<double, 3> State::tangential_force() const {
   return both.empty() ? std::array<double, 3>{} : contact::forces(setup_->grid, both);
 }
 
+contact::AboutAxes State::moment() const {
+  return contact::moments(setup_->grid, tractions.pressure);
+}
+
 State State::moved(const Travel& to) const {
   State state = *this;
   state.travel = to;

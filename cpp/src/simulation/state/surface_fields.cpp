@@ -13,8 +13,10 @@ Field gap(const State& state) {
   if (!state.contact_gap.empty()) return state.contact_gap;
   Field gap(state.setup().grid.surface_size(), 0.0);
   state.sources().separate(gap);
-  const double moved = std::isfinite(state.approach) ? state.approach : 0.0;
-  for (double& g : gap) g -= moved;
+  if (std::isfinite(state.approach)) {
+    const contact::Lowering lowering(state.setup().grid, state.rigid_motion());
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] -= lowering(i);
+  }
   for (int body = 0; body < 2; ++body) {
     const Field u = surface_displacement(state, body);
     for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += u[i];

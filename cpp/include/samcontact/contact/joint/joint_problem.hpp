@@ -51,17 +51,20 @@ struct JointOperators {
 
 /// Fields over the n cells of a grid; vectors are [2][cell], tractions [3][cell] as (p, s_x, s_y).
 ///
-///   g = gap + K p + B s - approach,  w = free_slip + rigid motion - (B'p + C s)
+///   g = gap + K p + B s - approach - tilts,  w = free_slip + rigid motion - (B'p + C s)
 struct JointProblem {
   /// Rigid motion with a prescribed force.
   struct Mode {
-    Field direction;  // slip due to a unit motion
-    double target;    // sum of direction . shear over the cells: force over the area of a cell [Pa]
+    Field direction;  // slip, or lowering of body 1, due to a unit motion
+    /// Sum of direction . shear, or pressure, over the cells: force over the area of a cell [Pa].
+    double target;
   };
 
   const JointOperators* operators = nullptr;
   Field gap;       // without tractions [m]; +inf: no body
   Given normal{};  // approach [m], or sum of the pressures [Pa]
+  /// Tilts with a prescribed moment: lever arms [m], and their target over the pressures.
+  std::vector<Mode> tilts = {};
   FrictionCone cone;
   Field free_slip;  // slip due neither to rigid motion nor to tractions [m]
   Field motion;     // slip due to the prescribed rigid motion [m]
@@ -79,6 +82,7 @@ struct JointState {
   std::vector<JointCellState> states;  // [cell]
   Field direction;                     // [2][cell] unit vectors of the shear of slipping cells
   double approach = 0.0;               // [m]
+  std::vector<double> tilt;            // of the problem's tilts [rad]
   std::vector<double> motion;          // of the modes [m, rad]
 
   Field displacement = {};  // [3][cell] (u_z, u_x, u_y) [m]

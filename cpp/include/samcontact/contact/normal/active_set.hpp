@@ -5,6 +5,7 @@
 
 #include "samcontact/contact/normal/complementarity.hpp"
 #include "samcontact/contact/normal/preconditioner.hpp"
+#include "samcontact/contact/normal/rigid_modes.hpp"
 
 namespace samcontact::contact {
 
@@ -12,8 +13,7 @@ namespace samcontact::contact {
 struct NearProblem {
   const NearOperators& operators;
   Field gap;  // initial gap of the box, corrected for the error of the approximate operator [m]
-  Given normal;
-  double cell_area;
+  RigidModes modes;       // over the box
   double self_influence;  // displacement of a cell under a unit pressure on it [m/Pa]
 };
 

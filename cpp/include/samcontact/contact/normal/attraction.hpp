@@ -19,13 +19,13 @@ class Attraction {
 
   /// Gap of the undeformed surfaces plus the displacement due to the attraction [m].
   const Field& gap() const { return pull_.empty() ? given_ : attracted_; }
-  /// Load plus the force of the attraction; an approach is unchanged. Throws std::invalid_argument
-  /// for a tension above that force.
-  Given normal(const Given& normal) const;
+  /// Load and moments plus those of the attraction; an approach and tilts are unchanged. Throws
+  /// std::invalid_argument for a tension above the force of the attraction.
+  Drive repelling(const Drive& drive) const;
   /// Repulsion of a pressure, which may be empty.
   Field repulsion(Field pressure) const;
   /// Solution of the contact with attraction, from the solution for the repulsion.
-  Solution with_attraction(Solution solution, const Given& normal) const;
+  Solution with_attraction(Solution solution, const Drive& drive) const;
 
  private:
   const Field& given_;
@@ -33,6 +33,7 @@ class Attraction {
   Field attracted_;
   double cell_area_;
   double force_ = 0.0;  // [N]
+  AboutAxes moment_{};  // [N m]
 };
 
 }  // namespace samcontact::contact

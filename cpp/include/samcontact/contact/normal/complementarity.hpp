@@ -18,7 +18,8 @@ struct Solution {
   operators::Tractions tractions;  // on body 2
   Field gap;                       // [i][j] [m]; +inf in cells without a body
   RigidMotion motion;
-  double load = 0.0;  // [N]
+  double load = 0.0;   // [N]
+  AboutAxes moment{};  // about the origin of the grid [N m]
   /// max over cells of |min(p / max p, g / max u)|: pressure in open cells, and gap or
   /// interpenetration in closed cells, each relative to its own scale.
   double error = 0.0;
@@ -76,9 +77,7 @@ double complementarity_error(const Field& pressure, const Displacement& displace
 /// becomes uniform.
 double scale_to_sum(Field& pressure, double sum);
 
-/// gap = initial gap + displacement - approach. Returns the approach: under load control the mean
-/// of initial gap + displacement over the contact, otherwise the given approach.
-double close_gap(const Field& initial_gap, const Field& displacement, const Field& pressure,
-                 Given normal, Field& gap);
+/// Moments of a pressure on body 2 about x and y at the origin of the grid [N m].
+AboutAxes moments(const Grid& grid, const Field& pressure);
 
 }  // namespace samcontact::contact

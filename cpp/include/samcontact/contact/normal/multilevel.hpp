@@ -8,6 +8,7 @@
 
 #include "samcontact/base/grid.hpp"
 #include "samcontact/contact/normal/complementarity.hpp"
+#include "samcontact/contact/normal/rigid_modes.hpp"
 #include "samcontact/operators/surface/surface_displacement.hpp"
 
 namespace samcontact::contact {
@@ -29,14 +30,14 @@ class Multilevel {
 
   /// Starts from `pressure`, or from a coarser grid if that is zero everywhere. Returns converged =
   /// false after max_iterations. Cells of infinite gap (no body) stay out of contact.
-  Solution solve(const Field& initial_gap, Given normal, Field pressure, double tol,
+  Solution solve(const Field& initial_gap, const Drive& drive, Field pressure, double tol,
                  int max_iterations) const;
 
  private:
   class Level;
 
-  Solution solve_with_ends(const Field& initial_gap, Given normal, Field pressure, double tol,
-                           int max_iterations) const;
+  Solution solve_with_ends(const Field& initial_gap, const RigidModes& modes, Field pressure,
+                           double tol, int max_iterations) const;
 
   std::unique_ptr<Level> finest_;
 };

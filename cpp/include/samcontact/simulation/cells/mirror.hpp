@@ -19,6 +19,8 @@ fft::Symmetry symmetry_of(const Field& field, const Grid& grid, kernels::Parity 
 fft::Symmetry symmetry_of(const operators::Tractions& tractions, const Grid& grid);
 /// Mirror planes of the rigid motion under partial slip.
 fft::Symmetry symmetry_of(const contact::TangentialDrive& drive);
+/// Mirror planes of tilts and moments.
+fft::Symmetry symmetry_of(const contact::Drive& drive);
 /// Mirror planes common to both.
 fft::Symmetry common(fft::Symmetry a, fft::Symmetry b);
 /// Grid cells on one side of the mirror planes, all layers.

@@ -98,6 +98,7 @@ void describe(S& s, Visitor& visit) {
   visit("contact_gap", s.contact_gap);
   visit("load", s.load);
   visit.maybe_nan("approach", s.approach);
+  visit("tilt", s.tilt);
   visit("slip", s.slip);
   visit("motion", s.motion);
   visit("friction_work", s.friction_work);

@@ -51,8 +51,9 @@ class State {
   double time = 0.0, duration = 0.0;  // [s], in transient heating: total, and of the last step
   /// Factor of the yield stress over the grid, and beyond it where the body may flow; null: 1.
   std::array<std::shared_ptr<const BoxField>, 2> softening;
-  double load = 0.0;      // [N]
-  double approach = 0.0;  // [m]; NaN under prescribed tractions
+  double load = 0.0;          // [N]
+  double approach = 0.0;      // [m]; NaN under prescribed tractions
+  contact::AboutAxes tilt{};  // [rad]; likewise 0
   /// Partial slip: slip of body 1 relative to body 2 in the last increment [2][i][j] [m], 0 in
   /// sticking cells; empty: no slip.
   Field slip;
@@ -97,6 +98,9 @@ class State {
   /// Force due to shear on body 2 along x and y, and its moment about z at the origin of the grid
   /// [N, N, N m].
   std::array<double, 3> tangential_force() const;
+  /// Moments of the pressure on body 2 about x and y at the origin of the grid [N m].
+  contact::AboutAxes moment() const;
+  contact::RigidMotion rigid_motion() const { return {approach, tilt}; }
 
   /// Heat history for the next step, including this one.
   PastHeat heat_so_far() const;
