@@ -59,6 +59,10 @@ REASONS = (
         "has no such limit.",
         is_limit=True,
     ),
+    Reason(
+        "free faces|free_faces",
+        "Displacement due to shear and heat, periodic surfaces and plastic flow near a free face.",
+    ),
     Reason("history of heat in layers", "History of heat in coated bodies."),
 )
 

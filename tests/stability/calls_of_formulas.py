@@ -94,6 +94,11 @@ CALLS = [
         SOFT.with_residual_stress,
         {"z": [0.0, 1e-3], "sxx": [-1e8, 0.0], "syy": [-2e8, 0.0], "sxy": [1e8, 0.0]},
     ),
+    (
+        "Material.with_free_faces",
+        sc.Material.elastic(**ELASTIC).with_free_faces,
+        {"low": -1e-3, "high": 1e-3, "method": "exact"},
+    ),
     ("Material.yield_factor", SOFT.yield_factor, {"z": Z}),
     ("Material.yield_stress_at", SOFT.yield_stress_at, {"z": Z}),
     ("Material.residual_stress_at", SOFT.residual_stress_at, {"z": Z}),

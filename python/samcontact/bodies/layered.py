@@ -23,6 +23,15 @@ from .display import material_in_short
 from .material import Material
 
 
+def _require_endless(name: str, material: Material) -> None:
+    """Raise ValueError for a material with free faces, which are not supported with layers."""
+    if material.free_faces is not None:
+        raise ValueError(
+            f"{name} must not have free_faces, got {material.free_faces!r}: a free face of a "
+            "layered body is not supported"
+        )
+
+
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
     if isinstance(given, (Material, str, np.ndarray)) or not isinstance(given, Iterable):
         raise TypeError(f"layers must be a list of (material, thickness), got {in_short(given)}")
@@ -34,6 +43,7 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         require_type(f"material of layers[{n}]", material, Material)
         if material.is_rigid:
             raise ValueError(f"layers[{n}] must not be rigid: only the substrate can be rigid")
+        _require_endless(f"material of layers[{n}]", material)
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
         raise ValueError(
@@ -85,6 +95,7 @@ class Layered(HtmlTable):
     def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
         object.__setattr__(self, "layers", _checked_layers(layers))
         require_type("substrate", substrate, Material)
+        _require_endless("substrate", substrate)
         object.__setattr__(self, "substrate", substrate)
         self._core  # noqa: B018  (the core checks thicknesses)
 

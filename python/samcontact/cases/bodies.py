@@ -84,7 +84,17 @@ class InitialStress(Section):
     sxy: Stresses | None = None
 
 
-_BODY_TABLES = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
+class FreeFaces(Section):
+    """Free end faces of a body, see `Material.with_free_faces`."""
+
+    low: Annotated[Finite, in_unit("m")] | None = None
+    high: Annotated[Finite, in_unit("m")] | None = None
+    method: Literal["exact", "factor"] = "exact"
+
+
+_BODY_TABLES = (
+    "kinematic", "thermal", "softening", "yield_profile", "residual_stress", "free_faces",
+)  # fmt: skip
 
 
 class _Solid(Section):
@@ -112,6 +122,8 @@ class _Solid(Section):
             material = material.with_yield_profile(**extra["yield_profile"])
         if extra["residual_stress"] is not None:
             material = material.with_residual_stress(**extra["residual_stress"])
+        if extra["free_faces"] is not None:
+            material = material.with_free_faces(**extra["free_faces"])
         return material
 
 
@@ -232,6 +244,10 @@ class _ElasticBody(_ElasticSolid, _Body):
     pass
 
 
+class _EndingBody(_ElasticBody):
+    free_faces: FreeFaces | None = None
+
+
 class _PlasticBody(_PlasticSolid, _ElasticBody):
     pass
 
@@ -239,4 +255,4 @@ class _PlasticBody(_PlasticSolid, _ElasticBody):
 if TYPE_CHECKING:
     BodySection = _Body
 else:
-    BodySection = _models("Body", _Body, _ElasticBody, _PlasticBody)
+    BodySection = _models("Body", _Body, _EndingBody, _PlasticBody)

@@ -85,13 +85,15 @@ class Rounds {
   using Near = std::function<std::shared_ptr<const NearOperators>(int nx, int ny)>;
 
   Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
-         const Field& initial_gap, Given normal, Field pressure, bool warm, double rounding)
+         const Field& initial_gap, Given normal, Field pressure, bool warm, double rounding,
+         bool whole)
       : grid_(grid),
         displacement_(displacement),
         near_(std::move(near)),
         initial_gap_(initial_gap),
         normal_(normal),
         warm_(warm),
+        whole_(whole),
         box_{},
         u_(initial_gap.size()) {
     solution_.tractions.pressure = std::move(pressure);
@@ -158,7 +160,8 @@ class Rounds {
 
   /// Chooses the box; true if contact has become possible outside the previous one.
   bool choose_box() {
-    const Box box = possible_contact(grid_, solution_.tractions.pressure, solution_.gap);
+    const Box box = whole_ ? Box::surface(grid_)
+                           : possible_contact(grid_, solution_.tractions.pressure, solution_.gap);
     if (box_.contains(box)) return false;
     box_ = with_margin(grid_, box, box_);
     return true;
@@ -206,6 +209,7 @@ class Rounds {
   const Field& initial_gap_;
   const Given normal_;
   const bool warm_;
+  const bool whole_;  // whether the box is the grid: faces have a place on it
   Box box_;
   Field u_;
   ComplexField work_;
@@ -217,7 +221,8 @@ class Rounds {
 std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
   const std::lock_guard lock(mutex_);
   if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
-    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_);
+    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_,
+                                                  displacement_.ends());
   }
   return near_;
 }
@@ -262,12 +267,14 @@ Solution Multilevel::Level::solve(const Field& initial_gap, Given normal, Field 
   }
   double work = 0.0;
   const bool warm = !is_zero(pressure);
-  if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
+  // Cells of a coarser grid keep their distance from faces only if they fill the grid.
+  const bool fits = !displacement_.ends() || grid_.ny % 2 == 0;
+  if (!warm && fits && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
     pressure = coarse_start(initial_gap, normal, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
   Rounds rounds(grid_, displacement_, near_of, initial_gap, normal, std::move(pressure), warm,
-                rounding(initial_gap, lowest, normal));
+                rounding(initial_gap, lowest, normal), displacement_.ends() != nullptr);
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;
