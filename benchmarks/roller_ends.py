@@ -31,6 +31,13 @@ def elements() -> dict[str, list[float]]:
     return found
 
 
+def meshed_roller() -> list[float]:
+    """Return the ratios by CalculiX on the meshed roller, both bodies ending; NaN below a node."""
+    known = json.loads((DATA / "calculix.json").read_text())
+    found = np.interp(DISTANCES, known["y"], known["pressure_over_hertz"])
+    return [r if d >= 2 * known["y"][1] else np.nan for d, r in zip(DISTANCES, found, strict=True)]
+
+
 def hertz_pressure(load: float = LOAD) -> float:
     """Return the maximum pressure by Hertz for a line [Pa]."""
     modulus = sc.hertz.effective_modulus(STEEL, STEEL)
@@ -63,7 +70,10 @@ def stated_pressures() -> str:
     known = elements()
     rows = []
     for end, words in ENDS.items():
-        rows.append([words, "finite elements", *(f"{r:.3f}" for r in known[end])])
+        rows.append([words, "finite elements, blocks", *(f"{r:.3f}" for r in known[end])])
+        if end == "flush":
+            meshed = ("" if np.isnan(r) else f"{r:.3f}" for r in meshed_roller())
+            rows.append([words, "CalculiX, meshed roller", *meshed])
         for method, name in METHODS.items():
             rows.append([words, name, *(f"{r:.3f}" for r in ratios(end, method))])
     heading = [f"{1e3 * d:g} mm" for d in DISTANCES]

@@ -17,6 +17,8 @@ def test_both_bodies_end():
     expected = roller_ends.elements()["flush"]
     exact = roller_ends.ratios("flush", EXACT)
     np.testing.assert_allclose(exact, expected, rtol=0, atol=0.02)
+    meshed = roller_ends.meshed_roller()  # the middle plane is at 8 mm of depth
+    np.testing.assert_allclose(exact[1:], meshed[1:], rtol=0, atol=0.02)
     factor = roller_ends.ratios("flush", FACTOR)
     np.testing.assert_allclose(factor, expected, rtol=0, atol=0.045)
 
