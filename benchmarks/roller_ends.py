@@ -50,7 +50,7 @@ def ratios(end: str, method: str, cell_y: float = CELL_Y) -> NDArray[np.float64]
     method: that of the free faces; "" means half-spaces.
     """
     rows = round(LENGTH / cell_y)
-    grid = sc.Grid(26, rows + 2 * ROWS_BEYOND, CELL_X, cell_y)
+    grid = sc.Grid(38, rows + 2 * ROWS_BEYOND, CELL_X, cell_y)
     faces = STEEL
     if method:
         faces = STEEL.with_free_faces(low=-LENGTH / 2, high=LENGTH / 2, method=method)

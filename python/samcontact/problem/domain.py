@@ -62,14 +62,19 @@ class SurfaceGeometry:
             relief_rows(f"relief{number}", relief, grid)
         checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
         for face in filter(math.isfinite, strip):
-            _require_on_edge(grid, face)
+            _require_possible(grid, face)
         low, high = strip
         checked[:, (grid.y < low) | (grid.y > high)] = np.inf
         return Domain(grid, read_only(checked), *reliefs)
 
 
-def _require_on_edge(grid: Grid, face: float) -> None:
-    """Raise ValueError unless a free face lies on an edge of cells."""
+def _require_possible(grid: Grid, face: float) -> None:
+    """Raise ValueError on a periodic grid, and unless a free face lies on an edge of cells."""
+    if grid.periodic:
+        raise ValueError(
+            f"free_faces cannot be combined with grid.periodic = {grid.periodic!r}, got a face at "
+            f"y = {face!r} m: the displacement of periodic surfaces near a free face is not known"
+        )
     row = face / grid.dy + 0.5 * grid.ny
     if abs(row - round(row)) > _SAME_PLACE_TOLERANCE:
         nearest = (round(row) - 0.5 * grid.ny) * grid.dy
