@@ -26,7 +26,7 @@ E, NU = 210e3, 0.3
 STIFFNESS = 1e9  # contact stiffness [N/mm^3]: 3 nm of penetration
 CELL_X, CELL_Y = 0.04, 0.04  # elements at the end of the contact
 FINE_X, FINE_Y, FINE_Z = 0.36, 0.2, 0.1  # extents of uniform elements
-GROWTH, GROWTH_Y, LONGEST_Y = 1.4, 1.3, 0.6
+GROWTH, GROWTH_Y, MAX_CELL_Y = 1.4, 1.3, 0.6
 DISPLACEMENT = 0.012  # of the middle plane, for about 11 kN
 INCREMENTS = 4
 FILE = Path(reference.__file__).parent / "roller_end" / "calculix.json"
@@ -63,7 +63,7 @@ def corners(numbers: FloatArray, i: int, j: int, k: int) -> list[int]:
 def write(path: Path) -> tuple[FloatArray, FloatArray, int]:
     """Write the deck; return x and y of the nodes of the plane, and the number of nodes."""
     x = ticks(CELL_X, FINE_X, HALF_WIDTH, GROWTH, np.inf)
-    y = ticks(CELL_Y, FINE_Y, HALF_LENGTH, GROWTH_Y, LONGEST_Y)
+    y = ticks(CELL_Y, FINE_Y, HALF_LENGTH, GROWTH_Y, MAX_CELL_Y)
     z = ticks(CELL_X, FINE_Z, RADIUS, GROWTH, np.inf)
     top = np.sqrt(RADIUS**2 - x**2) - RADIUS
     roller = np.arange(x.size * y.size * z.size).reshape(x.size, y.size, z.size) + 1

@@ -34,7 +34,7 @@ OF_RESULTS = {"title", "description", "estimate_error", "output"}
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
-    "low": [-18e-6], "high": [24e-6], "lateral_creepage": [2e-3], "spin": [1.0],
+    "friction": [0.2], "low": [-18e-6], "high": [24e-6], "lateral_creepage": [2e-3], "spin": [1.0],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
         [[2.0, 0.0], [0.5, 0.0]], [-3.0, 0.0], [0.0, 1.0]],
