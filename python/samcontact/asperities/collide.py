@@ -12,7 +12,6 @@ from .._util.checks import boolean, integer, require_type
 from .._util.display import ShortRepr
 from .._util.errors import attach
 from .._util.progress import progress_bar
-from ..bodies.free_faces import require_endless
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..diagnostics import resolution
@@ -115,7 +114,6 @@ def collide(
     boolean("back_and_forth", back_and_forth)
     require_type("collision", collision, Collision)
     require_homogeneous("asperity collision does not support layered bodies", body1, body2)
-    require_endless("asperity collision does not support ends of bodies", body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if given := settings.get(name):

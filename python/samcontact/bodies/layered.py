@@ -20,6 +20,7 @@ from .._util.frozen import FrozenDict
 from .._util.short_text import in_short
 from .depth_profiles import checked_depths
 from .display import material_in_short
+from .free_faces import require_endless
 from .material import Material
 
 
@@ -238,13 +239,14 @@ def require_bodies(*bodies: Any) -> None:
 
 
 def require_homogeneous(reason: str, *bodies: Any) -> None:
-    """Raise ValueError, with the reason, for layered bodies; TypeError for other objects."""
+    """Raise ValueError for layered bodies, with the reason, or free faces; else TypeError."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
             raise ValueError(
                 f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
             )
         require_type(f"body{n}", body, Material)
+    require_endless("ends of bodies are not supported", *bodies)
 
 
 def top_thickness(body: Body) -> float:

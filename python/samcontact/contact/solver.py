@@ -295,11 +295,10 @@ def solve_driven(  # warnings show the line two calls up
         start = finite_array("initial_pressure", initial_pressure, initial.grid.surface_shape)
         # tiny values would cause a division by zero
         start = np.where(np.abs(start) > 1e-75, start, 0.0)
-    strip = contact_strip((initial.body1, initial.body2))
-    surfaces, solver = SurfaceGeometry(gap), initial
+    surfaces, solver, bodies = SurfaceGeometry(gap), initial, (initial.body1, initial.body2)
     if callable(gap) and drive.previous is not None and not fits(drive.previous, initial.grid):
         solver = initial._over(drive.previous.grid.surface_shape)
-    window, bodies = surfaces.over(solver.grid, strip), (initial.body1, initial.body2)
+    window = surfaces.over(solver.grid, contact_strip(bodies))
     pulled = initial.contact_law.attracts
     setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     target = {"load": load, "approach": approach}
@@ -322,7 +321,7 @@ def solve_driven(  # warnings show the line two calls up
             with explain_failed_enlargement(error, window.grid):
                 counts = counts_for(error, initial.grid, setup, load, approach)
                 solver, before = initial._over(counts), window
-                window = surfaces.over(solver.grid, strip)
+                window = surfaces.over(solver.grid, contact_strip(bodies))
                 require_consistent_overlap(window, before)
             setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
             start = None
