@@ -77,6 +77,9 @@ class HasFreeFaces:
         TypeError
             A coordinate is not a number.
         """
+        for name, place in (("low", low), ("high", high)):
+            if place is not None:
+                finite(name, place)
         return cast("Self", replace(cast("Any", self), free_faces=(low, high, method)))
 
 
