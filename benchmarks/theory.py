@@ -17,7 +17,7 @@ import numpy as np
 import samcontact as sc
 from samcontact import shakedown
 
-from . import increment_errors
+from . import increment_errors, roller_ends
 from .steel import LOAD, balls
 from .study import ROOT, table
 
@@ -256,6 +256,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "increment_errors": increment_errors.stated_errors,
     "shakedown_limits": shakedown_limits,
     "shakedown_cycles": shakedown_cycles,
+    "roller_end": roller_ends.stated_pressures,
 }
 
 

@@ -20,6 +20,12 @@ TABULATED = {
     "thermal": SWIFT["thermal"],
 }  # fmt: skip
 LAYER = {"E": 420e9, "nu": 0.22, "thickness": 2e-6}
+ROLLER = {
+    "law": "elastic",
+    "E": 210e9,
+    "nu": 0.3,
+    "free_faces": {"low": -24e-6, "high": 18e-6, "method": "exact"},
+}
 COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
 HARDENED = {name: value for name, value in SWIFT.items() if name != "yield_profile"}
@@ -144,6 +150,10 @@ KINDS = {
     "coated by other laws": BASE | {"body1": COLD, "body2": SWIFT | {"layers": [
         SWIFT | {"thickness": 5e-6}, *(law | {"thickness": 10e-6} for law in (VOCE, TABULATED)),
     ]}, "heat": {"factor": [0.0, 2e-3], "time": 1e-3}, "path": [{"load": 2.0}]},
+    "ending": BASE | {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "body1": ROLLER,
+                      "body2": ROLLER, "heat": None,
+                      "contact": CONTACT | {"friction": 0.0},
+                      "path": [{k: v for k, v in RAMP.items() if k != "heat_factor"}]},
     "Voce": BASE | {"body1": VOCE},
     "library": BASE | {"body2": {"material": "52100", "law": "swift"}},
     "tabulated": BASE | {"body2": TABULATED},

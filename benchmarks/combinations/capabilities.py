@@ -42,6 +42,10 @@ def _graded(contact: Contact) -> None:
     contact.body2 = graded.with_residual_stress(depths, [-200e6, -100e6, 0.0])
 
 
+def _ends(contact: Contact) -> None:
+    contact.ends = True
+
+
 def _both_yield(contact: Contact) -> None:
     contact.body1 = sc.Material.swift(210e9, 0.3, 700e6, 20.0, 0.1)
 
@@ -160,6 +164,7 @@ CAPABILITIES: dict[str, Change] = {
     "thermal softening": _softens,
     "two plastic bodies": _both_yield,
     "profiles of hardness and initial stress": _graded,
+    "free face": _ends,
     "elastic coating": _elastic_coating,
     "plastic coating and substrate": _yielding_coating,
     "full sliding": _full_sliding,

@@ -27,6 +27,8 @@ class Contact:
     body2: sc.Material = field(default_factory=lambda: sc.Material.elastic(210e9, 0.3))
     has_thermal_properties: bool = False
     coating: sc.Material | None = None
+    ends: bool = False
+    """Whether the upper body ends at a free face inside the contact."""
     periodic: str = ""
     heights: np.ndarray | None = None
     """Measured heights, which are added to the gap [m]."""
@@ -56,6 +58,8 @@ class Contact:
         if self.has_thermal_properties:
             body1, body2 = (body.with_thermal(50.2, 11.7e-6, 1.39e-5) for body in (body1, body2))
             coating = None if coating is None else coating.with_thermal(5.0, 8e-6, 2e-6)
+        if self.ends:
+            body1 = body1.with_free_faces(high=4 * SIZE)
         if coating is None:
             return body1, body2
         return body1, sc.Layered([(coating, SIZE)], body2)
@@ -137,7 +141,7 @@ def _faults_of(state: sc.State, step: dict[str, Any], contact: Contact) -> list[
     if moment is not None:
         conditions["moment"] = bool(abs(state.moment[0] - moment) <= 1e-6 * LOAD * SIZE)
     if highest > 0:
-        closed = np.minimum(pressure / highest, gap / np.abs(gap).max())
+        closed = np.minimum(pressure / highest, gap / np.abs(gap[np.isfinite(gap)]).max())
         conditions["pressure or gap zero"] = bool(np.abs(closed).max() <= TOL)
     if isinstance(contact.law, sc.Coulomb):
         excess = slip_error(state, contact.law.coefficient)

@@ -66,6 +66,10 @@ REASONS = (
         is_limit=True,
     ),
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
+    Reason(
+        "free faces|free_faces",
+        "Displacement due to shear and heat, periodic surfaces and plastic flow near a free face.",
+    ),
     Reason("history of heat in layers", "History of heat in coated bodies."),
 )
 

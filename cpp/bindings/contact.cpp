@@ -16,7 +16,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/outline.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
-#include "samcontact/operators/medium/layered_half_space.hpp"
+#include "samcontact/operators/medium/finite_body.hpp"
 #include "typed.hpp"
 
 namespace samcontact::bindings {
@@ -211,8 +211,9 @@ void bind_contact(py::module_& m) {
            py::arg("is_load"), py::arg("value"), py::arg("is_moment"), py::arg("tilt"));
 
   py::class_<ContactSolver>(m, "ContactSolver")
-      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
-                       const contact::FrictionLaw& friction, const operators::HeatingPair& heating,
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const contact::FrictionLaw& friction,
+                       const operators::HeatingPair& heating,
                        const std::shared_ptr<contact::ContactLaw>& law) {
              return std::make_unique<ContactSolver>(grid, operators::medium_of(body1),
                                                     operators::medium_of(body2), friction, heating,
@@ -226,8 +227,8 @@ void bind_contact(py::module_& m) {
 
   m.attr("spin_lead") = contact::spin_lead;
   py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")
-      .def(py::init([](const Grid& grid, const Stack& body1, const Stack& body2,
-                       const contact::FrictionLaw& friction,
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const contact::FrictionLaw& friction,
                        const std::shared_ptr<contact::ContactLaw>& law) {
              return std::make_unique<contact::PartialSlipContact>(
                  grid, operators::medium_of(body1), operators::medium_of(body2), friction, law);

@@ -14,8 +14,8 @@
 #include "samcontact/base/errors.hpp"
 #include "samcontact/kernels/heated_wave.hpp"
 #include "samcontact/operators/heat/temperature.hpp"
+#include "samcontact/operators/medium/finite_body.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
-#include "samcontact/operators/medium/layered_half_space.hpp"
 #include "samcontact/operators/surface/surface_displacement.hpp"
 #include "samcontact/operators/volume/volume_operators.hpp"
 #include "samcontact/operators/zones/zone_operators.hpp"
@@ -55,9 +55,9 @@ Values residual_displacement(const Grid& grid, const Array& strain, double nu, i
 }
 
 /// axis: 0, 1 or 2 along x, y or z.
-Values surface_displacement(const Grid& grid, const Stack& body, const operators::Heating& heating,
-                            const Array& pressure, const MaybeArray& shear_x,
-                            const MaybeArray& shear_y, int axis) {
+Values surface_displacement(const Grid& grid, const plasticity::Body& body,
+                            const operators::Heating& heating, const Array& pressure,
+                            const MaybeArray& shear_x, const MaybeArray& shear_y, int axis) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;
@@ -69,9 +69,9 @@ Values surface_displacement(const Grid& grid, const Stack& body, const operators
   return surface_array(std::move(out), grid);
 }
 
-Values surface_stress(const Grid& grid, const Stack& body, const operators::Heating& heating,
-                      const std::vector<double>& z, const Array& pressure,
-                      const MaybeArray& shear_x, const MaybeArray& shear_y) {
+Values surface_stress(const Grid& grid, const plasticity::Body& body,
+                      const operators::Heating& heating, const std::vector<double>& z,
+                      const Array& pressure, const MaybeArray& shear_x, const MaybeArray& shear_y) {
   const operators::Tractions tractions{to_field(pressure), to_field_or_empty(shear_x),
                                        to_field_or_empty(shear_y)};
   Field out;

@@ -106,6 +106,12 @@ void bind_material(py::module_& m) {
             return s.with_initial_stress({{z, sxx}, {z, syy}, {z, sxy}});
           },
           py::arg("z"), py::arg("sxx"), py::arg("syy"), py::arg("sxy"))
+      .def(
+          "with_free_faces",
+          [](const Material& s, double low, double high, bool exact) {
+            return s.with_free_faces({low, high, exact ? FaceMethod::exact : FaceMethod::factor});
+          },
+          py::arg("low"), py::arg("high"), py::arg("exact"))
       .def_property_readonly("stack", [](const Material& s) { return Stack{{}, s.elastic}; })
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)

@@ -20,6 +20,7 @@ from ._util.checks import (
     require_fast,
     require_type,
 )
+from .bodies.material import Material
 from .problem.cell_fields import depth_major, depths_of, shear_components
 from .problem.grid import Grid
 from .problem.settings import Settings
@@ -65,7 +66,7 @@ def surface_displacement(
     needed = memory.surface(grid, memory.DISPLACEMENT_BYTES)
     memory.require_for_grid("a displacement", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
-    body = _core.Stack(_core.Elastic.isotropic(number("E", E), number("nu", nu)))
+    body = Material.elastic(number("E", E), number("nu", nu))._core
     field: FloatArray = _core.operators.surface_displacement(
         grid._core, body, _core.Heating(), p, *shear_components(grid, shear), number_of_axis
     )
@@ -99,7 +100,7 @@ def surface_stress(
     memory.require_for_grid(f"the stress at {len(depths)} depths", grid, needed)
     p = np.ascontiguousarray(finite_array("pressure", pressure, grid.surface_shape))
     # The stress due to tractions does not depend on Young's modulus.
-    body = _core.Stack(_core.Elastic.isotropic(1.0, number("nu", nu)))
+    body = Material.elastic(1.0, number("nu", nu))._core
     field: FloatArray = _core.operators.surface_stress(
         grid._core, body, _core.Heating(), depths.tolist(), p, *shear_components(grid, shear)
     )

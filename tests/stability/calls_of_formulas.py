@@ -28,6 +28,7 @@ RACE = sc.bearings.RaceContact(3e-3, 4e-2)
 SPHERE = {"R": 1e-2, "E_star": E_STAR, "nu": NU, "yield_stress": 1e9}
 RECTANGLE = {"X": X, "Y": Y, "a": 1e-5, "b": 2e-5}
 HEAT = {"conductivity": 50.0, "diffusivity": 1.4e-5, "time": 1e-4, "velocity": (1.0, 0.5)}
+FACES = {"low": -1e-3, "high": 1e-3, "method": "exact"}
 TABLE = {"x": X, "y": Y, "a": 1e-5, "b": 2e-5, "tol": 1e-4, **HEAT}
 
 STRESS = 1e8 * np.sin(np.arange(3 * 6 * 2.0)).reshape(3, 6, 2)
@@ -94,6 +95,7 @@ CALLS = [
         SOFT.with_residual_stress,
         {"z": [0.0, 1e-3], "sxx": [-1e8, 0.0], "syy": [-2e8, 0.0], "sxy": [1e8, 0.0]},
     ),
+    ("Material.with_free_faces", STEEL.with_free_faces, FACES),
     ("Material.yield_factor", SOFT.yield_factor, {"z": Z}),
     ("Material.yield_stress_at", SOFT.yield_stress_at, {"z": Z}),
     ("Material.residual_stress_at", SOFT.residual_stress_at, {"z": Z}),

@@ -31,7 +31,7 @@ BELOW = {
     "kernels": {"base"},
     "fft": {"base"},
     "plasticity": {"base"},
-    "operators": {"base", "kernels", "fft"},
+    "operators": {"base", "kernels", "fft", "plasticity"},
     "contact": {"base", "kernels", "fft", "operators"},
     "simulation": {"base", "kernels", "fft", "operators", "plasticity", "contact"},
 }

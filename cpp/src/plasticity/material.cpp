@@ -131,4 +131,16 @@ Material Material::with_initial_stress(InitialStress stress) const {
   return material;
 }
 
+Material Material::with_free_faces(const FreeFaces& faces) const {
+  if (elastic.is_rigid() || is_plastic()) {
+    throw std::invalid_argument(
+        "free_faces requires an elastic material: a rigid body does not deform, and plastic flow "
+        "near a free face is not known");
+  }
+  require(faces.low < faces.high, "free_faces: high face", "above the low face [m]", faces.high);
+  Material faced = *this;
+  faced.free_faces = faces;
+  return faced;
+}
+
 }  // namespace samcontact::plasticity

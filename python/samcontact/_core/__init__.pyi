@@ -158,6 +158,7 @@ class Material:
     def with_backstresses(
         self, terms: collections.abc.Sequence[tuple[float, float]]
     ) -> Material: ...
+    def with_free_faces(self, low: float, high: float, exact: bool) -> Material: ...
     def with_initial_stress(
         self,
         z: collections.abc.Sequence[float],
@@ -240,8 +241,8 @@ class ContactSolver:
     def __init__(
         self,
         grid: Grid,
-        body1: Stack,
-        body2: Stack,
+        body1: Body,
+        body2: Body,
         friction: FrictionLaw,
         heating: typing.Annotated[collections.abc.Sequence[Heating], "FixedSize(2)"],
         contact_law: ContactLaw,
@@ -261,7 +262,7 @@ class ContactSolver:
 
 class PartialSlipContact:
     def __init__(
-        self, grid: Grid, body1: Stack, body2: Stack, friction: FrictionLaw, contact_law: ContactLaw
+        self, grid: Grid, body1: Body, body2: Body, friction: FrictionLaw, contact_law: ContactLaw
     ) -> None: ...
     def roll(
         self,

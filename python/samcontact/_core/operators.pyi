@@ -65,7 +65,7 @@ def residual_stress(
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def surface_displacement(
     grid: samcontact._core.Grid,
-    body: samcontact._core.Stack,
+    body: samcontact._core.Body,
     heating: samcontact._core.Heating,
     pressure: numpy.typing.NDArray[numpy.float64],
     shear_x: numpy.typing.NDArray[numpy.float64] | None,
@@ -74,7 +74,7 @@ def surface_displacement(
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def surface_stress(
     grid: samcontact._core.Grid,
-    body: samcontact._core.Stack,
+    body: samcontact._core.Body,
     heating: samcontact._core.Heating,
     z: collections.abc.Sequence[float],
     pressure: numpy.typing.NDArray[numpy.float64],

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from .._util.display import Rows, quantity, rows_of
@@ -41,6 +42,11 @@ def material_rows(material: Any) -> Rows:
         z, *stresses = material.residual_stress
         for name, values in zip(("sxx", "syy", "sxy"), stresses, strict=True):
             rows.append((f"residual {name}", _over_depth(z, values, "Pa")))
+    if material.free_faces is not None:
+        *places, method = material.free_faces
+        named = zip(("low", "high"), places, strict=True)
+        shown = [f"{name} {quantity(y, 'm')}" for name, y in named if math.isfinite(y)]
+        rows.append(("free faces", f"y: {', '.join(shown)}, {method}"))
     return rows
 
 

@@ -20,7 +20,17 @@ from .._util.frozen import FrozenDict
 from .._util.short_text import in_short
 from .depth_profiles import checked_depths
 from .display import material_in_short
+from .free_faces import require_endless
 from .material import Material
+
+
+def _require_endless(name: str, material: Material) -> None:
+    """Raise ValueError for a material with free faces, which are not supported with layers."""
+    if material.free_faces is not None:
+        raise ValueError(
+            f"{name} must not have free_faces, got {material.free_faces!r}: a free face of a "
+            "layered body is not supported"
+        )
 
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
@@ -34,6 +44,7 @@ def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
         require_type(f"material of layers[{n}]", material, Material)
         if material.is_rigid:
             raise ValueError(f"layers[{n}] must not be rigid: only the substrate can be rigid")
+        _require_endless(f"material of layers[{n}]", material)
         layers.append((material, positive(f"thickness of layers[{n}]", thickness)))
     if not layers:
         raise ValueError(
@@ -85,6 +96,7 @@ class Layered(HtmlTable):
     def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
         object.__setattr__(self, "layers", _checked_layers(layers))
         require_type("substrate", substrate, Material)
+        _require_endless("substrate", substrate)
         object.__setattr__(self, "substrate", substrate)
         self._core  # noqa: B018  (the core checks thicknesses)
 
@@ -227,13 +239,14 @@ def require_bodies(*bodies: Any) -> None:
 
 
 def require_homogeneous(reason: str, *bodies: Any) -> None:
-    """Raise ValueError, with the reason, for layered bodies; TypeError for other objects."""
+    """Raise ValueError for layered bodies, with the reason, or free faces; else TypeError."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Layered):
             raise ValueError(
                 f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
             )
         require_type(f"body{n}", body, Material)
+    require_endless("ends of bodies are not supported", *bodies)
 
 
 def top_thickness(body: Body) -> float:

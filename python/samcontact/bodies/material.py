@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -11,30 +11,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.cached_property import cached_property
-from .._util.checks import FloatArray, number, real_array
+from .._util.checks import FloatArray, real_array
 from .._util.display import HtmlTable, Rows
 from .._util.short_text import in_short
+from .constants import as_list, named_numbers
 from .depth_profiles import PROFILE_ARGUMENTS, HasDepthProfiles, Profile, profile
 from .display import material_rows
+from .free_faces import FreeFaces, HasFreeFaces, checked_faces
 from .hardening_laws import checked_constants, core_material
 from .tension_test import FromTest
 
 
-def _as_list(value: Any) -> list[Any]:
-    value = value.tolist() if isinstance(value, np.ndarray) else value
-    return list(value) if isinstance(value, Iterable) else [value]
-
-
-def _numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Return a group of constants as floats; raise ValueError unless `parts` names each one."""
-    values = _as_list(given)
-    if len(values) != len(parts):
-        raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
-    return tuple(number(part, value) for part, value in zip(parts, values, strict=True))
-
-
 @dataclass(frozen=True, repr=False)
-class Material(HasDepthProfiles, FromTest, HtmlTable):
+class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
     """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes
@@ -52,6 +41,8 @@ class Material(HasDepthProfiles, FromTest, HtmlTable):
     yield_profile, residual_stress : tuple of tuples of float, or None
         Depths [m] and the values at each depth, see `with_yield_profile` and
         `with_residual_stress`.
+    free_faces : tuple of (float, float, str), or None
+        Coordinates y of both free faces [m] and method, see `with_free_faces`.
     """
 
     law: str
@@ -61,19 +52,22 @@ class Material(HasDepthProfiles, FromTest, HtmlTable):
     softening: Callable[[FloatArray], ArrayLike] | None = None
     yield_profile: Profile | None = None
     residual_stress: Profile | None = None
+    free_faces: FreeFaces | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", checked_constants(self.law, self.parameters))
         terms = tuple(
-            _numbers("kinematic", ("modulus", "recovery"), t) for t in _as_list(self.kinematic)
+            named_numbers("kinematic", ("modulus", "recovery"), t) for t in as_list(self.kinematic)
         )
         object.__setattr__(self, "kinematic", terms)
         if self.thermal is not None:
             names = ("conductivity", "expansion", "diffusivity")
-            object.__setattr__(self, "thermal", _numbers("thermal", names, self.thermal))
+            object.__setattr__(self, "thermal", named_numbers("thermal", names, self.thermal))
         for name in PROFILE_ARGUMENTS:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, profile(name, getattr(self, name)))
+        if self.free_faces is not None:
+            object.__setattr__(self, "free_faces", checked_faces(self.free_faces))
         if self.softening is not None:
             self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
@@ -204,7 +198,7 @@ class Material(HasDepthProfiles, FromTest, HtmlTable):
         TypeError
             An argument is not a number.
         """
-        moduli, recoveries = _as_list(modulus), _as_list(recovery)
+        moduli, recoveries = as_list(modulus), as_list(recovery)
         if not isinstance(recovery, (list, tuple)) and len(recoveries) == 1:  # for all
             recoveries *= len(moduli)
         if len(moduli) != len(recoveries) or not moduli:
@@ -293,6 +287,9 @@ class Material(HasDepthProfiles, FromTest, HtmlTable):
             core = core.with_yield_profile(*self.yield_profile)
         if self.residual_stress is not None:
             core = core.with_initial_stress(*self.residual_stress)
+        if self.free_faces is not None:
+            low, high, method = self.free_faces
+            core = core.with_free_faces(low, high, method == "exact")
         return core
 
     @property

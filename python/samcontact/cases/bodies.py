@@ -126,7 +126,17 @@ class HardnessSection(Section):
         return HardnessProfile(tuple(self.z or ()), tuple(self.HV or ()))
 
 
-_BODY_TABLES = ("kinematic", "thermal", "softening", "yield_profile", "residual_stress")
+class FreeFaces(Section):
+    """Free end faces of a body, see `Material.with_free_faces`."""
+
+    low: Annotated[Finite, in_unit("m")] | None = None
+    high: Annotated[Finite, in_unit("m")] | None = None
+    method: Literal["exact", "factor"] = "exact"
+
+
+_BODY_TABLES = (
+    "kinematic", "thermal", "softening", "yield_profile", "residual_stress", "free_faces",
+)  # fmt: skip
 _OTHER_FIELDS = {"layers", "thickness", "material", "hardness"}
 
 
@@ -174,6 +184,8 @@ class _Solid(Section):
             material = self.profile.applied_to(material)
         if extra["residual_stress"] is not None:
             material = material.with_residual_stress(**extra["residual_stress"])
+        if extra["free_faces"] is not None:
+            material = material.with_free_faces(**extra["free_faces"])
         return material
 
 
@@ -338,6 +350,10 @@ class _ElasticBody(_ElasticSolid, _Body):
     pass
 
 
+class _EndingBody(_ElasticBody):
+    free_faces: FreeFaces | None = None
+
+
 class _PlasticBody(_PlasticSolid, _ElasticBody):
     pass
 
@@ -346,5 +362,5 @@ if TYPE_CHECKING:
     BodySection = _Body
 else:
     BodySection = Annotated[
-        _models("Body", _Body, _ElasticBody, _PlasticBody), BeforeValidator(_body_law)
+        _models("Body", _Body, _EndingBody, _PlasticBody), BeforeValidator(_body_law)
     ]

@@ -33,6 +33,7 @@ def require_all_used(case: Any) -> None:
     _require_hardness(case)
     _require_repeatable(case)
     require_motion_of_heat(case)
+    _require_known_faces(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -135,6 +136,22 @@ def _require_repeatable(case: Any) -> None:
             f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
+
+
+def _require_known_faces(case: Any) -> None:
+    """Raise ValueError for results and studies that free faces of a body exclude."""
+    bodies = (("body1", case.body1), ("body2", case.body2))
+    for number, (name, body) in enumerate(bodies, 1):
+        if getattr(body, "free_faces", None) is None:
+            continue
+        for section in ("wear", "accuracy"):
+            if getattr(case, section) is not None:
+                raise ValueError(f"{name}.free_faces cannot be combined with {section}: omit one")
+        if case.has_volume and case.output.body == number and case.output.volume != "none":
+            raise ValueError(
+                f"{name}.free_faces: the stress near a free face is not known: omit grid.dz, set "
+                'output.volume = "none", or select the other body with output.body'
+            )
 
 
 def _require_law_of_friction(case: Any) -> None:

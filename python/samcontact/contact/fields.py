@@ -67,7 +67,7 @@ class ContactFields(Configured):
         memory.require_for_grid(f"the stress at {layers} depths", self.grid, needed)
         stress: FloatArray = _core.operators.surface_stress(
             self.grid._core,
-            material._core.stack,
+            material._core,
             self._heating[body - 1],
             depths_of(z).tolist(),
             *self._tractions_on(body, pressure, shear),
@@ -116,7 +116,7 @@ class ContactFields(Configured):
         along = _core.operators.surface_displacement
         return np.stack(
             [
-                along(self.grid._core, material._core.stack, _core.Heating(), *loads, axis)
+                along(self.grid._core, material._core, _core.Heating(), *loads, axis)
                 for axis in range(3)
             ]
         )

@@ -15,6 +15,7 @@ from .. import _core
 from .._util import memory
 from .._util.checks import FloatArray, finite_array, require_type
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
+from ..bodies.free_faces import contact_strip
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
@@ -120,7 +121,7 @@ class ContactSolver(ContactFields):
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
-        setup = grid._core, body1._core.stack, body2._core.stack
+        setup = grid._core, body1._core, body2._core
         law, contact = self._law.to_core(), self.contact_law.to_core()
         if self._law.sticks:
             self._core = _core.PartialSlipContact(*setup, law, contact)
@@ -304,10 +305,10 @@ def solve_driven(  # warnings show the line two calls up
         start = finite_array("initial_pressure", initial_pressure, initial.grid.surface_shape)
         # tiny values would cause a division by zero
         start = np.where(np.abs(start) > 1e-75, start, 0.0)
-    surfaces, solver = SurfaceGeometry(gap), initial
+    surfaces, solver, bodies = SurfaceGeometry(gap), initial, (initial.body1, initial.body2)
     if callable(gap) and drive.previous is not None and not fits(drive.previous, initial.grid):
         solver = initial._over(drive.previous.grid.surface_shape)
-    window, bodies = surfaces.over(solver.grid), (initial.body1, initial.body2)
+    window = surfaces.over(solver.grid, contact_strip(bodies))
     pulled = initial.contact_law.attracts
     setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     finding = setup.warn_of_units(
@@ -329,7 +330,7 @@ def solve_driven(  # warnings show the line two calls up
             with explain_failed_enlargement(error, window.grid):
                 counts = counts_for(error, initial.grid, setup, **target)
                 solver, before = initial._over(counts), window
-                window = surfaces.over(solver.grid)
+                window = surfaces.over(solver.grid, contact_strip(bodies))
                 require_consistent_overlap(window, before)
             setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
             start = None

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -15,6 +16,7 @@ from .grid import Grid
 from .moving_topography import Relief, heights_over, relief_rows
 
 _SAME_HEIGHT_TOLERANCE = 1e-9  # relative to the heights
+_SAME_PLACE_TOLERANCE = 1e-6  # relative to the cells
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,14 +51,37 @@ class SurfaceGeometry:
         reliefs = (self.relief1, self.relief2)
         return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
 
-    def over(self, grid: Grid) -> Domain:
-        """Check the surfaces on a grid, and return them with the grid."""
+    def over(self, grid: Grid, strip: tuple[float, float] = (-math.inf, math.inf)) -> Domain:
+        """Check the surfaces on a grid, and return them with the grid.
+
+        strip: range of y in which both bodies exist [m]; the gap is infinite beyond it.
+        """
         gap = self.gap(grid) if callable(self.gap) else self.gap
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
         for number, relief in enumerate(reliefs, 1):
             relief_rows(f"relief{number}", relief, grid)
         checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
+        for face in filter(math.isfinite, strip):
+            _require_possible(grid, face)
+        low, high = strip
+        checked[:, (grid.y < low) | (grid.y > high)] = np.inf
         return Domain(grid, read_only(checked), *reliefs)
+
+
+def _require_possible(grid: Grid, face: float) -> None:
+    """Raise ValueError on a periodic grid, and unless a free face lies on an edge of cells."""
+    if grid.periodic:
+        raise ValueError(
+            f"free_faces cannot be combined with grid.periodic = {grid.periodic!r}, got a face at "
+            f"y = {face!r} m: the displacement of periodic surfaces near a free face is not known"
+        )
+    row = face / grid.dy + 0.5 * grid.ny
+    if abs(row - round(row)) > _SAME_PLACE_TOLERANCE:
+        nearest = (round(row) - 0.5 * grid.ny) * grid.dy
+        raise ValueError(
+            f"free_faces must lie on edges of cells, got a face at y = {face!r} m with grid.dy = "
+            f"{grid.dy!r} m and grid.ny = {grid.ny}: the nearest edge is at {nearest:.9g} m"
+        )
 
 
 def require_consistent_overlap(larger: Domain, window: Domain) -> None:

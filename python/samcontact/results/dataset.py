@@ -311,6 +311,9 @@ def _material_attributes(prefix: str, body: Body) -> dict[str, Any]:
         modulus, recovery = zip(*body.kinematic, strict=True)
         found[f"{prefix}kinematic_modulus"] = list(modulus)
         found[f"{prefix}kinematic_recovery"] = list(recovery)
+    if body.free_faces is not None:
+        names = ("low", "high", "method")
+        found |= {f"{prefix}free_faces_{n}": v for n, v in zip(names, body.free_faces, strict=True)}
     for kind, parts in PROFILE_ARGUMENTS.items():
         for part, values in zip(parts, getattr(body, kind) or (), strict=False):
             found[f"{prefix}{kind}_{part}"] = list(values)

@@ -90,6 +90,8 @@ def _body_tree(body: Body) -> Tree:
         "thermal": body.thermal,
         "yield_profile": body.yield_profile,
         "residual_stress": body.residual_stress,
+        "free_faces": None if body.free_faces is None else list(body.free_faces[:2]),
+        "face_method": None if body.free_faces is None else body.free_faces[2],
         "johnson_cook": astuple(law) if isinstance(law, JohnsonCook) else None,
         "softening": None if known or law is None else repr(law),
     }
@@ -143,4 +145,6 @@ def _material(name: str, part: Tree, law: Any) -> Material:
         )
     kinematic = tuple(map(tuple, part.get("kinematic", ())))
     thermal, profile, stress = map(part.get, ("thermal", "yield_profile", "residual_stress"))
-    return Material(part["law"], part["parameters"], kinematic, thermal, law, profile, stress)
+    faces = part.get("free_faces")
+    ends = None if faces is None else (*map(float, faces), part["face_method"])
+    return Material(part["law"], part["parameters"], kinematic, thermal, law, profile, stress, ends)

@@ -13,6 +13,7 @@ from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
+from ..bodies.free_faces import contact_strip
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -100,7 +101,7 @@ class Engine:
         )
         cell += memory.YIELD_SCAN_BYTES if scanned else 0.0
         memory.require_for_grid("a simulation", grid, memory.surface(grid, cell))
-        domain = setup.surfaces.over(grid)
+        domain = setup.surfaces.over(grid, contact_strip(setup.bodies))
         if current is not None:
             larger, smaller = sorted((domain, current), key=lambda d: d.cells, reverse=True)
             require_consistent_overlap(larger, smaller)

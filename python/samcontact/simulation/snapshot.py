@@ -6,6 +6,8 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ..problem.domain import SurfaceGeometry
 from ..problem.settings import Settings
 from ..problem.setup import SimulationSetup
@@ -31,7 +33,11 @@ class Snapshot:
     def of(cls, state: State) -> Snapshot:
         """Return the snapshot of the simulation at a state."""
         given = state.setup.on_domain(state.domain, state.heat)
-        return cls(given, state._core.content(), state.counters())
+        content = state._core.content()
+        # A state holds finite numbers only; without this part, the gap is computed when needed.
+        if not np.isfinite(content.get("contact_gap", 0.0)).all():
+            del content["contact_gap"]
+        return cls(given, content, state.counters())
 
     def setup(self) -> tuple[SimulationSetup, Grid, Heat]:
         """Setup, grid and heat of the simulation."""

@@ -48,7 +48,7 @@ def stress_at_interfaces(
     needed = memory.volume(grid, memory.TRACTION_STRESS_BYTES, sides.size)
     memory.require_for_grid("the stress at the interfaces", grid, needed)
     stress = _core.operators.surface_stress(
-        grid._core, layered._core.stack, _core.Heating(), sides.ravel().tolist(),
+        grid._core, layered._core, _core.Heating(), sides.ravel().tolist(),
         np.ascontiguousarray(pressure), *np.ascontiguousarray(shear),
     )  # fmt: skip
     found = np.stack(np.split(stress, len(SIDES), axis=-1))

@@ -16,6 +16,7 @@ from .._util.checks import (
     value_per_body,
 )
 from .._util.short_text import in_short
+from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, require_bodies
 from ..contact.tangential_drive import TangentialInput
 from ..diagnostics.plausibility import warn_if_implausible, wear_coefficient
@@ -64,6 +65,7 @@ def make_setup(
     """Check all arguments that `Simulation` does not check, and return them."""
     require_type("grid", grid, Grid)
     require_bodies(*bodies)
+    require_endless("wear does not support ends of bodies", *bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(

@@ -23,6 +23,7 @@ from .._util.checks import (
 )
 from .._util.errors import ElasticStrainWarning
 from .._util.short_text import in_short
+from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, elastic, require_bodies
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
@@ -104,6 +105,7 @@ def make_setup(
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
     require_bodies(*bodies)
+    require_endless("wear does not support ends of bodies", *bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)

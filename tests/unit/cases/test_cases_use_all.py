@@ -34,7 +34,7 @@ OF_RESULTS = {"title", "description", "estimate_error", "output"}
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
-    "lateral_creepage": [2e-3], "spin": [1.0],
+    "friction": [0.2], "low": [-18e-6], "high": [24e-6], "lateral_creepage": [2e-3], "spin": [1.0],
     "material": ["M50"], "HV": [[610.0, 450.0]], "surface": [620.0], "axis": ["y"],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
     "channel": ["other"], "window": [[5, 5]], "start": [0.6, 2e-8], "velocity": [
@@ -68,6 +68,7 @@ UNSET = {
     "tilt_y": 1e-6, "fret": {"shift_x": 1e-8},
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
+    "free_faces": {"low": -18e-6},
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
     "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
     "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
@@ -220,7 +221,7 @@ def test_every_field_of_every_section_is_tried():
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
-        "kinematic yield_profile layers surface path body1 body2 contact contact_law "
+        "kinematic yield_profile free_faces layers surface path body1 body2 contact contact_law "
         "capped_coulomb heat asperities output fatigue limit shakedown hardness exposure life"
     )
     given = (

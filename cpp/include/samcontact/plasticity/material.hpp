@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "samcontact/base/elastic.hpp"
+#include "samcontact/base/free_faces.hpp"
 #include "samcontact/base/over_depth.hpp"
 #include "samcontact/base/thermal.hpp"
 #include "samcontact/plasticity/hardening.hpp"
@@ -42,6 +43,7 @@ struct Material {
   std::optional<Thermal> thermal = {};
   std::optional<OverDepth> yield_profile = {};  // factor of the yield stress [-]; none: 1
   std::optional<InitialStress> initial_stress = {};
+  FreeFaces free_faces = {};
 
   /// Both throw std::invalid_argument with the name of the parameter, its value and the allowed
   /// range.
@@ -63,6 +65,10 @@ struct Material {
 
   /// Copy with an initial stress. Throws std::invalid_argument if it exceeds the yield stress.
   Material with_initial_stress(InitialStress stress) const;
+
+  /// Copy of an elastic material for a body with free faces. Throws std::invalid_argument for a
+  /// rigid or plastic material, and unless low < high.
+  Material with_free_faces(const FreeFaces& faces) const;
 
   bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.yields(); }

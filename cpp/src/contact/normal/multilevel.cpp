@@ -88,13 +88,14 @@ class Rounds {
 
   Rounds(const Grid& grid, const operators::NormalDisplacement& displacement, Near near,
          const Field& initial_gap, const RigidModes& modes, Field pressure, bool warm,
-         double rounding)
+         double rounding, bool whole)
       : grid_(grid),
         displacement_(displacement),
         near_(std::move(near)),
         initial_gap_(initial_gap),
         modes_(modes),
         warm_(warm),
+        whole_(whole),
         box_{},
         u_(initial_gap.size()) {
     solution_.tractions.pressure = std::move(pressure);
@@ -160,7 +161,9 @@ class Rounds {
   /// Chooses the box; true if contact has become possible outside the previous one.
   bool choose_box() {
     const Box box =
-        modes_.united(possible_contact(grid_, solution_.tractions.pressure, solution_.gap));
+        whole_
+            ? Box::surface(grid_)
+            : modes_.united(possible_contact(grid_, solution_.tractions.pressure, solution_.gap));
     if (box_.contains(box)) return false;
     box_ = with_margin(grid_, box, box_);
     return true;
@@ -209,6 +212,7 @@ class Rounds {
   const RigidModes& modes_;
   const bool warm_;
   bool met_ = true;
+  const bool whole_;  // whether the box is the grid: faces have a place on it
   Box box_;
   Field u_;
   ComplexField work_;
@@ -220,7 +224,8 @@ class Rounds {
 std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
   const std::lock_guard lock(mutex_);
   if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
-    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_);
+    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_,
+                                                  displacement_.ends());
   }
   return near_;
 }
@@ -268,12 +273,14 @@ Solution Multilevel::Level::solve(const Field& initial_gap, const RigidModes& mo
   }
   double work = 0.0;
   const bool warm = !is_zero(pressure);
-  if (!warm && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
+  // Cells of a coarser grid keep their distance from faces only if they fill the grid.
+  const bool fits = !displacement_.ends() || grid_.ny % 2 == 0;
+  if (!warm && fits && std::min(grid_.nx, grid_.ny) >= coarsest_side && grid_.can_be_coarsened()) {
     pressure = coarse_start(initial_gap, modes, max_iterations, work);
   }
   const auto near_of = [this](int nx, int ny) { return near(nx, ny); };
   Rounds rounds(grid_, displacement_, near_of, initial_gap, modes, std::move(pressure), warm,
-                rounding(initial_gap, lowest, modes));
+                rounding(initial_gap, lowest, modes), displacement_.ends() != nullptr);
   Solution solution =
       is_start ? rounds.start(tol, max_iterations) : rounds.run(tol, max_iterations);
   solution.work += work;

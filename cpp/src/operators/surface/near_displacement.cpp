@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace samcontact::operators {
 namespace {
@@ -53,12 +54,14 @@ Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box
   return quarter;
 }
 
-NearDisplacement::NearDisplacement(const Grid& box, const SurfaceInfluence& influence)
+NearDisplacement::NearDisplacement(const Grid& box, const SurfaceInfluence& influence,
+                                   SharedEndEffects ends)
     : transform_(transform_for(box)),
       near_(periodic_spectrum(
           transform_, box,
           [&](const CellOffsets& offsets) { return influence.even(box, offsets); })),
-      coarse_(box.nx, box.ny) {
+      coarse_(box.nx, box.ny),
+      ends_(std::move(ends)) {
   const int nx = box.nx, ny = box.ny;
   if (is_exact_period(transform_.mx(), nx, box.period.x) &&
       is_exact_period(transform_.my(), ny, box.period.y)) {
@@ -95,6 +98,10 @@ NearDisplacement::NearDisplacement(const Grid& box, const SurfaceInfluence& infl
 void NearDisplacement::apply(const double* pressure, double* displacement,
                              ComplexField& work) const {
   transform_.filter(pressure, near_.data(), displacement, work);
+  if (ends_) {
+    const Field ends = ends_->displacement(pressure);
+    for (std::size_t i = 0; i < ends.size(); ++i) displacement[i] += ends[i];
+  }
   if (!far_transform_) return;
   Field sums(coarse_.size());
   coarse_.gather(pressure, sums.data());
@@ -103,7 +110,8 @@ void NearDisplacement::apply(const double* pressure, double* displacement,
 }
 
 double NearDisplacement::cost() const {
-  return transform_.cost() + (far_transform_ ? far_transform_->cost() : 0.0);
+  return transform_.cost() + (far_transform_ ? far_transform_->cost() : 0.0) +
+         (ends_ ? ends_->cost() : 0.0);
 }
 
 }  // namespace samcontact::operators

@@ -3,11 +3,14 @@
 
 #include <utility>
 
+#include "samcontact/operators/medium/finite_body.hpp"
+
 namespace samcontact::operators {
 
 SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, const SurfaceInfluence& influence)
     : convolution_(grid),
       rest_(influence.rest(grid, convolution_.offsets())),
+      ends_(influence.ends(grid)),
       self_influence_(influence.elastic(grid, CellOffsets::lattice(1, 1))[0]) {
   even_.push_back({compliance_parity(Traction::pressure, Axis::z),
                    influence.even(grid, CellOffsets::lattice(convolution_.offsets().nx,
@@ -18,7 +21,13 @@ SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, const SurfaceInfluenc
 
 void SurfaceDisplacement::apply(const double* pressure, double* displacement,
                                 ComplexField& work) const {
+  if (!ends_) {
+    convolution_.apply(even_, pressure, displacement, work);
+    return;
+  }
+  const Field ends = ends_->displacement(pressure);
   convolution_.apply(even_, pressure, displacement, work);
+  for (std::size_t i = 0; i < ends.size(); ++i) displacement[i] += ends[i];
 }
 
 void SurfaceDisplacement::apply_rest(const double* pressure, double* displacement,
@@ -51,6 +60,10 @@ Field surface_displacement(const Grid& grid, const Medium& medium, const Heating
     convolution.apply(kernels, field.data(), part.data(), work);
     const double sign = sign_of(kind, shear_sign);
     for (std::size_t i = 0; i < total.size(); ++i) total[i] += sign * part[i];
+  }
+  if (const auto faced = faced_body(medium); faced && !tractions.pressure.empty()) {
+    const auto ends = EndEffects::of(grid, {{faced->elastic, faced->faces}});
+    if (ends) add(ends->displacement(tractions.pressure.data()), total);
   }
   return total;
 }

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <utility>
+
+#include "samcontact/operators/medium/finite_body.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -25,7 +28,13 @@ std::vector<int> ascending(std::vector<int> values) {
 }  // namespace
 
 void SurfaceInfluence::add(const SharedMedium& medium, double shear_x, const Heating& heating) {
-  if (!medium->is_rigid()) bodies_.push_back({medium, shear_x, heating});
+  if (medium->is_rigid()) return;
+  if (faced_body(*medium) && (shear_x != 0 || heating.is_on())) {
+    throw std::invalid_argument(
+        "free_faces cannot be combined with friction or heat: the displacement due to shear and "
+        "heat near a free face is not known; set friction = 0, or omit free_faces");
+  }
+  bodies_.push_back({medium, shear_x, heating});
 }
 
 bool SurfaceInfluence::is_heated() const {
@@ -87,6 +96,16 @@ Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const
     }
   }
   return table;
+}
+
+SharedEndEffects SurfaceInfluence::ends(const Grid& grid) const {
+  std::vector<std::pair<Elastic, FreeFaces>> faced;
+  for (const Body& body : bodies_) {
+    if (const auto found = faced_body(*body.medium)) {
+      faced.emplace_back(found->elastic, found->faces);
+    }
+  }
+  return EndEffects::of(grid, faced);
 }
 
 std::vector<ParityKernel> SurfaceInfluence::rest(const Grid& grid,

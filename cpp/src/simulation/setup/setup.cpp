@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "samcontact/base/cells_over.hpp"
-#include "samcontact/operators/medium/layered_half_space.hpp"
+#include "samcontact/operators/medium/finite_body.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -41,9 +41,18 @@ double spot_radius(const Field& repulsion, const Grid& grid) {
 }
 
 Media media_of(const plasticity::Body& body1, const plasticity::Body& body2) {
-  const auto upper = operators::medium_of(body1.stack());
-  const auto lower = operators::medium_of(body2.stack());
+  const auto upper = operators::medium_of(body1);
+  const auto lower = operators::medium_of(body2);
   return {upper, *upper == *lower ? upper : lower};
+}
+
+/// Mirror planes that the free faces of the bodies permit.
+fft::Symmetry symmetry_of_faces(const std::array<plasticity::Body, 2>& bodies) {
+  const bool mirrored = std::all_of(bodies.begin(), bodies.end(), [](const auto& body) {
+    const FreeFaces& faces = body.material(0).free_faces;
+    return faces.low == -faces.high;
+  });
+  return mirrored ? fft::Symmetry::xy : fft::Symmetry::none;
 }
 
 }  // namespace
@@ -70,6 +79,7 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
   // Throws for bodies without a contact solution.
   if (!friction.sticks()) cache.solver({});
   symmetry_ = common(symmetry_, friction.symmetry());
+  symmetry_ = common(symmetry_, symmetry_of_faces(bodies));
 }
 
 int Setup::followed() const {

@@ -31,8 +31,9 @@ struct NearOperators {
   operators::NearDisplacement displacement;
   Preconditioner preconditioner;
 
-  NearOperators(const Grid& box, const operators::SurfaceInfluence& influence)
-      : displacement(box, influence), preconditioner(box, influence, displacement) {}
+  NearOperators(const Grid& box, const operators::SurfaceInfluence& influence,
+                const operators::SharedEndEffects& ends)
+      : displacement(box, influence, ends), preconditioner(box, influence, displacement) {}
 };
 
 }  // namespace samcontact::contact

@@ -36,8 +36,9 @@ Field periodic_spectrum(const fft::PeriodicTransform& transform, const Grid& box
 /// kernel is summed on coarse cells. Small boxes are padded in full instead: exact.
 class NearDisplacement {
  public:
-  /// Uses the even part of the influence. box: as a grid of its own.
-  NearDisplacement(const Grid& box, const SurfaceInfluence& influence);
+  /// Uses the even part of the influence. box: as a grid of its own. ends: effect of free faces on
+  /// this box; null: no faces.
+  NearDisplacement(const Grid& box, const SurfaceInfluence& influence, SharedEndEffects ends = {});
 
   int nx() const { return transform_.nx(); }
   int ny() const { return transform_.ny(); }
@@ -61,6 +62,7 @@ class NearDisplacement {
   CoarseGrid coarse_;
   std::unique_ptr<fft::PeriodicTransform> far_transform_;  // null with full padding
   Field far_;
+  SharedEndEffects ends_;
 };
 
 }  // namespace samcontact::operators

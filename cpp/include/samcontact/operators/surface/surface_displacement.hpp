@@ -33,7 +33,8 @@ class NormalDisplacement {
 };
 
 /// Displacement due to pressure and the proportional shear and heat: even_ from the even part of
-/// the influence, rest_ from the remainder (friction between dissimilar materials, moving heat).
+/// the influence and ends_ from free faces, rest_ from the remainder (friction between dissimilar
+/// materials, moving heat).
 class SurfaceDisplacement : public NormalDisplacement {
  public:
   SurfaceDisplacement(const Grid& grid, const SurfaceInfluence& influence);
@@ -43,13 +44,17 @@ class SurfaceDisplacement : public NormalDisplacement {
   /// Displacement from the remainder.
   void apply_rest(const double* pressure, double* displacement, ComplexField& work) const;
 
+  /// Effect of free faces, contained in apply(); null: no faces.
+  const SharedEndEffects& ends() const { return ends_; }
+
   bool has_rest() const { return !rest_.empty(); }
   double self_influence() const override { return self_influence_; }
-  double cost() const override { return convolution_.cost(); }
+  double cost() const override { return convolution_.cost() + (ends_ ? ends_->cost() : 0.0); }
 
  private:
   SurfaceConvolution convolution_;
   std::vector<ParityKernel> even_, rest_;  // spectra
+  SharedEndEffects ends_;
   double self_influence_;
 };
 

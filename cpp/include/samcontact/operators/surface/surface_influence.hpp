@@ -7,13 +7,15 @@
 
 #include "samcontact/operators/convolution/surface_convolution.hpp"
 #include "samcontact/operators/medium/medium.hpp"
+#include "samcontact/operators/surface/end_effects.hpp"
 
 namespace samcontact::operators {
 
 /// Sum over the bodies in contact.
 class SurfaceInfluence {
  public:
-  /// Adds a body. shear_x: shear on it over the pressure [-].
+  /// Adds a body. shear_x: shear on it over the pressure [-]. Throws std::invalid_argument for
+  /// shear or heat on a body with free faces.
   void add(const SharedMedium& medium, double shear_x = 0.0, const Heating& heating = {});
 
   /// Part that is even in x and y, [j][i] [m/Pa].
@@ -22,6 +24,9 @@ class SurfaceInfluence {
   Field elastic(const Grid& grid, const CellOffsets& offsets) const;
   /// u_z over the pressure of a Fourier mode [m/Pa], elastic and even; wavenumber > 0 [1/m].
   double wave_compliance(double wavenumber) const;
+
+  /// Effect of the free faces of the bodies, in addition to even(); null: no faces.
+  SharedEndEffects ends(const Grid& grid) const;
 
   /// Parts that are not even.
   std::vector<ParityKernel> rest(const Grid& grid, const KernelOffsets& offsets) const;

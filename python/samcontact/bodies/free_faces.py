@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Free end faces of a body, perpendicular to its surface and to the y axis."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, cast
+
+from .._util.checks import choice, finite
+from .._util.short_text import in_short
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+FreeFaces = tuple[float, float, str]
+"""Coordinates y of the low and the high face [m], infinite without a face; method."""
+
+METHODS = ("exact", "factor")
+
+
+def checked_faces(given: Any) -> FreeFaces:
+    """Check the faces of a body: their order, and that there is at least one."""
+    if not isinstance(given, (list, tuple)) or len(given) != 3:
+        raise ValueError(f"free_faces must contain low, high and method, got {in_short(given)}")
+    low, high = (
+        bound if given[n] in (None, bound) else finite(f"{name} of free_faces", given[n])
+        for n, (name, bound) in enumerate((("low", -math.inf), ("high", math.inf)))
+    )
+    if low == -math.inf and high == math.inf:
+        raise ValueError("free_faces must have a low face, a high face or both, got none")
+    if not low < high:
+        raise ValueError(
+            f"low of free_faces must be less than high ({high!r} m), got {low!r} m: the body is "
+            "between its faces"
+        )
+    return low, high, choice("method of free_faces", given[2], METHODS)
+
+
+class HasFreeFaces:
+    """Base class of `Material` with free end faces."""
+
+    free_faces: FreeFaces | None
+
+    def with_free_faces(
+        self, low: float | None = None, high: float | None = None, method: str = "exact"
+    ) -> Self:
+        """Return a copy for a body that ends along y, such as a roller, at free faces.
+
+        The grid must contain at least one row of cells beyond each face that the contact reaches.
+        Near a face the body is more compliant than a half-space, which lowers the pressure if both
+        bodies end there, and raises it less than a half-space if only one of them does. The cells
+        beyond a face are out of contact. Frictionless contact of elastic bodies only, on grids that
+        are not periodic: friction, heat, layers and plastic flow of this body, and the stress in
+        it, raise a ValueError.
+
+        Parameters
+        ----------
+        low, high : float, optional
+            Coordinates y of the faces [m], on edges of cells; the body is between them. Default: no
+            face.
+        method : {"exact", "factor"}, optional
+            "exact" is the quarter space of each face. "factor" mirrors the pressure about the face
+            and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), which is faster to prepare and
+            less accurate. docs/theory/free_faces.md states the errors of both.
+
+        Returns
+        -------
+        Material
+            Material with these faces in place of earlier ones.
+
+        Raises
+        ------
+        ValueError
+            The material is rigid or plastic, there is no face, or low is not less than high.
+        TypeError
+            A coordinate is not a number.
+        """
+        for name, place in (("low", low), ("high", high)):
+            if place is not None:
+                finite(name, place)
+        return cast("Self", replace(cast("Any", self), free_faces=(low, high, method)))
+
+
+def contact_strip(bodies: Iterable[Any]) -> tuple[float, float]:
+    """Range of y in which both bodies exist [m]; infinite without faces."""
+    faces = [body.free_faces for body in bodies if getattr(body, "free_faces", None) is not None]
+    low = max((face[0] for face in faces), default=-math.inf)
+    high = min((face[1] for face in faces), default=math.inf)
+    if not low < high:
+        raise ValueError(
+            f"body1 and body2 must have a common range of y, got free faces that leave none: low = "
+            f"{low!r} m, high = {high!r} m"
+        )
+    return low, high
+
+
+def require_endless(reason: str, *bodies: Any) -> None:
+    """Raise ValueError, with the reason, for bodies with free faces."""
+    for n, body in enumerate(bodies, 1):
+        if getattr(body, "free_faces", None) is not None:
+            raise ValueError(f"body{n} must not have free_faces, got {body.free_faces!r}: {reason}")
