@@ -26,7 +26,7 @@ class HeatHistory:
         self,
         grid: samcontact._core.Grid,
         heating: samcontact._core.Heating,
-        elastic: samcontact._core.Elastic,
+        elastic: samcontact._core.Stack,
         shortest: float,
         longest: float,
         tolerance: float,
@@ -59,7 +59,7 @@ def residual_displacement(
 def residual_stress(
     grid: samcontact._core.Grid,
     strain: numpy.typing.NDArray[numpy.float64],
-    elastic: samcontact._core.Elastic,
+    elastic: samcontact._core.Stack,
     exact: bool,
     image_tol: float,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -89,7 +89,7 @@ def temperature(
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def zone_fields(
     grid: samcontact._core.Grid,
-    elastic: samcontact._core.Elastic,
+    elastic: samcontact._core.Stack,
     zones: collections.abc.Sequence[
         typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
     ],
