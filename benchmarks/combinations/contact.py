@@ -72,7 +72,7 @@ class Contact:
         heat = dict(self.heat)
         if self.prescribes_approach:
             heat["reference"] = 1e-2
-        if "history" in heat and self.travels:
+        if self.lasts() and self.travels:
             heat["velocity"] = [(travel / SIZE * SPEED, 0.0) for travel in self.travels]
         return sc.Heat(**heat)
 

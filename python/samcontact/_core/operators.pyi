@@ -59,7 +59,7 @@ def residual_displacement(
 def residual_stress(
     grid: samcontact._core.Grid,
     strain: numpy.typing.NDArray[numpy.float64],
-    elastic: samcontact._core.Stack,
+    elastic: samcontact._core.Elastic,
     exact: bool,
     image_tol: float,
 ) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -89,7 +89,7 @@ def temperature(
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def zone_fields(
     grid: samcontact._core.Grid,
-    elastic: samcontact._core.Stack,
+    elastic: samcontact._core.Elastic,
     zones: collections.abc.Sequence[
         typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
     ],

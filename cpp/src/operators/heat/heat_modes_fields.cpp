@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Amplitudes of the modes of a field, and fields of given amplitudes.
+#include "samcontact/operators/heat/heat_modes.hpp"
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "samcontact/operators/heat/heat_modes.hpp"
 
 namespace samcontact::operators {
 namespace {
