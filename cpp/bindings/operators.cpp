@@ -214,12 +214,12 @@ struct BoundHistory {
 
 void bind_heat_history(py::module_& m) {
   py::class_<BoundHistory>(m, "HeatHistory")
-      .def(py::init([](const Grid& grid, const operators::Heating& heating, const Elastic& elastic,
+      .def(py::init([](const Grid& grid, const operators::Heating& heating, const Stack& elastic,
                        double shortest, double longest, double tolerance, bool in_depth) {
              const LongWork work;
-             return BoundHistory{
-                 grid, operators::heated_body({{}, elastic})
-                           ->history(grid, heating, {shortest, longest, tolerance, in_depth})};
+             return BoundHistory{grid,
+                                 operators::heated_body(elastic)->history(
+                                     grid, heating, {shortest, longest, tolerance, in_depth})};
            }),
            py::arg("grid"), py::arg("heating"), py::arg("elastic"), py::arg("shortest"),
            py::arg("longest"), py::arg("tolerance"), py::arg("in_depth"))

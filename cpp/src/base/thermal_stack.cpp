@@ -66,4 +66,12 @@ HeatedStack HeatedStack::of(const Stack& elastic, const ThermalStack& thermal) {
   return stack;
 }
 
+double longest_heat_length(const HeatedStack& stack) {
+  double ratio = 1.0;
+  for (const Thermal& layer : stack.thermal) {
+    ratio = std::max(ratio, layer.conductivity / stack.thermal.back().conductivity);
+  }
+  return 2 * stack.elastic.thickness() * ratio;
+}
+
 }  // namespace samcontact

@@ -139,6 +139,16 @@ void HeatedWave<Scalar>::set(double q, Scalar rate) {
 }
 
 template <class Scalar>
+Scalar HeatedWave<Scalar>::held_displacement() const {
+  Scalar sum{};
+  for (std::size_t n = 0; n < eigenstrain_.size(); ++n) {
+    const auto& own = heat_.layers()[n];
+    sum -= eigenstrain_[n] * (own.down + own.up) * (1.0 - own.decay) / own.m;
+  }
+  return sum;
+}
+
+template <class Scalar>
 void HeatedWave<Scalar>::find_waves() {
   const auto& layers = elastic_.layers();
   Vector below = Vector::Zero();  // free displacement of the top of the material below

@@ -42,6 +42,14 @@ void add_ring(const RingWaves& waves, const ring::Axis& x, const ring::Axis& y, 
   }
 }
 
+/// Part of the travel of a source within which the kernel of a ring extends downstream.
+double wake_part(const WakeLengths& wake, double outer) {
+  const double travel = std::hypot(wake.x, wake.y);
+  if (travel == 0) return 0.0;
+  const double length = ring::wake_lengths / ring::wake_scale(wake.speed, ring::edge * outer);
+  return std::min(1.0, length / travel);
+}
+
 /// Calls add(inner, outer, support, is_last) for each ring whose kernel extends beyond a cell.
 template <class Add>
 void for_each_ring(const RingWaves& waves, double extent, double smallest_cell, const Add& add) {
@@ -52,7 +60,8 @@ void for_each_ring(const RingWaves& waves, double extent, double smallest_cell, 
     const double inner = is_last ? 0.0 : 0.5 * outer;
     const double support = ring::reach / (ring::edge * (is_last ? outer : inner));
     // A kernel shorter than a cell acts through its integral only, which is zero for a ring.
-    if (is_last || support >= 0.5 * smallest_cell) add(inner, outer, support, is_last);
+    const double wake = wake_part(waves.wake, outer) * std::max(waves.wake.x, waves.wake.y);
+    if (is_last || support + wake >= 0.5 * smallest_cell) add(inner, outer, support, is_last);
     if (is_last) return;
   }
 }
@@ -65,9 +74,13 @@ Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const do
   const double extent = std::max({std::ranges::max(x), std::ranges::max(y), waves.longest});
   for_each_ring(waves, extent, std::min(dx, dy),
                 [&](double inner, double outer, double support, bool is_last) {
-                  add_ring(waves, {x, dx, support, outer, is_last},
-                           {y, dy, support, outer, is_last}, inner, outer, x.size(),
-                           x.size() * y.size(), sums);
+                  const double part = wake_part(waves.wake, outer);
+                  const ring::Axis along_x(x, dx, support + part * waves.wake.x, outer, is_last,
+                                           waves.period_x);
+                  const ring::Axis along_y(y, dy, support + part * waves.wake.y, outer, is_last,
+                                           waves.period_y);
+                  add_ring(waves, along_x, along_y, inner, outer, x.size(), x.size() * y.size(),
+                           sums);
                 });
   return sums;
 }

@@ -21,8 +21,6 @@ constexpr double long_phase = 20.0, short_phase = 4.0;
 constexpr int many_nodes = 16, few_nodes = 8;
 /// Width of a panel over the wavenumber of a window: that of many nodes and of few.
 constexpr double wide_panel = 0.5, narrow_panel = 0.2;
-/// Decay lengths of a wake after which it is negligible.
-constexpr double wake_lengths = 20.0;
 /// Smallest wavenumber times the longest length.
 constexpr double smallest_wave = 1e-10;
 /// Powers of x and y in the field of the disc of small wavenumbers.
@@ -31,11 +29,6 @@ constexpr int power_count = 14;
 struct Node {
   double k, weight;
 };
-
-/// Distance from the real axis at which the modes of wavenumber ky have a singularity in kx.
-double wake_scale(double speed, double ky) {
-  return 2 * ky * ky / (speed + std::hypot(speed, 2 * ky));
-}
 
 /// Gauss panels on 0 < k < highest, at most `widest` wide and halved towards zero down to `finest`;
 /// few nodes in panels narrower than `narrow`.
@@ -78,8 +71,8 @@ class WakeSum {
   void add_ring(double outer) {
     const double inner = 0.5 * outer;
     const double support = ring::reach / (ring::edge * inner);
-    const double scale = wake_scale(waves_.speed, ring::edge * outer);
-    const double along = support + wake_lengths / scale;
+    const double scale = ring::wake_scale(waves_.speed, ring::edge * outer);
+    const double along = support + ring::wake_lengths / scale;
     if (along < 0.5 * std::min(dx_, dy_)) return;
     const ring::Axis across(y_, dy_, support, outer, false);
     const double reached = std::min(std::ranges::max(x_), along) + 0.5 * dx_;
@@ -158,7 +151,7 @@ class WakeSum {
     for (const auto& [q, width] : radii) {
       // The angle from the direction across the motion, graded like kx.
       const double right = 0.5 * std::numbers::pi;
-      const double finest = std::min(0.25, 0.25 * wake_scale(waves_.speed, q) / q);
+      const double finest = std::min(0.25, 0.25 * ring::wake_scale(waves_.speed, q) / q);
       for (const auto& [angle, turn] : graded_nodes(right, right, right / 8, finest)) {
         const double kx = q * std::sin(angle), ky = q * std::cos(angle);
         waves_.at(kx, ky, values.data());

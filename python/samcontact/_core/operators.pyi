@@ -26,7 +26,7 @@ class HeatHistory:
         self,
         grid: samcontact._core.Grid,
         heating: samcontact._core.Heating,
-        elastic: samcontact._core.Elastic,
+        elastic: samcontact._core.Stack,
         shortest: float,
         longest: float,
         tolerance: float,

@@ -23,6 +23,8 @@ MAX_PECLET_NUMBER = 1e7
 MIN_DIFFUSION_LENGTH = 0.02
 """Minimum diffusion length [cells] in the shortest step of a heat history; it bounds the time and
 memory of transient heating."""
+MIN_THICKNESS = 1e-5
+"""Minimum thickness of a heated layer [cells]; it bounds the number of wavenumbers."""
 _ANY_CONSTANTS = (1.0, 0.0, 1.0)
 """Thermal constants of a body without heat."""
 
@@ -55,8 +57,10 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         constants: tuple[tuple[float, float, float], ...] = (_ANY_CONSTANTS,)
         thickness: list[float] = []
-        if heat.history is not None:  # of a body that may no longer be heated
-            constants = thermal_of(body) or constants
+        thermal = thermal_of(body)
+        if thermal is not None and (factor > 0 or heat.history is not None):
+            constants = thermal  # of a body that is heated, or may no longer be heated
+            thickness = [h for _, h in body.layers] if isinstance(body, Layered) else []
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
             _require_in_layers(heat, n, body, grid)
@@ -69,8 +73,6 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
                 _require_time("heat.time", heat.time, highest, grid)
             if duration is not None:
                 _require_time("duration", duration, highest, grid)
-            if isinstance(body, Layered):
-                thickness = [h for _, h in body.layers]
         entries.append(
             _core.Heating(factor, constants, thickness, *v, age, reference, of_slip, period)
         )
@@ -110,25 +112,19 @@ def _require_in_layers(heat: Heat, n: int, body: Body, grid: Grid) -> None:
     """Raise ValueError for heat in layers that is not supported."""
     if not isinstance(body, Layered):
         return
-    if grid.periodic:
+    cell = max(grid.dx, grid.dy)
+    for k, (_, thickness) in enumerate(body.layers):
+        if thickness < MIN_THICKNESS * cell:
+            raise ValueError(
+                f"thickness of layers[{k}] of heated body{n} must be >= {MIN_THICKNESS * cell:.4g} "
+                f"m, {MIN_THICKNESS:g} of the cell length {cell:.4g} m, got {thickness:.4g} m: "
+                "thicknesses are in metres, 5e-6 is 5 um"
+            )
+    steady = heat.time is None and heat.history is None
+    if steady and all(heat.velocity[n - 1]):
         raise ValueError(
-            f"heat of layered body{n} is not supported on a periodic grid, got grid.periodic = "
-            f"{grid.periodic!r}: use a homogeneous body, or a grid that is not periodic"
-        )
-    if heat.history is not None:
-        raise ValueError(
-            f"heat.history must be None for layered body{n}, got {heat.history!r}: a history of "
-            "heat in layers is not supported; use the steady state or heat.time"
-        )
-    if heat.time is not None and any(heat.velocity[n - 1]):
-        raise ValueError(
-            f"heat.time must be None for layered body{n} in motion, got {heat.time!r}: omit "
-            "heat.time for the steady state, or heat.velocity"
-        )
-    if all(heat.velocity[n - 1]):
-        raise ValueError(
-            f"heat.velocity of layered body{n} must be along x or along y, got "
-            f"{heat.velocity[n - 1]!r}"
+            f"heat.velocity of layered body{n} must be along x or along y in the steady state, got "
+            f"{heat.velocity[n - 1]!r}: set heat.time or heat.history"
         )
 
 

@@ -29,7 +29,7 @@ def history(grid, shortest=UNIT, longest=1e4 * UNIT, tolerance=1e-6, in_depth=Tr
         1.0,
         False,
     )
-    elastic = _core.Elastic.isotropic(other.get("E", E), NU)
+    elastic = _core.Stack(_core.Elastic.isotropic(other.get("E", E), NU))
     return _core.operators.HeatHistory(
         grid._core, heating, elastic, shortest, longest, tolerance, in_depth
     )

@@ -39,4 +39,7 @@ struct HeatedStack {
   bool is_uniform() const { return elastic.layers.empty(); }
 };
 
+/// Length over which a body differs from its substrate [m]: layers that conduct well spread heat.
+double longest_heat_length(const HeatedStack& stack);
+
 }  // namespace samcontact

@@ -50,6 +50,8 @@ class HeatedWave {
   void set(double q, Scalar rate);
   /// u_z of the free surface, positive into the body.
   Scalar displacement() const { return free_[1] / q_; }
+  /// The same for a body that is laterally held, at wavenumber 0.
+  Scalar held_displacement() const;
   /// In the frame of the wavevector: 1 along it, 2 across, 3 = z; shear: i s_13.
   struct Field {
     Scalar temperature, s11, s22, s33, shear;

@@ -23,6 +23,14 @@ inline constexpr double negligible = 1e-13;
 /// 1 below q1, 0 above.
 inline double window(double q, double q1) { return 0.5 * std::erfc((q / q1 - 1) / edge); }
 
+/// Decay lengths of a wake after which it is negligible.
+inline constexpr double wake_lengths = 20.0;
+/// Distance from the real axis at which the modes of wavenumber k across a motion have a
+/// singularity along it. speed: over the diffusivity.
+inline double wake_scale(double speed, double k) {
+  return 2 * k * k / (speed + std::hypot(speed, 2 * k));
+}
+
 inline double sinc(double x) { return x == 0 ? 1.0 : std::sin(x) / x; }
 
 /// Wavenumbers of a ring along one axis, and their modes at the offsets within its range.
@@ -31,16 +39,24 @@ struct Axis {
   Eigen::VectorXd k;
   Matrix even, odd;  // [offset][wavenumber], with the weight of the sum
 
+  /// repeat: period of the surface; 0: not periodic.
   Axis(std::span<const double> offsets, double cell, double support, double wavenumber,
-       bool is_last) {
+       bool is_last, double repeat = 0.0) {
     const double reached = support + 0.5 * cell;
+    // The wavenumbers of the surface, unless the kernel is so short that there is one image at
+    // most.
+    const bool overlaps = repeat > 0 && 2 * reached > repeat;
+    std::vector<double> at;
     double farthest = 0.0;
     for (std::size_t n = 0; n < offsets.size(); ++n) {
-      if (!is_last && offsets[n] > reached) continue;
+      double x = offsets[n];
+      if (repeat > 0 && !overlaps) x -= repeat * std::round(x / repeat);
+      if (!is_last && !overlaps && std::fabs(x) > reached) continue;
       places.push_back(static_cast<int>(n));
-      farthest = std::max(farthest, offsets[n]);
+      at.push_back(x);
+      farthest = std::max(farthest, std::fabs(x));
     }
-    const double period = reached + (is_last ? reached : farthest);
+    const double period = overlaps ? repeat : reached + (is_last ? reached : farthest);
     const int count =
         static_cast<int>(std::ceil((1 + 5 * edge) * wavenumber * period / (2 * std::numbers::pi))) +
         1;
@@ -52,7 +68,7 @@ struct Axis {
     for (Eigen::Index m = 0; m < count; ++m) {
       const double weight = (m > 0 ? 2.0 : 1.0) * cell / period * sinc(0.5 * k[m] * cell);
       for (Eigen::Index n = 0; n < rows; ++n) {
-        const double phase = k[m] * offsets[places[n]];
+        const double phase = k[m] * at[n];
         even(n, m) = weight * std::cos(phase);
         odd(n, m) = weight * std::sin(phase);
       }

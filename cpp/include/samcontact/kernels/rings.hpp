@@ -13,6 +13,12 @@
 
 namespace samcontact::kernels {
 
+/// Distances along x and y that the body has travelled below the source [m], and its speed over the
+/// smallest diffusivity [1/m].
+struct WakeLengths {
+  double x = 0.0, y = 0.0, speed = 0.0;
+};
+
 /// Components of Fourier modes exp(i (kx x + ky y)), the real factors of kernels/wave.hpp.
 struct RingWaves {
   std::vector<Parity> parities;
@@ -21,6 +27,9 @@ struct RingWaves {
   double highest;            // wavenumber beyond which they are negligible [1/m]
   double longest;            // length over which they vary in space beyond the offsets [m]
   bool is_singular = false;  // they grow like 1/q as q -> 0, and are not evaluated at 0
+  WakeLengths wake{};        // of a source that moves
+  /// Periods of the surface [m], 0: not periodic. The mean of both is not included if is_singular.
+  double period_x = 0.0, period_y = 0.0;
 };
 
 /// Influence of a rectangle dx by dy with a unit load at offsets >= 0 [m] from its centre:

@@ -15,7 +15,7 @@ Complex grown(Complex z) {
 }  // namespace
 
 Decay::Decay(const HeatLevel& level, double x, double speed)
-    : s_(level.s.size()), grown_s_(level.s.size()), x_(x) {
+    : nodes_(level.rates.size()), grown_nodes_(level.rates.size()), x_(x) {
   decay_.reserve(level.modes.size());
   modes_.reserve(level.modes.size());
   grown_.reserve(level.modes.size());
@@ -24,10 +24,10 @@ Decay::Decay(const HeatLevel& level, double x, double speed)
     modes_.push_back(std::exp(-decay_.back() * x));
     grown_.push_back(grown(decay_.back() * x));
   }
-  for (std::size_t j = 0; j < s_.size(); ++j) {
-    const double y = level.s[j] * level.s[j] * x;
-    s_[j] = std::exp(-y);
-    grown_s_[j] = -std::expm1(-y);
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {
+    const double y = level.rates[j] * x;
+    nodes_[j] = std::exp(-y);
+    grown_nodes_[j] = -std::expm1(-y);
   }
 }
 

@@ -19,8 +19,9 @@ constexpr std::size_t path_numbers = 5;
 
 }  // namespace
 
-HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic& elastic,
-                         double speed_x, double speed_y, const HeatHistorySettings& settings) {
+HeatHistory::HeatHistory(const Grid& grid, const Stack& elastic, const Heating& heating,
+                         const HeatHistorySettings& settings) {
+  const double speed_x = heating.speed_x, speed_y = heating.speed_y;
   const auto positive = [](const char* name, double value) {
     require(std::isfinite(value) && value > 0, name, "finite and > 0", value);
   };
@@ -36,17 +37,21 @@ HeatHistory::HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic
   require(settings.track == 0 || (speed_x == 0 && speed_y == 0), "speed", "0 with a track",
           std::hypot(speed_x, speed_y));
   // Otherwise wavenumbers far beyond those of the cells are needed: time and memory without bounds.
-  const double diffused = std::sqrt(thermal.diffusivity * settings.shortest);
+  double diffusivity = heating.thermal.substrate.diffusivity;
+  for (const ThermalLayer& layer : heating.thermal.layers) {
+    diffusivity = std::min(diffusivity, layer.thermal.diffusivity);
+  }
+  const double diffused = std::sqrt(diffusivity * settings.shortest);
   const double cell = std::max(grid.dx, grid.dy);
-  require(diffused >= min_diffusion_length * cell, "shortest (of heat_history)",
-          "at least " +
-              to_short_text(cell * cell * min_diffusion_length * min_diffusion_length /
-                            thermal.diffusivity) +
-              " s, the time in which heat diffuses over " + to_short_text(min_diffusion_length) +
-              " of a cell (cells of " + to_short_text(cell) + " m, diffusivity " +
-              to_short_text(thermal.diffusivity) + " m^2/s)",
-          settings.shortest);
-  plan_ = std::make_shared<const HeatPlan>(grid, thermal, elastic, speed_x, speed_y, settings);
+  require(
+      diffused >= min_diffusion_length * cell, "shortest (of heat_history)",
+      "at least " +
+          to_short_text(cell * cell * min_diffusion_length * min_diffusion_length / diffusivity) +
+          " s, the time in which heat diffuses over " + to_short_text(min_diffusion_length) +
+          " of a cell (cells of " + to_short_text(cell) + " m, diffusivity " +
+          to_short_text(diffusivity) + " m^2/s)",
+      settings.shortest);
+  plan_ = std::make_shared<const HeatPlan>(grid, elastic, heating, settings);
   near_.assign(plan_->near.rates().size() * grid.surface_size(), 0.0);
   modes_.assign(plan_->modes.generations(), ComplexField(plan_->modes.size(), Complex{}));
   filled_.assign(plan_->modes.levels().size(), 0.0);
@@ -133,12 +138,13 @@ void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t
       for (const HeatBlock& block : level.blocks) {
         for (std::size_t j = 0; j < block.nodes; ++j) {
           Complex* c = modes_[g].data() + block.offset + j * block.count;
-          const double s2 = level.s[j] * level.s[j];
+          const std::size_t node = block.first_node + j;
+          const double rate = level.rates[node];
           for (std::size_t n = 0; n < block.count; ++n) {
             const std::size_t mode = block.first + n;
-            c[n] *= decay.factor(mode, j);
+            c[n] *= decay.factor(mode, node);
             if (!adds) continue;
-            c[n] += phases[mode] * newest_[first_mode + mode] * since.integral(mode, j, s2);
+            c[n] += phases[mode] * newest_[first_mode + mode] * since.integral(mode, node, rate);
           }
         }
       }

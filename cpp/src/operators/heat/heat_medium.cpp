@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/heat/heat_medium.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "samcontact/operators/heat/layered_heat.hpp"
@@ -26,12 +25,7 @@ class HeatedBody : public HeatMedium {
   }
   HeatHistory history(const Grid& grid, const Heating& heating,
                       const HeatHistorySettings& settings) const override {
-    const HeatedStack stack = HeatedStack::of(elastic_, heating.thermal);
-    if (!stack.is_uniform()) {
-      throw std::invalid_argument("a heat history of a layered body is not supported");
-    }
-    return {grid,    stack.thermal[0], stack.elastic.substrate, heating.speed_x, heating.speed_y,
-            settings};
+    return {grid, elastic_, heating, settings};
   }
 
  private:

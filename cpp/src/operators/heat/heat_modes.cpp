@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/heat/heat_modes.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,10 +15,6 @@ namespace samcontact::operators {
 namespace {
 
 using std::numbers::pi;
-using ComplexMatrix = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using RealMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using ComplexView = Eigen::Map<const ComplexMatrix>;
-using RealView = Eigen::Map<const RealMatrix>;
 
 /// 1 inside, 0 outside a ring, as a function of the wavenumber times 1/(2 pi) of a distance beyond
 /// which the Fourier transform must be below the tolerance.
@@ -30,62 +25,18 @@ struct Edge {
   double end() const { return 2 * middle; }
 };
 
+constexpr std::size_t block_size = 256;
+/// Slowest rate of a layered body times the longest time.
+constexpr double slowest_rate = 0.05;
+
 /// Width of the edge of the part left to NearHeat [1/dx].
 constexpr double split_width = 0.6;
-
-std::vector<double> cells(int n, double size) {
-  std::vector<double> x(n);
-  for (int i = 0; i < n; ++i) x[i] = (i - 0.5 * (n - 1)) * size;
-  return x;
-}
-
-/// Chebyshev points of the interval that contains the centres of n cells.
-std::vector<double> chebyshev(int count, int n, double size) {
-  std::vector<double> x(count);
-  for (int i = 0; i < count; ++i) {
-    x[i] = -0.5 * (n - 1) * size * std::cos(pi * (i + 0.5) / count);
-  }
-  return x;
-}
-
-/// Barycentric interpolation from Chebyshev points, [to][from].
-Field interpolation(const std::vector<double>& to, const std::vector<double>& from) {
-  const std::size_t n = from.size();
-  Field matrix(to.size() * n, 0.0);
-  for (std::size_t t = 0; t < to.size(); ++t) {
-    double* row = matrix.data() + t * n;
-    double sum = 0;
-    for (std::size_t f = 0; f < n; ++f) {
-      const double gap = to[t] - from[f];
-      if (std::abs(gap) <= 1e-14 * std::abs(from[0])) {
-        std::fill(row, row + n, 0.0);
-        row[f] = sum = 1;
-        break;
-      }
-      row[f] = (f % 2 ? -1 : 1) * std::sin(pi * (f + 0.5) / n) / gap;
-      sum += row[f];
-    }
-    for (std::size_t f = 0; f < n; ++f) row[f] /= sum;
-  }
-  return matrix;
-}
-
-/// exp(i number dw x) for numbers from `first` to `last`, [number][point].
-ComplexField waves(const std::vector<double>& x, double dw, int first, int last) {
-  ComplexField out;
-  out.reserve((last - first + 1) * x.size());
-  for (int a = first; a <= last; ++a) {
-    for (const double v : x) out.push_back(std::polar(1.0, a * dw * v));
-  }
-  return out;
-}
-
-int wrapped(int number, int m) { return ((number % m) + m) % m; }
 
 /// Properties that all modes share.
 struct ModeSource {
   const HeatScales& scales;
   double negligible, cell_y, speed_x, speed_y;
+  bool is_layered;
 
   /// Adds modes whose window is not negligible. cells: number of cells in a period of the lattice.
   template <class Window>
@@ -97,7 +48,7 @@ struct ModeSource {
         mode.source = window(mode.w);
         mode.source *= scales.split(mode.w);
         if (mode.w > cutoff || std::abs(mode.source) < negligible) continue;
-        mode.decay = {mode.w * mode.w, mode.w1 * speed_x + mode.w2 * speed_y};
+        mode.decay = {is_layered ? 0.0 : mode.w * mode.w, mode.w1 * speed_x + mode.w2 * speed_y};
         mode.source *= sinc(mode.w1 / 2) * sinc(mode.w2 * cell_y / 2) / cells;
         level.modes.push_back(mode);
       }
@@ -112,15 +63,16 @@ void add_nodes(HeatLevel& level, const HeatScales& scales, double scale) {
     level.s.push_back(scale * std::sinh(j * scales.step));
     level.weight.push_back((j == 0 ? 1 : 2) / pi * scales.step * scale *
                            std::cosh(j * scales.step));
+    level.rates.push_back(level.s.back() * level.s.back());
   }
 }
 
 }  // namespace
 
-HeatScales::HeatScales(const HeatResolution& resolution, bool moves)
+HeatScales::HeatScales(const HeatResolution& resolution, bool is_whole)
     : sharpness(std::sqrt(-std::log(resolution.tolerance))),
       cutoff(sharpness / std::sqrt(resolution.shortest)),
-      is_split(!moves && cutoff > 1.3 * split_end()),
+      is_split(!is_whole && cutoff > 1.3 * split_end()),
       // Errors of the sums are exp(-pi^2/(2 step)) on the surface; cosines are resolved unless they
       // are faded out.
       step((resolution.in_depth ? 1.25 : 4.9) / (sharpness * sharpness)) {}
@@ -146,14 +98,15 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
       speed_y_(speed_y),
       periods_{grid.period.x * 1.0, grid.period.y * cell_y_},
       resolution_(resolution),
-      scales_(resolution, moving() || periods_.is_on() || resolution.track > 0),
+      scales_(resolution,
+              moving() || periods_.is_on() || resolution.track > 0 || resolution.is_layered()),
       transform_(padded(grid)) {
   const double mx = transform_.mx(), my = transform_.my() * cell_y_;
-  double spread = 128 * std::sqrt(resolution.longest);
+  double spread = 128 * std::sqrt(resolution.longest * resolution.contrast);
   if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
   // Minimum period of the last disc, in which kernels are not smooth at w = 0: the remaining images
   // decrease with its third power.
-  spread = std::max(64 * std::max(mx, my), spread);
+  spread = std::max({64 * std::max(mx, my), 64 * resolution.layers, spread});
   if (periods_.is_double()) {
     add_periodic(spread);
     return;
@@ -171,7 +124,8 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
 void HeatModes::add_periodic(double spread) {
   levels_.emplace_back();
   const double cells = periods_.x * periods_.y / cell_y_;
-  const ModeSource source{scales_, 0.1 * resolution_.tolerance, cell_y_, speed_x_, speed_y_};
+  const ModeSource source{scales_,  0.1 * resolution_.tolerance, cell_y_, speed_x_,
+                          speed_y_, resolution_.is_layered()};
   for (const bool mean : {false, true}) {
     HeatLevel level;
     level.dw1 = 2 * pi / periods_.x;
@@ -260,7 +214,8 @@ void HeatModes::add_level(int number, int last, double shrink) {
   level.reach_a = static_cast<int>(end / level.dw1);
   level.reach_b = static_cast<int>(end / level.dw2);
   require_memory_of(level, scale);
-  const ModeSource source{scales_, 0.1 * resolution_.tolerance, cell_y_, speed_x_, speed_y_};
+  const ModeSource source{scales_,  0.1 * resolution_.tolerance, cell_y_, speed_x_,
+                          speed_y_, resolution_.is_layered()};
   source.add_to(level, cutoff, cells_x * cells_y / (shrink_x * shrink_y), window);
   finish(std::move(level), scale);
 }
@@ -269,131 +224,58 @@ void HeatModes::add_level(int number, int last, double shrink) {
 void HeatModes::finish(HeatLevel level, double scale) {
   std::stable_sort(level.modes.begin(), level.modes.end(),
                    [](const HeatMode& p, const HeatMode& q) { return p.w < q.w; });
-  add_nodes(level, scales_, scale);
-  constexpr std::size_t block = 256;
-  for (std::size_t first = 0; first < level.modes.size(); first += block) {
-    const std::size_t count = std::min(block, level.modes.size() - first);
-    const double w = level.modes[first].w;
-    std::size_t nodes = 1;
-    while (nodes < level.s.size() && std::hypot(w, level.s[nodes]) <= scales_.cutoff) ++nodes;
-    level.blocks.push_back({first, count, nodes, size_});
-    size_ += count * nodes;
-  }
+  resolution_.is_layered() ? add_rate_blocks(level) : add_depth_blocks(level, scale);
   mode_count_ += level.modes.size();
   if (!levels_.empty()) add_points(level);
   levels_.push_back(std::move(level));
 }
 
+void HeatModes::add_depth_blocks(HeatLevel& level, double scale) {
+  add_nodes(level, scales_, scale);
+  for (std::size_t first = 0; first < level.modes.size(); first += block_size) {
+    const std::size_t count = std::min(block_size, level.modes.size() - first);
+    const double w = level.modes[first].w;
+    std::size_t nodes = 1;
+    while (nodes < level.s.size() && std::hypot(w, level.s[nodes]) <= scales_.cutoff) ++nodes;
+    level.blocks.push_back({first, count, nodes, size_, 0});
+    size_ += count * nodes;
+  }
+}
+
+/// Blocks of wavenumbers that differ at most by a factor of two; 0 is a block of its own.
+void HeatModes::add_rate_blocks(HeatLevel& level) {
+  for (std::size_t first = 0; first < level.modes.size();) {
+    const double w = level.modes[first].w;
+    std::size_t count = 1;
+    while (count < block_size && first + count < level.modes.size() &&
+           level.modes[first + count].w <= 2 * w) {
+      ++count;
+    }
+    const double slowest = std::max(w * w, slowest_rate / resolution_.longest);
+    const double fastest =
+        slowest + 2 * scales_.sharpness * scales_.sharpness / resolution_.shortest;
+    const double step = scales_.rate_step();
+    const auto nodes = static_cast<std::size_t>(std::ceil(std::log(fastest / slowest) / step)) + 1;
+    level.blocks.push_back({first, count, nodes, size_, level.rates.size()});
+    for (std::size_t j = 0; j < nodes; ++j) {
+      level.rates.push_back(slowest * std::exp(static_cast<double>(j) * step));
+    }
+    size_ += count * nodes;
+    first += count;
+  }
+}
+
 /// Memory of modes and amplitudes of a level with a half disc or ring of its lattice.
 void HeatModes::require_memory_of(const HeatLevel& level, double scale) const {
   const double modes = 0.5 * pi * (level.reach_a + 1.0) * (level.reach_b + 1.0);
-  const double nodes = 1 + std::asinh(scales_.cutoff / scale) / scales_.step;
+  const double nodes =
+      1 + (resolution_.is_layered() ? 2 * std::log(2 * scales_.cutoff / scale) / scales_.rate_step()
+                                    : std::asinh(scales_.cutoff / scale) / scales_.step);
   // An increment needs those of the previous state and its own.
   const double amplitudes = 2.0 * sizeof(Complex) * (generations() + 1);
   require_memory(modes * (sizeof(HeatMode) + 0.5 * nodes * amplitudes),
                  "the heat history, resolved down to time steps of " +
                      to_short_text(resolution_.shortest) + " dx^2/diffusivity,");
-}
-
-void HeatModes::add_points(HeatLevel& level) const {
-  const int a = level.reach_a, b = level.reach_b;
-  const auto x = cells(nx(), 1), y = cells(ny(), cell_y_);
-  // Points per shortest wavelength, with a margin.
-  const double waves_x = a * level.dw1 * nx() / (2 * pi);
-  const double waves_y = b * level.dw2 * ny() * cell_y_ / (2 * pi);
-  level.points = static_cast<int>(pi * std::max(waves_x, waves_y) + 4 +
-                                  0.7 * scales_.sharpness * scales_.sharpness);
-  const bool coarse = level.points < std::min(nx(), ny());
-  const auto px = coarse ? chebyshev(level.points, nx(), 1) : x;
-  const auto py = coarse ? chebyshev(level.points, ny(), cell_y_) : y;
-  if (!coarse) level.points = 0;
-  level.cells_x = waves(x, level.dw1, -a, a);
-  level.cells_y = waves(y, level.dw2, 0, b);
-  level.points_x = waves(px, level.dw1, -a, a);
-  level.points_y = waves(py, level.dw2, 0, b);
-  if (!coarse) return;
-  const int before = levels_.back().points;
-  const auto to_x = before > 0 ? chebyshev(before, nx(), 1) : x;
-  const auto to_y = before > 0 ? chebyshev(before, ny(), cell_y_) : y;
-  level.refine_x = interpolation(to_x, px);
-  level.refine_y = interpolation(to_y, py);
-}
-
-void HeatModes::project(const double* flux, ComplexField& amplitudes) const {
-  amplitudes.resize(mode_count_);
-  const int mx = transform_.mx(), my = transform_.my(), mh = transform_.mh();
-  ComplexField spectrum(transform_.spectrum_size());
-  transform_.forward(flux, spectrum.data(), mx, fft::PaddedTransform::Threads::many);
-  Complex* out = amplitudes.data();
-  for (const HeatMode& mode : levels_[0].modes) {
-    const int a = wrapped(mode.a, mx), b = wrapped(mode.b, my);
-    const Complex value =
-        b < mh ? spectrum[static_cast<std::size_t>(b) * mx + a]
-               : std::conj(spectrum[static_cast<std::size_t>(my - b) * mx + wrapped(-mode.a, mx)]);
-    *out++ = mode.source * value;
-  }
-  const RealView q(flux, nx(), ny());
-  for (std::size_t l = 1; l < levels_.size(); ++l) {
-    const HeatLevel& level = levels_[l];
-    const ComplexView ex(level.cells_x.data(), 2 * level.reach_a + 1, nx());
-    const ComplexView ey(level.cells_y.data(), level.reach_b + 1, ny());
-    const ComplexMatrix along_y = q.cast<Complex>() * ey.adjoint();  // [i][b]
-    const ComplexMatrix both = ex.conjugate() * along_y;             // [a][b]
-    for (const HeatMode& mode : level.modes) {
-      *out++ = mode.source * both(mode.a + level.reach_a, mode.b);
-    }
-  }
-}
-
-void HeatModes::evaluate(const Complex* amplitudes, double* plane) const {
-  const int mx = transform_.mx(), my = transform_.my(), mh = transform_.mh();
-  ComplexField spectrum(transform_.spectrum_size(), Complex{});
-  for (const HeatMode& mode : levels_[0].modes) {
-    const Complex value = *amplitudes++;
-    const int b = wrapped(mode.b, my), minus_b = wrapped(-mode.b, my);
-    if (b < mh) spectrum[static_cast<std::size_t>(b) * mx + wrapped(mode.a, mx)] += value;
-    if (mode.b > 0 && minus_b < mh) {
-      spectrum[static_cast<std::size_t>(minus_b) * mx + wrapped(-mode.a, mx)] += std::conj(value);
-    }
-  }
-  transform_.inverse(spectrum.data(), plane, mx, fft::PaddedTransform::Threads::one);
-  // From the smoothest fields to the finest: each is refined and added to the next.
-  RealMatrix sum;
-  const auto refine = [&](const HeatLevel& from) {
-    const Eigen::Index nx_to = static_cast<Eigen::Index>(from.refine_x.size()) / from.points;
-    const Eigen::Index ny_to = static_cast<Eigen::Index>(from.refine_y.size()) / from.points;
-    const RealMatrix half = RealView(from.refine_x.data(), nx_to, from.points) * sum;
-    sum = half * RealView(from.refine_y.data(), ny_to, from.points).transpose();
-  };
-  std::vector<const Complex*> starts;
-  for (std::size_t l = 1; l < levels_.size(); ++l) {
-    starts.push_back(amplitudes);
-    amplitudes += levels_[l].modes.size();
-  }
-  for (std::size_t l = levels_.size() - 1; l > 0; --l) {
-    const HeatLevel& level = levels_[l];
-    const int width = 2 * level.reach_a + 1, height = level.reach_b + 1;
-    const int px = level.points > 0 ? level.points : nx();
-    const int py = level.points > 0 ? level.points : ny();
-    ComplexMatrix dense = ComplexMatrix::Zero(width, height);
-    const Complex* from = starts[l - 1];
-    for (const HeatMode& mode : level.modes) {
-      dense(mode.a + level.reach_a, mode.b) = (mode.b > 0 ? 2.0 : 1.0) * *from++;
-    }
-    const ComplexView ex(level.points_x.data(), width, px), ey(level.points_y.data(), height, py);
-    const ComplexMatrix along_x = ex.transpose() * dense;  // [point][b]
-    const RealMatrix here = along_x.real() * ey.real() - along_x.imag() * ey.imag();
-    if (l + 1 == levels_.size()) {
-      sum = here;
-    } else {
-      if (levels_[l + 1].points > 0 && levels_[l + 1].points != level.points) {
-        refine(levels_[l + 1]);
-      }
-      sum += here;
-    }
-  }
-  if (levels_[1].points > 0) refine(levels_[1]);
-  Eigen::Map<RealMatrix>(plane, nx(), ny()) += sum;
 }
 
 }  // namespace samcontact::operators

@@ -9,23 +9,23 @@
 
 namespace samcontact::operators {
 
-/// exp(-lambda x) and (1 - exp(-lambda x))/lambda, lambda = decay + i w1 speed + s^2, as products
-/// of factors that depend on the mode and on s.
+/// exp(-lambda x) and (1 - exp(-lambda x))/lambda, lambda = decay + i w1 speed + rate, as products
+/// of factors that depend on the mode and on the node.
 class Decay {
  public:
   /// speed: additional speed along x [dx per unit of x].
   Decay(const HeatLevel& level, double x, double speed = 0.0);
-  Complex factor(std::size_t mode, std::size_t j) const { return modes_[mode] * s_[j]; }
-  /// s2: s^2 of node j.
-  Complex integral(std::size_t mode, std::size_t j, double s2) const {
-    const Complex lambda = decay_[mode] + s2;
+  Complex factor(std::size_t mode, std::size_t node) const { return modes_[mode] * nodes_[node]; }
+  /// rate: that of the node.
+  Complex integral(std::size_t mode, std::size_t node, double rate) const {
+    const Complex lambda = decay_[mode] + rate;
     if (lambda == 0.0) return x_;
-    return (grown_[mode] + modes_[mode] * grown_s_[j]) / lambda;
+    return (grown_[mode] + modes_[mode] * grown_nodes_[node]) / lambda;
   }
 
  private:
   std::vector<Complex> decay_, modes_, grown_;
-  std::vector<double> s_, grown_s_;
+  std::vector<double> nodes_, grown_nodes_;
   double x_;
 };
 

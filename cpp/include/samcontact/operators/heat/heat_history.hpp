@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Temperature, displacement and stress of a half-space due to its heat history, for a flux that was
+// Temperature, displacement and stress of a body due to its heat history, for a flux that was
 // constant during each time step. Neither memory nor work depend on the number of steps.
 #pragma once
 
@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
-#include "samcontact/base/elastic.hpp"
 #include "samcontact/base/grid.hpp"
-#include "samcontact/base/thermal.hpp"
+#include "samcontact/base/stack.hpp"
 #include "samcontact/operators/heat/heat_modes.hpp"
+#include "samcontact/operators/heat/heat_response.hpp"
 
 namespace samcontact::operators {
 
@@ -30,15 +30,15 @@ struct HeatHistorySettings {
   double track = 0.0;
 };
 
-enum class HeatQuantity { temperature, displacement, stress };
+struct Heating;
 struct HeatPlan;
 
 /// Copies share the constant data.
 class HeatHistory {
  public:
-  /// The body moves through the grid with (speed_x, speed_y) [m/s].
-  HeatHistory(const Grid& grid, const Thermal& thermal, const Elastic& elastic, double speed_x,
-              double speed_y, const HeatHistorySettings& settings);
+  /// heating: thermal constants of the body, and its speed through the grid.
+  HeatHistory(const Grid& grid, const Stack& elastic, const Heating& heating,
+              const HeatHistorySettings& settings);
 
   /// Advances the time by dt [s], with the flux [i][j] into the body [W/m^2]. speed_x: with a
   /// track, speed at which move() has just moved the body in this time [m/s].
@@ -64,7 +64,6 @@ class HeatHistory {
 
  private:
   struct Moment;
-  struct Profiles;
   class LevelSum;
   Field fields(HeatQuantity quantity, double ahead, std::span<const double> depths) const;
   void add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,
@@ -73,13 +72,11 @@ class HeatHistory {
   void extend_to(double position);
   std::vector<const Complex*> generations_of(std::size_t number, double ahead) const;
   double newest_part(const HeatLevel& level, double ahead) const;
-  Profiles profiles(const Moment& moment, std::vector<double> z) const;
-  ComplexField component(const Moment& moment, const Profiles& profiles, std::size_t d,
-                         int component) const;
+  HeatProfiles profiles(const Moment& moment, std::vector<double> depths) const;
   ComplexField near_spectra(const Moment& moment) const;
   template <class Into>
-  void evaluate(const Moment& moment, const Profiles& profiles, const ComplexField& near_spectra,
-                const Into& into) const;
+  void evaluate(const Moment& moment, const HeatProfiles& profiles,
+                const ComplexField& near_spectra, const Into& into) const;
   void age_near(double x, Field& fields) const;
   void absorb(const HeatLevel& level, std::size_t number, std::size_t first_mode);
 

@@ -36,8 +36,7 @@ class HeatMedium : public ThermalStress {
   /// Normal surface displacement, positive into the body, per unit pressure on a cell [m/Pa].
   virtual ParityParts displacement(const Heating& heating, double dx, double dy,
                                    const Offsets& offsets) const = 0;
-  /// Empty history of the heat described by `heating`. Throws std::invalid_argument for layers that
-  /// differ.
+  /// Empty history of the heat described by `heating`.
   virtual HeatHistory history(const Grid& grid, const Heating& heating,
                               const HeatHistorySettings& settings) const = 0;
 };

@@ -21,6 +21,10 @@
 // If the surface is periodic, the lattice along that direction is that of the period. Along both
 // directions it is exact, and there are no rings.
 //
+// Modes of a layered body (layered_response.hpp) do not decay by such rates: blocks of similar w
+// have real rates of their own, in a geometric row, instead of nodes in s. kappa is the smallest
+// diffusivity of the layers.
+//
 // Lengths are in units of dx; times t stand for kappa t / dx^2.
 #pragma once
 
@@ -37,13 +41,14 @@ namespace samcontact::operators {
 struct HeatMode {
   int a, b;
   double w1, w2, w;
-  Complex decay;  // w^2 + i w.V/kappa
+  Complex decay;  // w^2 + i w.V/kappa; without w^2 in layers
   double source;  // product of window, shape of a cell and weight of the lattice
 };
 
-/// Modes of similar w with their nodes in s: numbers are stored [s][mode] from `offset` on.
+/// Modes of similar w with their nodes: numbers are stored [node][mode] from `offset` on.
 struct HeatBlock {
   std::size_t first, count, nodes, offset;
+  std::size_t first_node;  // among the rates of the level
 };
 
 struct HeatLevel {
@@ -54,6 +59,7 @@ struct HeatLevel {
   std::vector<HeatMode> modes;
   std::vector<HeatBlock> blocks;
   std::vector<double> s, weight;  // sum of weight f(s) = (2/pi) integral over s >= 0
+  std::vector<double> rates;      // of decay of the nodes: s^2; in layers, those of each block
   // All levels but level 0: exp(i a dw1 x), [point][a + reach_a], and [b][point], at cells and at
   // the few points on which the fields of the level are computed before they are interpolated.
   ComplexField cells_x, cells_y, points_x, points_y;
@@ -69,6 +75,10 @@ struct HeatResolution {
   double tolerance;
   bool in_depth;  // whether fields below the surface are required
   double track;   // length along x over which a body moves back and forth; 0: it does not
+  /// Of layers: length over which they differ from the substrate, and largest over smallest
+  /// diffusivity. 0 and 1: homogeneous.
+  double layers = 0.0, contrast = 1.0;
+  bool is_layered() const { return layers > 0; }
 };
 
 /// Periods of the surface [dx]; 0: not periodic.
@@ -85,13 +95,16 @@ struct HeatScales {
   bool is_split;     // whether a part is left to NearHeat
   double step;       // between nodes s = scale sinh(n step)
 
-  HeatScales(const HeatResolution& resolution, bool moves);
+  /// is_whole: nothing is left to NearHeat.
+  HeatScales(const HeatResolution& resolution, bool is_whole);
   /// Smallest wavenumber of which a part is left to NearHeat.
   static constexpr double split_begin = 0.4;
   /// Wavenumber beyond which everything is left to NearHeat.
   double split_end() const;
   /// Range of the kernels of the part left to NearHeat.
   double split_reach() const;
+  /// Ratio of subsequent rates of a layered body, logarithm.
+  double rate_step() const { return 4.1 / (sharpness * sharpness); }
   /// Part of a wavenumber that is represented by modes; 1 unless is_split.
   double split(double w) const;
   /// Weight of depth z in the sums over s: cos(s z), faded out at the highest s, which are not
@@ -104,6 +117,7 @@ class HeatModes {
   HeatModes(const Grid& grid, double speed_x, double speed_y, const HeatResolution& resolution);
 
   const std::vector<HeatLevel>& levels() const { return levels_; }
+  const HeatResolution& resolution() const { return resolution_; }
   /// Number of complex numbers stored for all modes and nodes; number of modes.
   std::size_t size() const { return size_; }
   std::size_t mode_count() const { return mode_count_; }
@@ -128,6 +142,8 @@ class HeatModes {
   void add_periodic(double spread);
   void add_level(int number, int last, double shrink);
   void finish(HeatLevel level, double scale);
+  void add_depth_blocks(HeatLevel& level, double scale);
+  void add_rate_blocks(HeatLevel& level);
   void require_memory_of(const HeatLevel& level, double scale) const;
   void add_points(HeatLevel& level) const;
 

@@ -9,9 +9,8 @@
 
 namespace samcontact::operators {
 
-/// Counterparts of heat_displacement() and others in heating.hpp. They throw std::invalid_argument
-/// for layers that differ if they move and are heated for a finite time, or if they move neither
-/// along x nor along y.
+/// Counterparts of heat_displacement() and others in heating.hpp. In the steady state they throw
+/// std::invalid_argument for layers that differ and move neither along x nor along y.
 ParityParts layered_heat_displacement(const Stack& elastic, const Heating& heating, double dx,
                                       double dy, const Offsets& offsets);
 /// On an interface, in the layer below it.
