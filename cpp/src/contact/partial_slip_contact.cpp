@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "samcontact/contact/normal/first_contact.hpp"
 #include "samcontact/contact/sweeps.hpp"

@@ -40,7 +40,7 @@ struct RigidMotion {
 /// Prescribed values of all degrees of freedom that the contact law leaves open. Full sliding
 /// leaves only the normal one and the tilts.
 struct Drive {
-  Given normal;
+  Given normal{};
   std::array<Given, 2> tilt{Given::motion(0.0), Given::motion(0.0)};  // about x and y
 
   static Drive load(double newton) { return {Given::force(newton)}; }
