@@ -40,7 +40,7 @@ exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
 nitpicky = False  # units in numpydoc types are not references
 
 myst_enable_extensions = ["dollarmath", "colon_fence"]
-myst_heading_anchors = 3
+myst_heading_anchors = 4
 executed_pages = ["index", "tutorial"]
 nb_execution_mode = "off"  # notebooks come with outputs
 nb_merge_streams = True

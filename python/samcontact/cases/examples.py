@@ -16,9 +16,11 @@ from .._util.short_text import in_short
 
 FOLDER = Path(__file__).parent / "example_files"
 FIRST_CASES = {
-    "bearing": "b1_ball_in_groove",
-    "gear": "b2_gear_tooth",
+    "bearing": "b5_bearing_6208",
+    "roller": "b6_misaligned_roller",
+    "gear": "b4_gear_flank",
     "dent": "r1_rolling_over_dent",
+    "coating": "w3_coated_wear",
     "rough": "w2_running_in",
     "fretting": "s1_fretting_ball",
     "rail": "s2_wheel_that_pulls",

@@ -312,7 +312,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to plastic strain; on a periodic grid, relative to the body far below the surface.
+        It is due to plastic strain and `eigenstrain`; on a periodic grid, relative to great depth.
         With axis="x" or "y", the tangential displacement is returned; both bodies share these axes.
         """
         number = axis_number(axis)

@@ -108,6 +108,31 @@ increments = 3
 load = 0.0
 increments = 3
 """,
+    "hardened": """title = "hardened case"
+[grid]
+nx = 16
+ny = 12
+dx = 2e-5
+dy = 2e-5
+dz = 2e-5
+nz = 20
+[body1]
+law = "rigid"
+[body2]
+material = "18CrNiMo7-6"
+hardness = {surface = 620.0, core = 380.0, depth = 2e-4}
+[surface]
+shape = "paraboloid"
+Rx = 5e-3
+[fatigue]
+orthogonal_shear = "x"
+dang_van = 0.3
+steady_axis = "x"
+exposure = {defect = 2e-5}
+[[path]]
+load = 20.0
+increments = 1
+""",
     "scar": f"""title = "fretting wear"
 {BALLS}[contact]
 friction = {{coulomb = 0.3}}
@@ -129,6 +154,10 @@ FIRST_IN_OTHERS = {
     "fatigue": (
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
         "imprint_map", "residual", "sections",
+    ),
+    "hardened": (
+        "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
+        "imprint_map", "residual", "sections", "fatigue_depth", "fatigue_section",
     ),
 }  # fmt: skip
 """Figures that other cases have stored; once is enough."""

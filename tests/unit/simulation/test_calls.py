@@ -9,7 +9,7 @@ import pytest
 
 import samcontact as sc
 
-PACKAGE = str(Path(sc.surfaces.__file__).parent)
+PACKAGE = str(Path(sc.__file__).parent)
 STEEL = sc.Material.elastic(210e9, 0.3)
 YIELDING = sc.Material.perfect_plastic(210e9, 0.3, 0.6e9)
 MAX_CALLS = {"elastic": 55, "plastic": 62}

@@ -8,23 +8,10 @@
 #include "samcontact/simulation/strain/acting_strain.hpp"
 
 namespace samcontact::simulation {
+namespace {
 
-Field gap(const State& state) {
-  if (!state.contact_gap.empty()) return state.contact_gap;
-  Field gap(state.setup().grid.surface_size(), 0.0);
-  state.sources().separate(gap);
-  if (std::isfinite(state.approach)) {
-    const contact::Lowering lowering(state.setup().grid, state.rigid_motion());
-    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] -= lowering(i);
-  }
-  for (int body = 0; body < 2; ++body) {
-    const Field u = surface_displacement(state, body);
-    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += u[i];
-  }
-  return gap;
-}
-
-Field residual_displacement(const State& state, int body, operators::Axis axis, const Box& region) {
+/// Surface displacement due to plastic strain over cells of the body.
+Field plastic_displacement(const State& state, int body, operators::Axis axis, const Box& region) {
   const Box surface{region.i0, region.j0, region.nx, region.ny, 1};
   Field out(surface.surface_size(), 0.0);
   if (!state.plastic[body]) return out;
@@ -56,7 +43,8 @@ Field residual_displacement(const State& state, int body, operators::Axis axis, 
   return out;
 }
 
-Field residual_displacement(const State& state, int body, operators::Axis axis) {
+/// Surface displacement due to plastic strain on the grid.
+Field plastic_displacement(const State& state, int body, operators::Axis axis) {
   const Grid& grid = state.setup().grid;
   const double offset = state.placement().offset[body];
   if (is_in_zones(state, body)) {
@@ -75,18 +63,56 @@ Field residual_displacement(const State& state, int body, operators::Axis axis) 
   Grid wide = grid;
   wide.nx += 2 * more;
   const Box rows{-more, 0, wide.nx, grid.ny, 0};
-  const Field seen = seen_from_body(residual_displacement(state, body, axis, rows), wide, -offset);
+  const Field seen = seen_from_body(plastic_displacement(state, body, axis, rows), wide, -offset);
   const std::ptrdiff_t beyond = static_cast<std::ptrdiff_t>(more) * grid.ny;
   return {seen.begin() + beyond, seen.end() - beyond};
 }
 
+void add(Field& sum, const Field& part) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
+}
+
+}  // namespace
+
+Field gap(const State& state) {
+  if (!state.contact_gap.empty()) return state.contact_gap;
+  Field gap(state.setup().grid.surface_size(), 0.0);
+  state.sources().separate(gap);
+  if (std::isfinite(state.approach)) {
+    const contact::Lowering lowering(state.setup().grid, state.rigid_motion());
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] -= lowering(i);
+  }
+  for (int body = 0; body < 2; ++body) {
+    const Field u = surface_displacement(state, body);
+    for (std::size_t i = 0; i < gap.size(); ++i) gap[i] += u[i];
+  }
+  return gap;
+}
+
+Field residual_displacement(const State& state, int body, operators::Axis axis, const Box& region) {
+  Field out = plastic_displacement(state, body, axis, region);
+  if (const auto& strain = state.eigenstrain[body]) {
+    add(out, displacement_of(*strain, state.setup(), body, state.method, axis, region));
+  }
+  return out;
+}
+
+Field residual_displacement(const State& state, int body, operators::Axis axis) {
+  Field out = plastic_displacement(state, body, axis);
+  if (const auto& strain = state.eigenstrain[body]) {
+    const double offset = state.placement().offset[body];
+    add(out, displacement_of(*strain, state.setup(), body, state.method, axis, offset));
+  }
+  return out;
+}
+
 Field surface_displacement(const State& state, int body) {
-  Field out = residual_displacement(state, body, operators::Axis::z);
+  Field out = plastic_displacement(state, body, operators::Axis::z);
   if (state.setup().media[body]->is_rigid()) return out;
   const Field of_tractions = operators::surface_displacement(
       state.setup().grid, *state.setup().media[body], state.heating[body], state.tractions,
       operators::shear_sign(body), operators::Axis::z);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] += of_tractions[i];
+  add(out, of_tractions);
   state.sources().displace(body, out);
   return out;
 }
