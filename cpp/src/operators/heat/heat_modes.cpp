@@ -96,14 +96,15 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
     : cell_y_(grid.dy / grid.dx),
       speed_x_(speed_x),
       speed_y_(speed_y),
+      is_moving_(speed_x != 0 || speed_y != 0),
       periods_{grid.period.x * 1.0, grid.period.y * cell_y_},
       resolution_(resolution),
       scales_(resolution,
-              moving() || periods_.is_on() || resolution.track > 0 || resolution.is_layered()),
+              is_moving_ || periods_.is_on() || resolution.track > 0 || resolution.is_layered()),
       transform_(padded(grid)) {
   const double mx = transform_.mx(), my = transform_.my() * cell_y_;
   double spread = 128 * std::sqrt(resolution.longest * resolution.contrast);
-  if (moving()) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
+  if (is_moving_) spread = std::min(spread, 1e4 / std::hypot(speed_x, speed_y));
   // Minimum period of the last disc, in which kernels are not smooth at w = 0: the remaining images
   // decrease with its third power.
   spread = std::max({64 * std::max(mx, my), 64 * resolution.layers, spread});
@@ -147,7 +148,7 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
   const double x = grid.nx, y = grid.ny * cell_y_;
   const double clear = std::hypot(std::max(x, y), scales_.is_split ? scales_.split_reach() : 0);
   double px = x + clear + resolution_.track, py = y + clear;
-  if (moving()) {
+  if (is_moving_) {
     // As in set_reach().
     const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
     const bool along_x = vx / x >= vy / y;
@@ -164,12 +165,12 @@ fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
 
 /// Range of the kernels of a level, and time for which it keeps heat.
 void HeatModes::set_reach(HeatLevel& level, double shrink) const {
-  const double x = nx(), y = ny() * cell_y_;
+  const double x = transform_.nx(), y = transform_.ny() * cell_y_;
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
   level.generation = std::numeric_limits<double>::infinity();
   const double free_x = px - x - resolution_.track, free_y = py - y;
   level.clear = periods_.x > 0 ? free_y : periods_.y > 0 ? free_x : std::min(free_x, free_y);
-  if (moving()) {
+  if (is_moving_) {
     // With generations of a path g along the faster direction (in grids): dropped ones have moved 2
     // g >= size + clear, kept ones up to 3 g, and images of these are still clear of the grid.
     const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);

@@ -69,15 +69,15 @@ int wrapped(int number, int m) { return ((number % m) + m) % m; }
 
 void HeatModes::add_points(HeatLevel& level) const {
   const int a = level.reach_a, b = level.reach_b;
-  const auto x = cells(nx(), 1), y = cells(ny(), cell_y_);
+  const auto x = cells(transform_.nx(), 1), y = cells(transform_.ny(), cell_y_);
   // Points per shortest wavelength, with a margin.
-  const double waves_x = a * level.dw1 * nx() / (2 * pi);
-  const double waves_y = b * level.dw2 * ny() * cell_y_ / (2 * pi);
+  const double waves_x = a * level.dw1 * transform_.nx() / (2 * pi);
+  const double waves_y = b * level.dw2 * transform_.ny() * cell_y_ / (2 * pi);
   level.points = static_cast<int>(pi * std::max(waves_x, waves_y) + 4 +
                                   0.7 * scales_.sharpness * scales_.sharpness);
-  const bool coarse = level.points < std::min(nx(), ny());
-  const auto px = coarse ? chebyshev(level.points, nx(), 1) : x;
-  const auto py = coarse ? chebyshev(level.points, ny(), cell_y_) : y;
+  const bool coarse = level.points < std::min(transform_.nx(), transform_.ny());
+  const auto px = coarse ? chebyshev(level.points, transform_.nx(), 1) : x;
+  const auto py = coarse ? chebyshev(level.points, transform_.ny(), cell_y_) : y;
   if (!coarse) level.points = 0;
   level.cells_x = waves(x, level.dw1, -a, a);
   level.cells_y = waves(y, level.dw2, 0, b);
@@ -85,8 +85,8 @@ void HeatModes::add_points(HeatLevel& level) const {
   level.points_y = waves(py, level.dw2, 0, b);
   if (!coarse) return;
   const int before = levels_.back().points;
-  const auto to_x = before > 0 ? chebyshev(before, nx(), 1) : x;
-  const auto to_y = before > 0 ? chebyshev(before, ny(), cell_y_) : y;
+  const auto to_x = before > 0 ? chebyshev(before, transform_.nx(), 1) : x;
+  const auto to_y = before > 0 ? chebyshev(before, transform_.ny(), cell_y_) : y;
   level.refine_x = interpolation(to_x, px);
   level.refine_y = interpolation(to_y, py);
 }
@@ -104,11 +104,11 @@ void HeatModes::project(const double* flux, ComplexField& amplitudes) const {
                : std::conj(spectrum[static_cast<std::size_t>(my - b) * mx + wrapped(-mode.a, mx)]);
     *out++ = mode.source * value;
   }
-  const RealView q(flux, nx(), ny());
+  const RealView q(flux, transform_.nx(), transform_.ny());
   for (std::size_t l = 1; l < levels_.size(); ++l) {
     const HeatLevel& level = levels_[l];
-    const ComplexView ex(level.cells_x.data(), 2 * level.reach_a + 1, nx());
-    const ComplexView ey(level.cells_y.data(), level.reach_b + 1, ny());
+    const ComplexView ex(level.cells_x.data(), 2 * level.reach_a + 1, transform_.nx());
+    const ComplexView ey(level.cells_y.data(), level.reach_b + 1, transform_.ny());
     const ComplexMatrix along_y = q.cast<Complex>() * ey.adjoint();  // [i][b]
     const ComplexMatrix both = ex.conjugate() * along_y;             // [a][b]
     for (const HeatMode& mode : level.modes) {
@@ -145,8 +145,8 @@ void HeatModes::evaluate(const Complex* amplitudes, double* plane) const {
   for (std::size_t l = levels_.size() - 1; l > 0; --l) {
     const HeatLevel& level = levels_[l];
     const int width = 2 * level.reach_a + 1, height = level.reach_b + 1;
-    const int px = level.points > 0 ? level.points : nx();
-    const int py = level.points > 0 ? level.points : ny();
+    const int px = level.points > 0 ? level.points : transform_.nx();
+    const int py = level.points > 0 ? level.points : transform_.ny();
     ComplexMatrix dense = ComplexMatrix::Zero(width, height);
     const Complex* from = starts[l - 1];
     for (const HeatMode& mode : level.modes) {
@@ -165,7 +165,7 @@ void HeatModes::evaluate(const Complex* amplitudes, double* plane) const {
     }
   }
   if (levels_[1].points > 0) refine(levels_[1]);
-  Eigen::Map<RealMatrix>(plane, nx(), ny()) += sum;
+  Eigen::Map<RealMatrix>(plane, transform_.nx(), transform_.ny()) += sum;
 }
 
 }  // namespace samcontact::operators

@@ -174,7 +174,8 @@ NearTables NearHeat::stress(double z, double nu) const {
 
 ComplexField NearHeat::spectra(const Field& fields, double age) const {
   const fft::PaddedTransform& transform = modes_.transform();
-  const std::size_t plane = static_cast<std::size_t>(modes_.nx()) * modes_.ny();
+  const std::size_t plane =
+      static_cast<std::size_t>(modes_.transform().nx()) * modes_.transform().ny();
   const std::size_t size = transform.spectrum_size();
   ComplexField out(rates_.size() * size);
   for (std::size_t m = 0; m < rates_.size(); ++m) {
@@ -203,7 +204,8 @@ void NearHeat::add(const Field& tables, bool odd_x, bool odd_y, const ComplexFie
   const fft::PaddedTransform& transform = modes_.transform();
   const int mx = transform.mx(), mh = transform.mh(), hx = mx / 2 + 1;
   // Offsets beyond the grid have no effect, and would wrap around.
-  const int use_x = std::min(offsets_x_, modes_.nx()), use_y = std::min(offsets_y_, modes_.ny());
+  const int use_x = std::min(offsets_x_, modes_.transform().nx()),
+            use_y = std::min(offsets_y_, modes_.transform().ny());
   const Field wave_x = waves(mx, use_x, odd_x), wave_y = waves(transform.my(), use_y, odd_y);
   const RealView cx(wave_x.data(), use_x, hx), cy(wave_y.data(), use_y, mh);
   ComplexField sum(transform.spectrum_size(), Complex{});
@@ -225,7 +227,7 @@ void NearHeat::add(const Field& tables, bool odd_x, bool odd_y, const ComplexFie
   if (odd_x) factor *= Complex{0, -1};
   if (odd_y) factor *= Complex{0, -1};
   for (Complex& value : sum) value *= factor;
-  Field out(static_cast<std::size_t>(modes_.nx()) * modes_.ny());
+  Field out(static_cast<std::size_t>(modes_.transform().nx()) * modes_.transform().ny());
   transform.inverse(sum.data(), out.data(), mx, fft::PaddedTransform::Threads::one);
   for (std::size_t i = 0; i < out.size(); ++i) plane[i] += out[i];
 }

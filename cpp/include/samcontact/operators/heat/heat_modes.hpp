@@ -122,11 +122,9 @@ class HeatModes {
   std::size_t size() const { return size_; }
   std::size_t mode_count() const { return mode_count_; }
   /// Number of generations of a level: a single one of all ages for a body at rest.
-  int generations() const { return moving() ? 3 : 1; }
+  int generations() const { return is_moving_ ? 3 : 1; }
   const HeatPeriods& periods() const { return periods_; }
   const fft::PaddedTransform& transform() const { return transform_; }
-  int nx() const { return transform_.nx(); }
-  int ny() const { return transform_.ny(); }
 
   /// Amplitudes of all modes, level by level, for a flux [i][j].
   void project(const double* flux, ComplexField& amplitudes) const;
@@ -136,7 +134,6 @@ class HeatModes {
   double cell_y() const { return cell_y_; }
 
  private:
-  bool moving() const { return speed_x_ != 0 || speed_y_ != 0; }
   fft::PaddedTransform padded(const Grid& grid) const;
   void set_reach(HeatLevel& level, double shrink) const;
   void add_periodic(double spread);
@@ -148,6 +145,7 @@ class HeatModes {
   void add_points(HeatLevel& level) const;
 
   double cell_y_, speed_x_, speed_y_;
+  bool is_moving_;
   HeatPeriods periods_;
   HeatResolution resolution_;
   HeatScales scales_;
