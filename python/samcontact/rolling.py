@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._util.checks import FloatArray, require_type
+from ._util.checks import FloatArray, exactly_one, require_type
 from .bodies.material import Material
 from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
@@ -123,7 +123,8 @@ def steady(
         on_stall=on_stall,
         max_iterations=max_iterations,
     )
-    normal = NormalDrive.of(load, approach)
+    name = exactly_one(load=load, approach=approach)
+    normal = NormalDrive.of(name, load if approach is None else approach)
     solution = solve_driven(solver, gap, normal, _Rolling(given, friction, start))
     assert isinstance(solution, RollingSolution)
     return solution

@@ -284,6 +284,8 @@ def materials_of(body: Body) -> list[Material]:
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
     """Return thermal constants of all materials from the surface down; None if any has none."""
+    if isinstance(body, Material):
+        return None if body.thermal is None else (body.thermal,)
     constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
     return constants if len(constants) == len(materials_of(body)) else None
 

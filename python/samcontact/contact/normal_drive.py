@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .. import _core
-from .._util.checks import exactly_one, number
+from .._util.checks import number
 from .._util.short_text import in_short
 from .tangential_drive import pair_of
 
@@ -28,15 +28,17 @@ class NormalDrive:
     @classmethod
     def of(
         cls,
-        load: float | None,
-        approach: float | None,
+        name: str,
+        value: float | None,
         moment: Sequence[float | None] | None = None,
         tilt: Sequence[float | None] | None = None,
         held: Sequence[float] = UNTILTED,
     ) -> NormalDrive:
-        """Check and combine the arguments; an axis with neither moment nor tilt keeps `held`."""
-        name = exactly_one(load=load, approach=approach)
-        value = number(name, load if approach is None else approach)
+        """Check and combine the arguments; an axis with neither moment nor tilt keeps `held`.
+
+        name: "load" or "approach".
+        """
+        value = number(name, value)
         if moment is None and tilt is None:
             return cls(name, value, about=(float(held[0]), float(held[1])))
         moments, tilts = pair_of("moment", moment, "about"), pair_of("tilt", tilt, "about")

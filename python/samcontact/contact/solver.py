@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from .. import _core
 from .._util import memory
-from .._util.checks import FloatArray, finite_array, require_type
+from .._util.checks import FloatArray, exactly_one, finite_array, require_type
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import Body, require_bodies
@@ -242,7 +242,8 @@ class ContactSolver(ContactFields):
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
-        normal = NormalDrive.of(load, approach, moment, tilt)
+        name = exactly_one(load=load, approach=approach)
+        normal = NormalDrive.of(name, load if approach is None else approach, moment, tilt)
         return solve_driven(self, gap, normal, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:

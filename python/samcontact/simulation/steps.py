@@ -59,7 +59,7 @@ class Step:
     @property
     def target(self) -> dict[str, float]:
         """Load or approach, as a dictionary with one entry; empty with prescribed tractions."""
-        return {} if self.normal is None else self.normal.target
+        return {} if self.normal is None else {self.normal.name: self.normal.value}
 
     def to_core(self) -> dict[str, Any]:
         given = vars(self).copy()
@@ -116,14 +116,16 @@ class StepArguments:
         elif shear is not None:
             raise ValueError(f"shear cannot be combined with {kind}: set friction instead")
         else:
-            normal = NormalDrive.of(load, approach, moment, tilt, held_tilt)
+            normal = NormalDrive.of(
+                kind, load if approach is None else approach, moment, tilt, held_tilt
+            )
         travels = AT_REST if advance is AT_REST else _travels(grid, advance)
         tangential = _NO_MOTION
         if not (shift is None and tangential_load is None and twist is None and torque is None):
             tangential = given_along(friction, shift, tangential_load, twist, torque)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
-        is_unloaded = normal is not None and normal.target == {"load": 0.0}
+        is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
         lasts = _duration(heat, duration, is_unloaded=is_unloaded)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(

@@ -296,7 +296,7 @@ def public_objects():
         sc.energy.EnergyBalance(1 / 3, 1 / 7, 1 / 9, 1 / 11, 1 / 13, 1 / 17),
         sc.measured.MeasuredSurface(heights, 1e-6, attrs={"source": "s" * 3000}),
         sc.asperities.CollisionResult(collision, simulation, series, [state]),
-        sc.wear.WearResult(grid, (2,), [cycle] * 50, True, None, relief, worn, {2: 0}, (state,), None),
+        sc.wear.WearResult(grid, (2,), [cycle] * 50, 1, None, relief, worn, {2: 0}, [state], None),
         scar, sc.wear.FrettingResult(grid, (2,), [scar] * 50, True, None, relief, worn, {2: 0},
                                      (state,) * 4, None),
         sc.fatigue.steady_cycle(state), sc.fatigue.findley(sc.fatigue.steady_cycle(state), k=1 / 3),

@@ -157,7 +157,7 @@ def test_tends_to_the_steady_state():
         past.add(flux, dt)
         dt *= 2
     steady = _core.Heating(1.0, [(K, ALPHA, KAPPA)], [], 0.0, 0.0, np.inf, 1.0, False)
-    body = _core.Stack(_core.Elastic.isotropic(E, NU))
+    body = sc.Material.elastic(E, NU)._core
     zero = np.zeros_like(flux)
     expected = _core.operators.temperature(grid._core, steady, DEPTHS, flux)
     got = past.temperature(0.0, DEPTHS)

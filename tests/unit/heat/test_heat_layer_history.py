@@ -39,10 +39,6 @@ def heating(body, time=np.inf, velocity=(0.0, 0.0), period=(0.0, 0.0)):
     return _core.Heating(1.0, thermal, thickness, *velocity, time, 1.0, False, period)
 
 
-def stack_of(body):
-    return body._core.stack
-
-
 def period_of(grid):
     return tuple(
         n * d if axis in grid.periodic else 0.0
@@ -52,7 +48,7 @@ def period_of(grid):
 
 def history(grid, body, shortest, longest, tolerance=1e-6, velocity=(0.0, 0.0)):
     return _core.operators.HeatHistory(
-        grid._core, heating(body, velocity=velocity), stack_of(body), shortest, longest, tolerance,
+        grid._core, heating(body, velocity=velocity), body._core.stack, shortest, longest, tolerance,
         True,
     )  # fmt: skip
 
@@ -64,11 +60,9 @@ def since(grid, body, time, flux, depths, velocity=(0.0, 0.0)):
     found = []
     for at in (acting, _core.Heating()):
         stress = _core.operators.surface_stress(
-            grid._core, stack_of(body), at, depths, flux, None, None
+            grid._core, body._core, at, depths, flux, None, None
         )
-        u = _core.operators.surface_displacement(
-            grid._core, stack_of(body), at, flux, None, None, 2
-        )
+        u = _core.operators.surface_displacement(grid._core, body._core, at, flux, None, None, 2)
         found.append((stress, u))
     (hot, u), (cold, elastic) = found
     return T, hot - cold, u - elastic

@@ -53,7 +53,7 @@ class Cell:
     def stress(self, z):
         of = _core.operators.surface_stress
         hot, cold = (
-            of(self.grid._core, self.body._core.stack, h, [z], self.flux, None, None)[..., 0]
+            of(self.grid._core, self.body._core, h, [z], self.flux, None, None)[..., 0]
             for h in (self.heating, _core.Heating())
         )
         return hot - cold
@@ -61,7 +61,7 @@ class Cell:
     def displacement(self):
         of = _core.operators.surface_displacement
         hot, cold = (
-            of(self.grid._core, self.body._core.stack, h, self.flux, None, None, 2)
+            of(self.grid._core, self.body._core, h, self.flux, None, None, 2)
             for h in (self.heating, _core.Heating())
         )
         return hot - cold

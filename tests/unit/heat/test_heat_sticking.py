@@ -94,5 +94,5 @@ def test_transient_heat_of_full_slip_equals_that_of_full_sliding():
 
 
 def test_a_single_contact_with_partial_slip_has_no_heat():
-    with pytest.raises(ValueError, match="in partial slip use Simulation"):
+    with pytest.raises(ValueError, match="must be 0 in a ContactSolver with partial slip"):
         sc.ContactSolver(GRID, COLD, WARM, sc.Coulomb(0.3), heat=sc.Heat(0.1))
