@@ -20,7 +20,7 @@ TABULATED = {
     "thermal": SWIFT["thermal"],
 }  # fmt: skip
 LAYER = {"E": 420e9, "nu": 0.22, "thickness": 2e-6}
-ROLLER = {
+FACED = {
     "law": "elastic",
     "E": 210e9,
     "nu": 0.3,
@@ -150,8 +150,8 @@ KINDS = {
     "coated by other laws": BASE | {"body1": COLD, "body2": SWIFT | {"layers": [
         SWIFT | {"thickness": 5e-6}, *(law | {"thickness": 10e-6} for law in (VOCE, TABULATED)),
     ]}, "heat": {"factor": [0.0, 2e-3], "time": 1e-3}, "path": [{"load": 2.0}]},
-    "ending": BASE | {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "body1": ROLLER,
-                      "body2": ROLLER, "heat": None,
+    "ending": BASE | {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "body1": FACED,
+                      "body2": FACED, "heat": None,
                       "contact": CONTACT | {"friction": 0.0},
                       "path": [{k: v for k, v in RAMP.items() if k != "heat_factor"}]},
     "Voce": BASE | {"body1": VOCE},

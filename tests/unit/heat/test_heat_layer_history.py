@@ -48,8 +48,8 @@ def period_of(grid):
 
 def history(grid, body, shortest, longest, tolerance=1e-6, velocity=(0.0, 0.0)):
     return _core.operators.HeatHistory(
-        grid._core, heating(body, velocity=velocity), body._core.stack, shortest, longest, tolerance,
-        True,
+        grid._core, heating(body, velocity=velocity), body._core.stack, shortest, longest,
+        tolerance, True,
     )  # fmt: skip
 
 
