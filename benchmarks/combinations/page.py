@@ -26,11 +26,13 @@ RETESTED = (
 
 @dataclass(frozen=True)
 class Reason:
-    """Reason of physics or mathematics why pairs are refused, recognised by the error message."""
+    """Reason why pairs are refused, recognised by the error message."""
 
     message: str
     """Regular expression of the error message."""
     text: str
+    is_limit: bool = False
+    """Whether physics or mathematics excludes the pairs; otherwise the method is missing."""
 
 
 REASONS = (
@@ -38,20 +40,28 @@ REASONS = (
         "is not supported in full sliding",
         "In full sliding, friction is the coefficient times the pressure in a given direction, so "
         "that a tangential motion or force would be prescribed twice.",
+        is_limit=True,
     ),
     Reason(
         "in full sliding the heat flux is proportional",
         "In full sliding, the heat flux follows from the pressure (`Heat(factor)`), and there is "
         "no slip to be computed.",
+        is_limit=True,
     ),
     Reason(
         "uniform heating of a half-space has no steady state",
         "The mean temperature of a half-space that is heated everywhere rises without limit.",
+        is_limit=True,
     ),
     Reason(
         "there are no closed-form kernels|exact kernels cannot be summed",
         'No closed form exists for the kernels of the method "exact". The default method, "fast", '
         "has no such limit.",
+        is_limit=True,
+    ),
+    Reason(
+        "free faces|free_faces",
+        "Displacement due to shear and heat, periodic surfaces and plastic flow near a free face.",
     ),
     Reason(
         "on a grid that is periodic along",
@@ -60,10 +70,6 @@ REASONS = (
         is_limit=True,
     ),
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
-    Reason(
-        "free faces|free_faces",
-        "Displacement due to shear and heat, periodic surfaces and plastic flow near a free face.",
-    ),
 )
 
 
@@ -92,28 +98,31 @@ def reason(record: Record) -> Reason:
     raise LookupError(f"no reason is known for {pair}: {record['refusal']}")
 
 
-def _excluded(refused: list[Record]) -> str:
+def _refused(records: list[Record], limits: bool) -> str:
     """Return the table of reasons with the refused pairs."""
     found: dict[Reason, dict[str, list[str]]] = {}
-    for record in refused:
-        pairs = found.setdefault(reason(record), {})
-        pairs.setdefault(record["first"], []).append(record["second"])
+    for record in records:
+        if record["refusal"] and (known := reason(record)).is_limit == limits:
+            found.setdefault(known, {}).setdefault(record["first"], []).append(record["second"])
     rows = []
     for known, pairs in found.items():
         listed = "; ".join(f"{first} with {' or '.join(others)}" for first, others in pairs.items())
         rows.append([known.text, listed])
-    return table(["reason", "pairs"], rows)
+    return table(["reason" if limits else "missing method", "pairs"], rows)
 
 
 def page(records: list[Record]) -> str:
     refused = [record for record in records if record["refusal"]]
+    limits = sum(reason(record).is_limit for record in refused)
     values = {
         "capabilities": len(CAPABILITIES),
         "pairs": len(records),
         "works": len(records) - len(refused),
-        "refused": len(refused),
+        "limits": limits,
+        "missing": len(refused) - limits,
         "listed": ", ".join(CAPABILITIES),
-        "excluded": _excluded(refused),
+        "excluded": _refused(records, True),
+        "not_available": _refused(records, False),
     }
     return TEXT.read_text(encoding="utf-8").format(**values)
 
