@@ -171,8 +171,15 @@ def test_errors_name_field_value_and_unit(tmp_path, old, new, message):
 
 
 def test_without_pint(tmp_path, monkeypatch):
+    class WithoutPint:
+        @staticmethod
+        def find_spec(name, *_):
+            if name == "pint":
+                raise ImportError(name)
+
     units._registry.cache_clear()
-    monkeypatch.setitem(sys.modules, "pint", None)
+    monkeypatch.delitem(sys.modules, "pint", raising=False)
+    monkeypatch.setattr(sys, "meta_path", [WithoutPint, *sys.meta_path])
     with pytest.raises(ImportError, match=r"pip install samcontact\[units\]"):
         units.si("1 m", "m")
     with pytest.raises(CaseError, match=r"grid\.dx: .*pip install samcontact\[units\].*'100 um'"):
@@ -188,6 +195,8 @@ NUMBERS = {
     *("tol", "increment_tol", "rate", "plastic_strain", "factor"),
     *("dang_van", "crossland", "findley", "fatemi_socie"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
+    *("HV", "surface", "core", "limit", "slope", "weibull", "depth_exponent"),
+    *("inner_conformity", "outer_conformity", "profile_shift", "relief_exponent", "load_factor"),
 }
 
 
