@@ -87,7 +87,7 @@ TEST_CASE("the approximate displacement is exact on a whole periodic grid and cl
 }
 
 TEST_CASE("the preconditioner inverts the displacement of a Fourier mode on the periodic grid") {
-  const contact::NearOperators near(Grid(64, 64, 1.0, 1.0), influence);
+  const contact::NearOperators near(Grid(64, 64, 1.0, 1.0), influence, nullptr);
   // In the middle of the box a packet of waves is hardly affected by the edges.
   Field packet, back(64 * 64), displacement(64 * 64);
   for (int i = 0; i < 64; ++i) {
