@@ -303,7 +303,8 @@ def roll_over(
     distance, step : float
         Distance that is rolled, and length of an increment [m], whole numbers of cells.
     middle : float, optional
-        Position of the middle of the path on body 2 [m], a whole number of cells.
+        Position of the middle of the path on body 2 [m], a whole number of cells; half a cell
+        farther if the distance is an odd number of cells.
     slide_to_roll : float, optional
         Slide-to-roll ratio, as in `paths.rolling`.
     increments : int, optional
@@ -331,7 +332,13 @@ def roll_over(
             "dented must have the cells of the grid: (ny, dx, dy, dz, periodic) are "
             f"{cells[0]} and {cells[1]}"
         )
-    start = finite("middle", middle) - 0.5 * positive("distance", distance)
+    for name, length in (("distance", distance), ("step", step), ("middle", middle)):
+        number = in_cells(name, finite(name, length), grid.dx)
+        if abs(number - round(number)) > 1e-6:
+            raise ValueError(
+                f"{name} must be a whole number of cells of {grid.dx!r} m, got {length!r} m"
+            )
+    start = middle - 0.5 * positive("distance", distance)
     first = grid.dx * round(in_cells("distance", start, grid.dx))
     simulation = Simulation(grid, body1, body2, gap, **settings)
     start_from(simulation, dented)

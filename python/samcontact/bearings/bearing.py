@@ -272,12 +272,18 @@ class Bearing:
     ) -> float:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
-        Stribeck's rule applies to a radial load alone if the clearance is unknown; otherwise the
-        load follows from `element_loads`.
+        The load follows from `element_loads`. If the clearance is unknown, it is at least that of
+        Stribeck's rule, which contains a usual clearance; a radial load alone is distributed by
+        this rule.
         """
-        if self.clearance is None and axial_load == 0.0 and moment is None:
-            return stribeck_load(radial_load, self.elements, self.contact_angle) / self.rows
-        return self.element_loads(radial_load, axial_load, moment, E_star=E_star).max_load
+        least = 0.0
+        if self.clearance is None:
+            least = stribeck_load(radial_load, self.elements, self.contact_angle) / self.rows
+            if axial_load == 0.0 and moment is None:
+                return least
+        return max(
+            least, self.element_loads(radial_load, axial_load, moment, E_star=E_star).max_load
+        )
 
     def load_factor(
         self,

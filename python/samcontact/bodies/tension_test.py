@@ -50,8 +50,9 @@ class FromTest:
             current area). Default: True.
         E : float, optional
             Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
-            stress, by least squares; the strain at which this line meets zero stress is
-            subtracted. A machine without an extensometer gives too small a slope: then give E.
+            stress, by least squares. The strain at which this line meets zero stress is
+            subtracted. Without an extensometer the machine deforms too, and the slope is too
+            small: then give E, and the plastic strain is still measured from this line.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional
@@ -69,7 +70,8 @@ class FromTest:
         ------
         ValueError
             The curve is not one of a test: strain in percent, stress in MPa, strains that do not
-            increase, necking, stress that decreases, or too few points for the elastic line.
+            increase, necking, stress that decreases, or too few points for the elastic line. E is
+            not in Pa, or below the slope of the curve.
         TypeError
             An argument is not a number.
         """
@@ -82,12 +84,15 @@ class FromTest:
         e, s = _curve(strain, stress)
         if boolean("engineering", engineering):
             _require_no_neck(e, s)
-        modulus, start = _elastic_line(e, s, begin) if given_modulus is None else (given_modulus, 0)
+        slope, start = _elastic_line(e, s, begin, given_modulus)
+        modulus = slope if given_modulus is None else given_modulus
+        _require_modulus(modulus, slope)
         _require_no_percent(e, s, modulus, given_modulus is not None)
-        e = e - start
+        e = e - start - s * (1 / slope - 1 / modulus)  # without the deformation of the machine
         if engineering:
             s, e = s * (1 + e), np.log1p(e)
-        plastic, true = _hardening(np.abs(e), np.abs(s), modulus, begin)
+        sign = np.sign(e[-1] - e[0])
+        plastic, true = _hardening(sign * e, sign * s, modulus, begin)
         made: Any = cls
         return cast("Self", made.tabulated(modulus, ratio, plastic, true))
 
@@ -140,8 +145,13 @@ def _require_no_neck(e: FloatArray, s: FloatArray) -> None:
         )
 
 
-def _elastic_line(e: FloatArray, s: FloatArray, offset: float) -> tuple[float, float]:
-    """Return the slope [Pa] of the elastic line and the strain at which it meets zero stress."""
+def _elastic_line(
+    e: FloatArray, s: FloatArray, offset: float, modulus: float | None
+) -> tuple[float, float]:
+    """Return the slope [Pa] of the elastic line and the strain at which it meets zero stress.
+
+    modulus: slope of a line through the origin if the curve has too few elastic points.
+    """
     size, along = np.abs(s), np.sign(e[-1] - e[0])
     limit, found = 0.5 * float(size.max()), (0.0, 0.0)
     for _ in range(20):
@@ -149,6 +159,8 @@ def _elastic_line(e: FloatArray, s: FloatArray, offset: float) -> tuple[float, f
         inside = np.flatnonzero(
             (size[:first] >= _ELASTIC_PART[0] * limit) & (size[:first] <= _ELASTIC_PART[1] * limit)
         )
+        if inside.size < 3 and modulus is not None:
+            return modulus, 0.0
         if inside.size < 3:
             raise ValueError(
                 f"E is required: fewer than 3 points are between {_ELASTIC_PART[0]:.0%} and "
@@ -163,6 +175,20 @@ def _elastic_line(e: FloatArray, s: FloatArray, offset: float) -> tuple[float, f
         elastic = np.flatnonzero(along * (e - found[1]) - size / found[0] <= offset)
         limit = float(size[elastic[-1]]) if elastic.size else limit
     return found
+
+
+def _require_modulus(modulus: float, slope: float) -> None:
+    """Raise ValueError for a modulus that is not in Pa, or below the slope of the curve [Pa]."""
+    if modulus < 1e-3 * slope:
+        raise ValueError(
+            f"E must be in Pa, got {modulus:g}, but the slope of the curve is {slope:.3g} Pa: "
+            "multiply GPa by 1e9"
+        )
+    if modulus < 0.9 * slope:
+        raise ValueError(
+            f"E must not be below the slope of the curve, {slope:.3g} Pa, got {modulus:g} Pa: the "
+            "deformation of a machine only decreases the slope"
+        )
 
 
 def _require_no_percent(e: FloatArray, s: FloatArray, modulus: float, given: bool) -> None:

@@ -12,6 +12,8 @@ from .._util.short_text import in_short
 from .tangential_drive import pair_of
 
 UNTILTED = 0.0, 0.0
+MAX_TILT = 0.1
+"""Maximum tilt [rad] of small rotations."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,11 @@ class NormalDrive:
                 raise ValueError(
                     f"moment and tilt about {axis} cannot both be given, got {m!r} and {t!r}, "
                     "because the tilt follows from the moment: set one of them to None"
+                )
+            if t is not None and abs(t) > MAX_TILT:
+                raise ValueError(
+                    f"tilt about {axis} must be between {-MAX_TILT} and {MAX_TILT} rad, got {t!r}: "
+                    "degrees instead of radians?"
                 )
             about.append(m if m is not None else float(present) if t is None else t)
         is_moment = moments[0] is not None, moments[1] is not None

@@ -46,6 +46,8 @@ class Life(ShortRepr, HtmlTable):
     ----------
     model : str
         "ioannides_harris" or "zaretsky".
+    criterion : str
+        Name of the criterion that gives the stress.
     constants : mapping of str to float
         Limit [Pa], exponents, Weibull slope and length [m].
     log_integral : float
@@ -58,6 +60,7 @@ class Life(ShortRepr, HtmlTable):
     """
 
     model: str
+    criterion: str
     constants: Mapping[str, float]
     log_integral: float
     surface_share: float
@@ -71,7 +74,7 @@ class Life(ShortRepr, HtmlTable):
         Raises
         ------
         ValueError
-            The models or exponents differ, or no stress exceeds the limit in either.
+            The models, criteria or exponents differ, or no stress exceeds the limit in either.
         TypeError
             The reference is no Life.
         """
@@ -81,6 +84,10 @@ class Life(ShortRepr, HtmlTable):
             self.constants[name] != reference.constants[name] for name in exponents
         ):
             raise ValueError("reference must have the same model and exponents")
+        if self.criterion != reference.criterion:
+            raise ValueError(
+                f"reference must have the criterion {self.criterion}, got {reference.criterion}"
+            )
         if math.isinf(self.log_integral) and math.isinf(reference.log_integral):
             raise ValueError(
                 "reference must have stress above the limit if this life has none: both are "
@@ -244,7 +251,9 @@ def life(
         )
     kept = constants | {"limit": float(bound.max()), "length": float(length)}
     whole = top + math.log(total) if total > 0 else -math.inf
-    return Life(model, FrozenDict(kept), whole, share, float(weight[exposed].sum()))
+    return Life(
+        model, field.criterion, FrozenDict(kept), whole, share, float(weight[exposed].sum())
+    )
 
 
 def _constants(model: Any, *given: float | None) -> dict[str, float]:

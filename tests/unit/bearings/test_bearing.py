@@ -26,6 +26,7 @@ def test_the_standard_bearing_6208():
     assert bearing.governing_race == "inner"
     # Stribeck's rule, because the clearance is unknown
     assert bearing.max_element_load(24e3) == pytest.approx(5 / 9 * 24e3)
+    assert bearing.max_element_load(24e3, 1.0) == pytest.approx(5 / 9 * 24e3)
     assert bearing.static_safety(12e3) == pytest.approx(bearing.static_load_rating / 12e3)
     assert bearing.static_equivalent_load(10e3, 20e3) == pytest.approx(16e3)
     assert "estimated" in bearing.source

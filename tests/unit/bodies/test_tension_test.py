@@ -18,6 +18,9 @@ NECK = int(STRESS.argmax()) + 1  # Considere: uniform strain up to the maximum f
     [
         (STRAIN[:NECK], STRESS[:NECK], {}),
         (STRAIN[:NECK] + 1e-3, STRESS[:NECK], {}),  # slack of the grips
+        (np.r_[0.0, STRAIN[1:NECK] + 3e-4], STRESS[:NECK], {}),
+        (STRAIN[:NECK] + STRESS[:NECK] / 1e11, STRESS[:NECK], {"E": E}),  # the machine deforms
+        (STRAIN[40:NECK], STRESS[40:NECK], {"E": E}),
         (TRUE_STRAIN, TRUE_STRESS, {"engineering": False, "E": E}),
         (-TRUE_STRAIN, -TRUE_STRESS, {"engineering": False}),
         (np.expm1(-TRUE_STRAIN), -TRUE_STRESS * np.exp(TRUE_STRAIN), {}),  # compression thickens
@@ -47,6 +50,8 @@ def test_the_law_of_a_ramberg_osgood_curve_is_recovered(strain, stress, extra):
         (STRAIN[40:NECK], STRESS[40:NECK], {}, "E is required"),
         (STRAIN[:NECK], np.where(np.arange(NECK) == 90, 9e8, STRESS[:NECK]), {}, "smooth|necks"),
         (STRAIN[:3], STRESS[:3], {}, "at least 4"),
+        (STRAIN[:NECK], STRESS[:NECK], {"E": 205.0}, "E must be in Pa, got 205"),
+        (STRAIN[:NECK], STRESS[:NECK], {"E": 1.5e11}, "must not be below the slope of the curve"),
         (STRAIN[:NECK], STRESS[:NECK], {"offset": 0.2}, "offset must"),
     ],
 )

@@ -152,3 +152,9 @@ def test_load_and_moments_need_few_more_iterations(roughness):
     alone = contact.solve(gap, load=150.0)
     both = contact.solve(gap, load=150.0, moment=(150.0 * 80e-6, -150.0 * 120e-6))
     assert both.iterations <= 1.2 * alone.iterations
+
+
+def test_a_tilt_in_degrees_is_refused():
+    gap = sc.surfaces.paraboloid(GRID, 12e-3)
+    with pytest.raises(ValueError, match=r"tilt about x must be .* got 1\.0: degrees"):
+        solver().solve(gap, load=LOAD, tilt=(1.0, 0.0))

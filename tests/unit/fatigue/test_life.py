@@ -118,6 +118,7 @@ def test_stress_at_the_surface_is_told_and_wrong_input_refused():
     _, field = line_shear(1.5e9)
     top = sc.fatigue.dang_van(sc.fatigue.hertz_cycle(contact, BODY, z=[0.0, 1e-4]), slope=0.3)
     flat = sc.fatigue.dang_van(np.zeros((2, 6, 3)), slope=0.3)
+    other = sc.fatigue.dang_van(sc.fatigue.hertz_cycle(contact, BODY), slope=0.3)
     for call, says in (
         (lambda: sc.fatigue.life(top), "no stress above the limit at z = 0"),
         (lambda: sc.fatigue.life(flat), "equivalent stress with depths"),
@@ -125,6 +126,7 @@ def test_stress_at_the_surface_is_told_and_wrong_input_refused():
         (lambda: sc.fatigue.life(field, model="zaretsky", depth_exponent=1.0), "depth_exponent"),
         (lambda: sc.fatigue.life(field, limit=[1e8, 2e8]), "one for each of 120 depths"),
         (lambda: sc.fatigue.life(field).relative_to(sc.fatigue.life(field, exponent=9.0)), "same"),
+        (lambda: sc.fatigue.life(field).relative_to(sc.fatigue.life(other)), "the criterion"),
         (lambda: sc.fatigue.life(field).cycles(0.0, 1.0), "reliability must be in"),
         (lambda: sc.fatigue.life(field, limit=1e9).constant_for(1e6), "exceeds the limit nowhere"),
     ):

@@ -109,3 +109,13 @@ def test_unusable_arguments_are_refused(dented):
         roll_over(other, BALL, STEEL, dented, gap, load=1.0, distance=6e-5, step=6e-6)
     with pytest.raises(ValueError, match="density must give at most 10000"):
         particles(1.0, 1.0, 1e9, 5e-6, seed=1)
+
+
+@pytest.mark.parametrize(
+    "changed", [{"distance": 3.3 * CELL}, {"step": 1.5 * CELL}, {"middle": 0.5 * CELL}]
+)
+def test_parts_of_cells_are_refused(changed):
+    track = sc.Simulation(GRID, BALL, STEEL, np.zeros(GRID.surface_shape)).state.track()
+    given = {"distance": 4 * CELL, "step": CELL, "middle": 0.0} | changed
+    with pytest.raises(ValueError, match=f"^{next(iter(changed))} must be a whole number of cells"):
+        roll_over(GRID, BALL, STEEL, track, np.zeros(GRID.surface_shape), load=1.0, **given)
