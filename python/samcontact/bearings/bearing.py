@@ -24,6 +24,8 @@ _PRESSURE = {"cylindrical_roller": 4.0e9}
 """Hertz pressure of the static load rating of ISO 76 [Pa], if it is not 4.2e9."""
 _AXIAL_FACTORS = ((15, 20, 25, 30, 35, 40, 45), (0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22))
 """Factor Y_0 of ISO 76 for single-row angular contact bearings by contact angle [degrees]."""
+MAX_DIAMETER = 1.0
+"""Maximum diameter of rolling elements [m]; those of the largest bearings are smaller."""
 
 
 @dataclass(frozen=True)
@@ -118,6 +120,11 @@ class Bearing:
             raise ValueError(
                 'contact_angle must be > 0 with kind = "angular_contact" and 0 otherwise, got '
                 f'{self.contact_angle!r} rad with kind = "{self.kind}"'
+            )
+        if self.element_diameter > MAX_DIAMETER:
+            raise ValueError(
+                f"element_diameter must be at most {MAX_DIAMETER:g} m, got "
+                f"{self.element_diameter!r} m: millimetres instead of metres?"
             )
         width = self.element_diameter * math.cos(self.contact_angle)
         room = self.pitch_diameter * math.sin(math.pi / self.elements)

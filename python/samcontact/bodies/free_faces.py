@@ -18,6 +18,8 @@ FreeFaces = tuple[float, float, str]
 """Coordinates y of the low and the high face [m], infinite without a face; method."""
 
 METHODS = ("exact", "factor")
+MAX_PLACE = 2.0
+"""Maximum distance of a face from the middle of the grid [m]; a contact far from it is shorter."""
 
 
 def checked_faces(given: Any) -> FreeFaces:
@@ -30,6 +32,12 @@ def checked_faces(given: Any) -> FreeFaces:
     )
     if low == -math.inf and high == math.inf:
         raise ValueError("free_faces must have a low face, a high face or both, got none")
+    for place in (low, high):
+        if math.isfinite(place) and abs(place) > MAX_PLACE:
+            raise ValueError(
+                f"free_faces must be within {MAX_PLACE:g} m of the middle of the grid, got a face "
+                f"at y = {place!r} m: millimetres instead of metres?"
+            )
     if not low < high:
         raise ValueError(
             f"low of free_faces must be less than high ({high!r} m), got {low!r} m: the body is "

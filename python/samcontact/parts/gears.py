@@ -20,6 +20,8 @@ from .involute import Flank, involute, involute_angle
 _PAIRS = ("teeth", "profile_shift", "tip_relief", "tip_diameter", "relief_length")
 _OPTIONAL_PAIRS = _PAIRS[3:]
 SHARING = ("equal", "linear")
+MAX_MODULE = 0.5
+"""Maximum module [m]; larger gears are not made."""
 
 
 @dataclass(frozen=True)
@@ -89,6 +91,7 @@ class GearPair:
         for name in ("module", "face_width"):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
         object.__setattr__(self, "crowning", non_negative("crowning", self.crowning))
+        self._require_metres()
         angle = finite("pressure_angle", self.pressure_angle)
         if not 0.05 <= angle <= 0.8:
             hint = ": degrees instead of radians?" if angle > 1.0 else ""
@@ -104,6 +107,26 @@ class GearPair:
         if not 1.0 <= number("relief_exponent", self.relief_exponent) <= 4.0:
             raise ValueError(f"relief_exponent must be in [1, 4], got {self.relief_exponent!r}")
         self._require_contact()
+
+    def _require_metres(self) -> None:
+        """Raise ValueError for lengths that are probably in millimetres or micrometres."""
+        hint = "millimetres or micrometres instead of metres?"
+        if self.module > MAX_MODULE:
+            raise ValueError(
+                f"module must be at most {MAX_MODULE:g} m, got {self.module!r} m: {hint}"
+            )
+        tips = self.tip_diameter or ()
+        for name, limit, values in (
+            ("crowning", self.module, (self.crowning,)),
+            ("tip_relief", self.module, self.tip_relief),
+            ("tip_diameter", 2.0 * self.module * (max(self.teeth) + 10), tips),
+        ):
+            for value in values:
+                if value > limit:
+                    raise ValueError(
+                        f"{name} must be at most {limit:.3g} m for a module of {self.module!r} m, "
+                        f"got {value!r} m: {hint}"
+                    )
 
     def _require_contact(self) -> None:
         self._require_centre_distance()

@@ -146,3 +146,8 @@ def test_gaps_are_those_of_the_races():
 def test_bad_input_is_named(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+def test_sizes_in_millimetres_are_refused():
+    with pytest.raises(ValueError, match=r"element_diameter must be at most 1 m, got 12\.0 m"):
+        sc.bearings.Bearing("deep_groove", 12.0, 60.0, 9)

@@ -164,3 +164,8 @@ def test_a_plastic_half_space_under_a_body_that_ends():
 def test_what_is_not_known_is_refused(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+def test_faces_in_millimetres_are_refused():
+    with pytest.raises(ValueError, match=r"free_faces must be within 2 m .* y = -5\.0 m: milli"):
+        sc.Material.elastic(210e9, 0.3).with_free_faces(-5.0, 5.0)

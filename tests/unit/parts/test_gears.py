@@ -130,3 +130,17 @@ def test_unusable_pairs_are_refused():
         GearPair(2e-3, (20, 60), 10e-3, pressure_angle=20.0)
     with pytest.raises(ValueError, match="position must be between A"):
         GearPair(2e-3, (20, 60), 10e-3).at(0.1)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"module": 4.5}, "module must be at most 0.5 m, got 4.5 m: millimetres"),
+        ({"crowning": 20.0}, "crowning must be at most"),
+        ({"tip_relief": (20.0, 20.0)}, "tip_relief must be at most"),
+        ({"tip_diameter": (82.5, 118.4)}, "tip_diameter must be at most"),
+    ],
+)
+def test_lengths_in_millimetres_are_refused(change, message):
+    with pytest.raises(ValueError, match=message):
+        GearPair(**{"module": 4.5e-3, "teeth": (16, 24), "face_width": 14e-3} | change)
