@@ -160,7 +160,8 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
     ]
     times = [row["time_ratio"] for row in fast]
     return [
-        f"The fast method has {min(errors):.2f} to {max(errors):.2f} times the rms error of exact "
-        "coefficients with the strain at cell centres, and a single use takes "
-        f"{min(times):.2f} to {max(times):.2f} times as long."
+        f"The rms error of the fast method is {min(errors):.2f} to {max(errors):.2f} times the rms "
+        "error of exact coefficients applied to the strain at cell centres. The time for set-up "
+        f"and one application is {min(times):.2f} to {max(times):.2f} times the time with exact "
+        "coefficients."
     ]

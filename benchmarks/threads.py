@@ -44,6 +44,9 @@ LARGE_SIZES = {
 }
 """Minimum number of cells (for a sweep: of cases) from which a case counts as large."""
 
+WORKERS = ("on two threads", "on one thread")
+SWEEP_WORKERS = ("in two processes", "in one process")
+
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     return [
@@ -111,10 +114,12 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         both = [row for row in rows if row["case"] == case and row["method"] != BASE]
         large = [efficiency(row) for row in both if row["cells"] >= LARGE_SIZES[case]]
         small = [row["time_ratio"] for row in both if row["cells"] < LARGE_SIZES[case]]
+        two, one = SWEEP_WORKERS if case == "sweep" else WORKERS
         stated = []
         if large:
-            stated.append(f"efficiency of two threads in large cases at least {min(large):.2f}")
+            stated.append(f"the efficiency is at least {min(large):.2f} in large cases")
         if small:
-            stated.append(f"small cases take up to {max(small):.2f} times the time on one thread")
-        lines += [f"- {case}: {'; '.join(stated)}."] if stated else []
+            most = f"{max(small):.2f} times the time {one}"
+            stated.append(f"the time is at most {most} in small cases")
+        lines += [f"- {case}: {two}, {', and '.join(stated)}."] if stated else []
     return ["\n".join(lines)]

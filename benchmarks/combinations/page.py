@@ -38,8 +38,9 @@ class Reason:
 REASONS = (
     Reason(
         "is not supported in full sliding",
-        "In full sliding, friction is the coefficient times the pressure in a given direction, so "
-        "that a tangential motion or force would be prescribed twice.",
+        "In full sliding, the shear traction is given: it acts in a prescribed direction and "
+        "equals the friction coefficient times the pressure. A tangential motion or force would "
+        "therefore be prescribed twice.",
         is_limit=True,
     ),
     Reason(
@@ -61,12 +62,13 @@ REASONS = (
     ),
     Reason(
         "free faces|free_faces",
-        "Displacement due to shear and heat, periodic surfaces and plastic flow near a free face.",
+        "Near a free face: displacement due to shear and heat, and plastic flow of the body with "
+        "this face; also periodic surfaces with a free face.",
     ),
     Reason(
         "on a grid that is periodic along",
         "A tilted surface does not repeat: a surface that is periodic along y cannot rotate about "
-        "x. The other axis is free.",
+        "x. Rotation about y is possible if the surface is not periodic along x.",
         is_limit=True,
     ),
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),

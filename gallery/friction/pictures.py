@@ -200,7 +200,7 @@ def maximum(results: Results) -> Picture:
             color="k",
             linestyle="--",
             linewidth=1,
-            label="Boucly (2008): maximum at z = 0 above 0.32",
+            label="Boucly (2008): maximum at z = 0 for µ > 0.32",
         )
     finish(left, "friction coefficient µ", "maximum von Mises stress [GPa]")
     finish(right, "friction coefficient µ", "position of the maximum [-]")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Correction of values to infinitely many increments, from runs on coarse grids."""
+"""Extrapolation of values to infinitely many increments, based on runs on coarse grids."""
 
 from __future__ import annotations
 

@@ -66,7 +66,7 @@ def require_known(name: object) -> None:
         return
     if isinstance(name, str) and name in WEAR and name not in CONTACT:
         raise ValueError(
-            f"quantity must be that of a contact, got {in_short(name)}: wear has no load search; "
+            f"quantity must be a contact quantity, got {in_short(name)}: wear has no load search; "
             "solve the wear for several loads, e.g. by samcontact sweep without --find"
         )
     word = name.lower() if isinstance(name, str) else ""

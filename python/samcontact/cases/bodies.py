@@ -219,7 +219,7 @@ class _ElasticSolid(_Solid):
     @model_validator(mode="wrap")
     @classmethod
     def _from_library(cls, given: Any, handler: ModelWrapValidatorHandler[Self]) -> Self:
-        """Take constants from the library; only fields of the file count as set."""
+        """Take constants from the library; mark only fields given in the case file as set."""
         if not isinstance(given, dict) or given.get("material") is None:
             return handler(given)
         if type(given["material"]) is int:  # 52100 and 4140 without quotes

@@ -119,7 +119,7 @@ def test_thread_efficiency_is_stated_for_the_worst_case():
     ]
     (text,) = threads.notes(rows)
     expected = (
-        "- plastic subdomains: efficiency of two threads in large cases at least 0.80; small cases"
+        "- plastic subdomains: on two threads, the efficiency is at least 0.80 in large cases, and "
     )
     assert text.startswith(expected)
 
