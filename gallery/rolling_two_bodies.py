@@ -230,7 +230,7 @@ def stated_hardening(results: Results) -> list[Number | Statement]:
         say.trend(
             "pressure across",
             max(side_excess) < 0.01 and max(side_excess[1:]) == 0,
-            f"; only for E_t = 0 beside the middle, with a pressure {100 * side_excess[0]:.1f} % "
+            f"; only for E_t = 0 next to the middle, with a pressure {100 * side_excess[0]:.1f} % "
             "above the pressure in the middle"
             if side_excess[0] > 0
             else "",
