@@ -108,14 +108,18 @@ def _grid_of_roller(R: float, length: float, load: float, E_star: float) -> Firs
 
 
 @lru_cache(maxsize=16)
-def _max_element_load(bearing: bearings.Bearing, *loads: float | None) -> float:
-    return bearing.max_element_load(*loads)  # type: ignore[arg-type]
+def _max_element_load(
+    bearing: bearings.Bearing, radial_load: float, axial_load: float, moment: float | None
+) -> float:
+    return bearing.max_element_load(radial_load, axial_load, moment)
 
 
 @lru_cache(maxsize=16)
-def _misalignment(bearing: bearings.Bearing, *loads: float | None) -> float:
+def _misalignment(
+    bearing: bearings.Bearing, radial_load: float, axial_load: float, moment: float | None
+) -> float:
     """Misalignment of the rings at the most heavily loaded element [rad]."""
-    return bearing.element_loads(*loads).tilt  # type: ignore[arg-type]
+    return bearing.element_loads(radial_load, axial_load, moment).tilt
 
 
 class BearingSurface(_RollingSurface):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
@@ -109,8 +110,9 @@ class SurfaceShape(Section):
         """Whether the surface is defined on every grid."""
         return self.roughness is None or self.roughness.kind == "sinusoidal"
 
+    @abstractmethod
     def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
-        raise NotImplementedError
+        """Return the gap of the shape without roughness on a grid; arguments as for `build`."""
 
     def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         """Return the gap on a grid.
