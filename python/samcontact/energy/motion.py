@@ -62,9 +62,10 @@ class Motion:
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:
-        """Return a volume field of the state before at the places of its cells in the state after.
+        """Return the field `before`, moved with the body to its position at the end of the motion.
 
-        Cells that enter the grid take the value after. Arrays of shape (..., nx, ny, nz).
+        before, after: volume fields at the start and at the end of the motion, shape
+        (..., nx, ny, nz). Cells that enter the grid during the motion have the values of `after`.
         """
         cells = first_cell(self.before, self.body) - first_cell(self.after, self.body)
         if cells == 0:

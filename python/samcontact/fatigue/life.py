@@ -228,8 +228,8 @@ def life(
     at = z if stress_depth is None else np.full_like(z, positive("stress_depth", stress_depth))
     if constants["depth_exponent"] > 0 and exposed[..., at == 0].any():
         raise ValueError(
-            "field must have no stress above the limit at z = 0, where z^-h is infinite: begin at "
-            "half a cell, or set depth_exponent = 0"
+            "field must have no stress above the limit at the depth z = 0, where the weight z^-h "
+            "is infinite: let the depths begin at half a cell, or set depth_exponent = 0"
         )
     logs = np.full(excess.shape, -np.inf)
     depths = np.broadcast_to(at, excess.shape)[exposed]

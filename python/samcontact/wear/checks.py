@@ -194,9 +194,8 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
     end = [within_period(grid, travel) for travel in travels(path)[-1].tolist()]
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
-            "cycle must return both bodies to where they started (advances adding up to "
-            f"0), got sums of {end[0]!r} m and {end[1]!r} m: add a step that moves them "
-            "back"
+            "cycle must move both bodies back to their initial positions: the sum of the advances "
+            f"must be 0, got sums of {end[0]!r} m and {end[1]!r} m: add a step that moves them back"
         )
 
 
