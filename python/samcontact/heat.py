@@ -3,10 +3,10 @@
 
 The heat flux into a body is its heat factor times the pressure, q = Q_f p. In full sliding Q_f =
 beta mu V, where beta is the fraction of the heat that enters this body, mu the coefficient of
-friction and V the sliding speed (Boucly 2008, section 2.1.3). In partial slip, Q_f p is heat that
-does not come from the slip, e.g. from a hotter body through a conductance that is proportional to
-the pressure; or the flux is a fraction of the frictional power, q = beta s . w/t, with the shear
-traction s and the slip w in an increment of duration t.
+friction and V the sliding speed (Boucly 2008, section 2.1.3). In partial slip there are two kinds
+of heat. The flux may be a fraction of the frictional power, q = beta s . w/t, with the shear
+traction s and the slip w in an increment of duration t. Or the flux Q_f p has another cause than
+slip, e.g. heat from a hotter body through a conductance that is proportional to the pressure.
 """
 
 from __future__ import annotations

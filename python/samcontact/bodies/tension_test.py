@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 _ELASTIC_PART = (0.1, 0.5)
-"""Part of the curve through which the elastic line is drawn, in parts of the yield stress."""
+"""Stresses between which the elastic line is fitted, as fractions of the yield stress."""
 _MAX_ELASTIC_STRAIN = 0.1
 """Maximum stress / E; a larger ratio means that the strain is in percent."""
 _MIN_STRESS = 1e5
@@ -35,7 +35,7 @@ class FromTest:
         nu: float = 0.3,
         offset: float = 2e-4,
     ) -> Self:
-        """Return a material whose hardening curve is that of a tension or compression test.
+        """Return a material with the hardening curve of a tension or compression test.
 
         Parameters
         ----------
@@ -51,8 +51,9 @@ class FromTest:
         E : float, optional
             Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
             stress, by least squares. The strain at which this line meets zero stress is
-            subtracted. Without an extensometer the machine deforms too, and the slope is too
-            small: then give E, and the plastic strain is still measured from this line.
+            subtracted. In a test without an extensometer, the strain includes the deformation of
+            the machine, so this slope is too small. Give E in this case; the plastic strain is
+            still measured from the fitted line.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional
@@ -138,10 +139,10 @@ def _require_no_neck(e: FloatArray, s: FloatArray) -> None:
     top = int(s.argmax())
     if e[-1] > e[0] and s[-1] < (1 - 1e-3) * s[top]:
         raise ValueError(
-            f"stress must not decrease at the end, but after its maximum {s[top]:g} Pa at a strain "
-            f"of {e[top]:g} it falls to {s[-1]:g} Pa: the specimen necks there, and the strain in "
-            f"the neck is unknown; use the first {top + 1} points, or engineering=False if the "
-            "stress is true"
+            f"stress must not decrease at the end, but falls from {s[top]:g} Pa at a strain of "
+            f"{e[top]:g} to {s[-1]:g} Pa: the specimen necks, and the strain in the neck is "
+            f"unknown; use the first {top + 1} points, or engineering=False if stress is the true "
+            "stress"
         )
 
 

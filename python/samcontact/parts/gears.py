@@ -133,7 +133,7 @@ class GearPair:
         for gear, tip, base in zip((1, 2), self.tip_radii, self.base_radii, strict=True):
             if tip <= base:
                 raise ValueError(
-                    f"tip_diameter must exceed that of the base circle of gear {gear}, "
+                    f"tip_diameter must exceed the diameter of the base circle of gear {gear}, "
                     f"{2.0 * base!r} m, got {2.0 * tip!r} m"
                 )
         start, end = self._ends

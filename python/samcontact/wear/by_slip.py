@@ -149,9 +149,9 @@ def _warn_of_flow(setup: FrettingSetup, last: FrettingCycle) -> None:
     if setup.repeats > 1 and last.plastic_flow > small:
         warnings.warn(
             f"the bodies have not shaken down: the last computed loop of cycle {last.number} adds "
-            f"an equivalent plastic strain of {last.plastic_flow:.3g}, and the plastic flow of "
-            "loops that are not computed is missing; use fewer repeats and more cycles, or apply "
-            "samcontact.shakedown.run to the unworn bodies",
+            f"an equivalent plastic strain of {last.plastic_flow:.3g}, but the other loops add no "
+            "plastic strain, because they are not computed; use fewer repeats and more cycles, or "
+            "apply samcontact.shakedown.run to the unworn bodies",
             IncrementWarning,
             stacklevel=3,
         )

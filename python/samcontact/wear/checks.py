@@ -58,7 +58,7 @@ class WearSetup(WearProblem):
     filter: Gaussian | Polynomials
     strain_depth: str
     keep_heat: bool
-    """Whether each cycle continues from the temperatures of the cycle before."""
+    """Whether each cycle continues from the temperatures of the previous cycle."""
 
     @property
     def may_grow(self) -> bool:
@@ -80,7 +80,7 @@ class WearSetup(WearProblem):
         return first, end - first
 
     def smoothed(self, depth: FloatArray) -> FloatArray:
-        """Return a worn depth [m] after smoothing, across the ends of a period."""
+        """Return a smoothed worn depth [m]; on a periodic grid, the smoothing is periodic too."""
         if not self.grid.along_x:
             return self.filter(depth)
         rows = self.grid.nx

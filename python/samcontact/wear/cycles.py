@@ -193,7 +193,7 @@ def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
 def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress:
     """Remove overstrained material after a cycle, and move the remaining plastic strain up.
 
-    standing: state before the cycle, but with the plastic strain after the cycle.
+    standing: heights at the start of the cycle, and plastic strain at the end of the cycle.
     """
     strains = dict(standing.strains)
     bodies = [strains.get(body) for body in setup.worn]
