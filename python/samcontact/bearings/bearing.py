@@ -258,8 +258,9 @@ class Bearing:
         held = loads.contact_angles[loads.loads > 0.0].min() > 0.5 * self.contact_angle
         if self.kind == "angular_contact" and not held:
             raise ValueError(
-                "axial_load must exceed about radial_load tan(contact_angle), or the rings of an "
-                f"angular contact row separate, got {axial_load!r} N"
+                "axial_load must exceed about radial_load tan(contact_angle), got "
+                f"{axial_load!r} N: under a smaller axial load the rings of an angular contact row "
+                "separate"
             )
         return loads
 

@@ -61,8 +61,8 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
     require_type("designation", designation, str)
     if designation not in SIZES:
         raise ValueError(
-            f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: create a "
-            "Bearing from the dimensions of another one"
+            f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: for "
+            "another bearing, create a Bearing from its dimensions"
         )
     size = SIZES[designation]
     return Bearing(

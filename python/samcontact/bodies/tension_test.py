@@ -188,7 +188,7 @@ def _require_modulus(modulus: float, slope: float) -> None:
     if modulus < 0.9 * slope:
         raise ValueError(
             f"E must not be below the slope of the curve, {slope:.3g} Pa, got {modulus:g} Pa: the "
-            "deformation of a machine only decreases the slope"
+            "deformation of the testing machine can only make the slope smaller than E"
         )
 
 
@@ -199,9 +199,9 @@ def _require_no_percent(e: FloatArray, s: FloatArray, modulus: float, given: boo
     early = float(slopes[np.abs(s[1:]) < 0.6 * top].max(initial=0.0)) or float(slopes.max())
     if top / modulus > _MAX_ELASTIC_STRAIN or (given and early < 0.05 * modulus):
         raise ValueError(
-            f"strain must be dimensionless: the slope of the curve is {early:.3g} Pa at its "
-            "beginning, which is too small for a stress of "
-            f"{top:.3g} Pa{f' and E = {modulus:.3g} Pa' if given else ''}; divide percent by 100"
+            f"strain must be dimensionless, but the initial slope of the curve, {early:.3g} Pa, is "
+            f"too small for a stress of {top:.3g} Pa"
+            f"{f' and E = {modulus:.3g} Pa' if given else ''}: divide strains in percent by 100"
         )
 
 

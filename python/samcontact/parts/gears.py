@@ -140,9 +140,9 @@ class GearPair:
         if start <= 0.0 or end >= self._length:
             gear = 1 if start <= 0.0 else 2
             raise ValueError(
-                f"teeth of gear {gear} are met below their base circle: use more teeth or a "
-                f"larger profile_shift, got teeth = {self.teeth!r} and profile_shift = "
-                f"{self.profile_shift!r}"
+                f"the contact on the teeth of gear {gear} must not extend below the base circle, "
+                f"got teeth = {self.teeth!r} and profile_shift = {self.profile_shift!r}: use more "
+                "teeth, or a larger profile_shift"
             )
         if not 1.0 <= self.contact_ratio < 2.0:
             raise ValueError(

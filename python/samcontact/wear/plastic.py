@@ -24,7 +24,7 @@ def _strain_of(state: State, body: int) -> BodyStrain | None:
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
             f"plastic strain of body {body} must lie within the grid, but extends below "
-            "its deepest layer or beyond its sides: omit nz, or enlarge nz, nx or ny"
+            "the deepest layer or beyond the sides of the grid: omit nz, or enlarge nz, nx or ny"
         )
     track = state.track(body, margin=0)
     fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]
