@@ -114,8 +114,8 @@ def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray
         )
     if float(np.abs(e).max()) > 2.0:
         raise ValueError(
-            f"strain must be dimensionless, got values up to {np.abs(e).max():g}: divide percent "
-            "by 100"
+            f"strain must be dimensionless, got values up to {np.abs(e).max():g}: divide strains "
+            "in percent by 100"
         )
     sign = 1.0 if e[-1] >= e[0] else -1.0
     wrong = np.flatnonzero(np.diff(sign * e) <= 0)
