@@ -45,8 +45,8 @@ class Heat:
     ----------
     factor : float or pair of floats, optional
         Q_f >= 0 [m/s]: heat flux per unit pressure, a number for body 2 or a pair for bodies 1 and
-        2; in full sliding see `factors`. In partial slip (in a `Simulation`), the heat has another
-        source. Heated bodies must have thermal constants. Default: 0, no heating.
+        2; in full sliding see `factors`. In partial slip (in a `Simulation`), this heat has another
+        cause than slip. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
         Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
         thus to the heat source [m/s]. Default: at rest.
@@ -69,10 +69,10 @@ class Heat:
         `factor`. Each step then requires a `duration`; the heat flux is the mean over this
         duration.
     track : float, optional
-        Only with `history`, instead of `velocity`: the heat follows the travel of the bodies, which
-        may stop, turn and return unloaded, as in several passes. Longest distance along x between
-        two positions of a body [m], > 0; memory grows with it. Default: each body has the constant
-        velocity `velocity`, and does not return.
+        Longest distance along x between two positions of a body [m], > 0, only with `history` and
+        instead of `velocity`. The heat then follows the travel of the bodies, which may stop, turn
+        and return unloaded, as in several passes. The memory grows with this distance. Default:
+        each body has the constant velocity `velocity`, and does not return.
 
     Raises
     ------

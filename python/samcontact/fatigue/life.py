@@ -181,10 +181,10 @@ def life(
     weibull : float, optional
         Weibull slope e, > 0. Default: 10/9; Lundberg and Palmgren use 9/8 for line contact.
     length : float, optional
-        Length of the axis or axes that the field does not have [m]: the raceway for a
-        `steady_cycle` or a point contact, raceway times width (in m^2) for a line contact, whose
-        field has depths only; > 0. Default: 1. Not used for states of a pass, whose field has the
-        three axes.
+        Size along the axes that the field does not have, > 0. For a `steady_cycle` or a point
+        contact: length of the raceway [m]. For a line contact, whose field has depths only: length
+        times width of the raceway [m^2]. Not used for states of a pass, whose field has all three
+        axes. Default: 1.
     stress_depth : float, optional
         Depth in place of z in the weight of all points [m], > 0, e.g. the depth of the largest
         stress, as in the formula of Lundberg and Palmgren. Default: depth of each point.
