@@ -51,7 +51,7 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
     -------
     Bearing
         Its attribute `source` states where the internal dimensions come from; those of 6208 are
-        estimated. The conformities are those of ISO 76.
+        estimated. The conformities are the values of ISO 76.
 
     Raises
     ------

@@ -83,7 +83,7 @@ class Motion:
     ) -> float:
         """Return tractions times the change of displacement of the material, summed over cells.
 
-        Each pair contains the fields before and after [N/m^2 or m], shape (..., nx, ny).
+        Each pair contains the fields before and after the motion [N/m^2 or m], shape (..., nx, ny).
         """
         (t, u), (t_new, u_new) = zip(tractions, fields, strict=True)
         total = float(np.sum(0.5 * (t + t_new) * (u_new - u)))
@@ -94,7 +94,8 @@ class Motion:
     ) -> float:
         """Return the work that moves the slopes of a surface through the pressure, per cell area.
 
-        The arrays are the pressure [Pa] and the depth of the surface [m] before and after.
+        The arrays are the pressure [Pa] and the depth of the surface [m] before and after the
+        motion.
         """
         return self._along(pressures, surfaces, self.travel)
 

@@ -68,8 +68,8 @@ class WheelRail:
 
     Notes
     -----
-    The search is that of rigid bodies, as in the geometric part of CONTACT (Vollebregt); within the
-    patch, the gap follows both profiles and is not approximated by radii.
+    The search treats the bodies as rigid, as in the geometric part of CONTACT (Vollebregt). Within
+    the patch, the gap follows both profiles and is not approximated by radii.
     """
 
     def __init__(
