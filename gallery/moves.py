@@ -17,9 +17,10 @@ this page are halved in size, or when the grid is enlarged
 """
 COARSE_MESH_NOTE = """\
 Sensitivity: the numbers are also computed with a mesh about half as fine as the mesh of this page.
-The column gives their largest change when the cells, layers or increments of this coarser mesh are
-halved in size, or when its grid is enlarged ([sensitivity of the gallery to the
-mesh](../sensitivity.md)). This change is approximately an upper bound of the error of this page.
+On this coarser mesh, the size of the cells, of the layers or of the increments is then halved, or
+the grid is enlarged. The column gives the largest change of the numbers ([sensitivity of the
+gallery to the mesh](../sensitivity.md)). This change is approximately an upper bound of the error
+of this page.
 """
 BOTH_MESHES_NOTE = """\
 Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of

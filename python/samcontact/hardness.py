@@ -136,10 +136,11 @@ def bending_limit_from_vickers(
 ) -> FloatArray:
     """Fatigue limit of steel in reversed bending or tension [Pa].
 
-    Without a defect, 1.6 MPa HV (scatter 0.1 MPa HV), for HV 70 to 400. Harder steels fail from
-    inclusions: with `defect`, the limit is C MPa (HV + 120) / s^(1/6), with s the square root of
-    the projected area of the largest inclusion in micrometres, C = 1.56 inside and 1.43 at the
-    surface, for HV 70 to 720, s up to 1000 and a scatter of 10 %; it is not above 1.6 MPa HV.
+    Without a defect, the limit is 1.6 MPa HV (scatter 0.1 MPa HV), for HV 70 to 400. Harder steels
+    fail from inclusions. With `defect`, the limit is C MPa (HV + 120) / s^(1/6), but at most
+    1.6 MPa HV. Here s is the square root of the projected area of the largest inclusion in
+    micrometres; C is 1.56 in the interior and 1.43 at the surface. The relation holds for HV 70 to
+    720 and s up to 1000, with a scatter of 10 %.
     Y. Murakami, *Metal Fatigue: Effects of Small Defects and Nonmetallic Inclusions* (2002),
     chapters 1 and 5.
 

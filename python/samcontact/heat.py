@@ -3,10 +3,10 @@
 
 The heat flux into a body is its heat factor times the pressure, q = Q_f p. In full sliding Q_f =
 beta mu V, where beta is the fraction of the heat that enters this body, mu the coefficient of
-friction and V the sliding speed (Boucly 2008, section 2.1.3). In partial slip, Q_f p is heat that
-does not come from the slip, e.g. from a hotter body through a conductance that is proportional to
-the pressure; or the flux is a fraction of the frictional power, q = beta s . w/t, with the shear
-traction s and the slip w in an increment of duration t.
+friction and V the sliding speed (Boucly 2008, section 2.1.3). In partial slip there are two kinds
+of heat. The flux may be a fraction of the frictional power, q = beta s . w/t, with the shear
+traction s and the slip w in an increment of duration t. Or the flux Q_f p has another cause than
+slip, e.g. heat from a hotter body through a conductance that is proportional to the pressure.
 """
 
 from __future__ import annotations
@@ -45,8 +45,8 @@ class Heat:
     ----------
     factor : float or pair of floats, optional
         Q_f >= 0 [m/s]: heat flux per unit pressure, a number for body 2 or a pair for bodies 1 and
-        2; in full sliding see `factors`. In partial slip (in a `Simulation`), the heat has another
-        source. Heated bodies must have thermal constants. Default: 0, no heating.
+        2; in full sliding see `factors`. In partial slip (in a `Simulation`), this heat has another
+        cause than slip. Heated bodies must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
         Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
         thus to the heat source [m/s]. Default: at rest.
@@ -69,10 +69,10 @@ class Heat:
         `factor`. Each step then requires a `duration`; the heat flux is the mean over this
         duration.
     track : float, optional
-        Only with `history`, instead of `velocity`: the heat follows the travel of the bodies, which
-        may stop, turn and return unloaded, as in several passes. Longest distance along x between
-        two positions of a body [m], > 0; memory grows with it. Default: each body has the constant
-        velocity `velocity`, and does not return.
+        Longest distance along x between two positions of a body [m], > 0, only with `history` and
+        instead of `velocity`. The heat then follows the travel of the bodies, which may stop, turn
+        and return unloaded, as in several passes. The memory grows with this distance. Default:
+        each body has the constant velocity `velocity`, and does not return.
 
     Raises
     ------

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 CELLS_OF_FIRST_GRID = math.sqrt(32.0)
 """Cells per semi-axis of the Hertz contact on the first grid. Each finer grid has sqrt(2) times as
-many as the grid before."""
+many as the previous grid."""
 HERTZ_MARGIN = 1.35
 """Half-width of the first grid, relative to the semi-axis of the Hertz contact."""
 HERTZ_MARGIN_ALONG_TRAVEL = 2.0
@@ -137,8 +137,8 @@ class GivenGrids:
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         if case.grid is None:
             raise ValueError(
-                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid]; its extent "
-                "is kept, and its cells are those of the first grid"
+                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid]; its cells "
+                "are used on the first grid, and its extent on all grids"
             )
         self.case, self.grid = case, case.grid
         widest = max(d for n, d in self._axes if n > 1)

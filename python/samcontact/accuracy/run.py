@@ -256,7 +256,7 @@ class AccuracySearch:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[GridRun]) -> float:
-        """Return the estimated solution time of the next grid, divided by that of the last [-]."""
+        """Return the ratio of the estimated time for the next grid to the time of the last [-]."""
         known = len(grids) > 2
         growth = (
             grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO

@@ -25,7 +25,7 @@ _PRESSURE = {"cylindrical_roller": 4.0e9}
 _AXIAL_FACTORS = ((15, 20, 25, 30, 35, 40, 45), (0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22))
 """Factor Y_0 of ISO 76 for single-row angular contact bearings by contact angle [degrees]."""
 MAX_DIAMETER = 1.0
-"""Maximum diameter of rolling elements [m]; those of the largest bearings are smaller."""
+"""Maximum diameter of rolling elements [m]; even the largest bearings have smaller ones."""
 
 
 @dataclass(frozen=True)
@@ -258,8 +258,9 @@ class Bearing:
         held = loads.contact_angles[loads.loads > 0.0].min() > 0.5 * self.contact_angle
         if self.kind == "angular_contact" and not held:
             raise ValueError(
-                "axial_load must exceed about radial_load tan(contact_angle), or the rings of an "
-                f"angular contact row separate, got {axial_load!r} N"
+                "axial_load must exceed about radial_load tan(contact_angle), got "
+                f"{axial_load!r} N: under a smaller axial load the rings of an angular contact row "
+                "separate"
             )
         return loads
 
@@ -279,9 +280,9 @@ class Bearing:
     ) -> float:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
-        The load follows from `element_loads`. If the clearance is unknown, it is at least that of
-        Stribeck's rule, which contains a usual clearance; a radial load alone is distributed by
-        this rule.
+        The load follows from `element_loads`. If the clearance is unknown, the load is at least the
+        load by Stribeck's rule, which contains a usual clearance. Under a radial load alone, the
+        load by Stribeck's rule is returned.
         """
         least = 0.0
         if self.clearance is None:
@@ -301,7 +302,7 @@ class Bearing:
     ) -> float:
         """Factor on the given loads at which the most loaded element carries `element_load` [N].
 
-        The other arguments are those of `max_element_load`.
+        Other arguments as for `max_element_load`.
         """
         target = positive("element_load", element_load)
         loads = (

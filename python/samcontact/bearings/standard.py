@@ -51,7 +51,7 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
     -------
     Bearing
         Its attribute `source` states where the internal dimensions come from; those of 6208 are
-        estimated. The conformities are those of ISO 76.
+        estimated. The conformities are the values of ISO 76.
 
     Raises
     ------
@@ -61,8 +61,8 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
     require_type("designation", designation, str)
     if designation not in SIZES:
         raise ValueError(
-            f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: create a "
-            "Bearing from the dimensions of another one"
+            f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: for "
+            "another bearing, create a Bearing from its dimensions"
         )
     size = SIZES[designation]
     return Bearing(
@@ -74,10 +74,10 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
 def from_boundary(bore: float, outside_diameter: float, clearance: float | None = None) -> Bearing:
     """Deep groove ball bearing with internal dimensions estimated from its boundary dimensions.
 
-    The pitch diameter is the mean of bore and outside diameter, the ball diameter 0.3 times the
-    difference of both, and the balls fill half of the circle and the space of one ball
-    (Conrad assembly). The static load rating of the estimate agrees with catalogues within 10 %
-    for the sizes of `standard`.
+    The pitch diameter is the mean of bore and outside diameter. The ball diameter is 0.3 times the
+    outside diameter minus the bore. The balls fill half of the pitch circle, and one more ball is
+    added (Conrad assembly). For the sizes of `standard`, the static load rating of the estimated
+    bearing differs from catalogues by less than 10 %.
 
     Parameters
     ----------

@@ -57,11 +57,12 @@ class HasFreeFaces:
         """Return a copy for a body that ends along y, such as a roller, at free faces.
 
         The grid must contain at least one row of cells beyond each face that the contact reaches.
-        Near a face the body is more compliant than a half-space, which lowers the pressure if both
-        bodies end there, and raises it less than a half-space if only one of them does. The cells
-        beyond a face are out of contact. Frictionless contact of elastic bodies only, on grids that
-        are not periodic: friction, heat, layers and plastic flow of this body, and the stress in
-        it, raise a ValueError.
+        The cells beyond a face are out of contact. Near a face the body is more compliant than a
+        half-space. If both bodies end there, the pressure decreases towards the face. If only one
+        body ends there, the pressure increases, but less than between half-spaces. Only
+        frictionless contact of elastic bodies on grids that are not periodic is supported:
+        friction, heat, layers and plastic flow of this body, and the stress in it, raise a
+        ValueError.
 
         Parameters
         ----------

@@ -46,7 +46,7 @@ class Law:
 
 
 def constant_of(parameter: _core.LawParameter) -> Constant:
-    """Convert the description of a parameter by the compiled core to a `Constant`."""
+    """Return the `Constant` for a parameter of a law, which the compiled core describes."""
     low = {"gt" if parameter.above_low else "ge": parameter.low}
     high = parameter.high if parameter.high < math.inf else None
     infinite = parameter.infinite is not None

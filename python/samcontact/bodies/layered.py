@@ -125,7 +125,8 @@ class Layered(HtmlTable):
     def thermal(self) -> tuple[tuple[float, float, float], ...] | None:
         """Thermal constants of all materials from the surface down; None unless each has them.
 
-        Those of a material are (conductivity, expansion, diffusivity), see `Material.with_thermal`.
+        Each material has a tuple (conductivity, expansion, diffusivity), see
+        `Material.with_thermal`.
         """
         return thermal_of(self)
 
@@ -182,7 +183,7 @@ class Layered(HtmlTable):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """Fill `out`, whose last axes are those of `depths` [m], with `of(material, depths)`."""
+        """Fill `out` with `of(material, depths)`; its last axes are the axes of `depths` [m]."""
         for material, there in materials_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out

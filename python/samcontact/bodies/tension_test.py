@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 _ELASTIC_PART = (0.1, 0.5)
-"""Part of the curve through which the elastic line is drawn, in parts of the yield stress."""
+"""Stresses between which the elastic line is fitted, as fractions of the yield stress."""
 _MAX_ELASTIC_STRAIN = 0.1
 """Maximum stress / E; a larger ratio means that the strain is in percent."""
 _MIN_STRESS = 1e5
@@ -35,7 +35,7 @@ class FromTest:
         nu: float = 0.3,
         offset: float = 2e-4,
     ) -> Self:
-        """Return a material whose hardening curve is that of a tension or compression test.
+        """Return a material with the hardening curve of a tension or compression test.
 
         Parameters
         ----------
@@ -51,8 +51,9 @@ class FromTest:
         E : float, optional
             Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
             stress, by least squares. The strain at which this line meets zero stress is
-            subtracted. Without an extensometer the machine deforms too, and the slope is too
-            small: then give E, and the plastic strain is still measured from this line.
+            subtracted. In a test without an extensometer, the strain includes the deformation of
+            the machine, so this slope is too small. Give E in this case; the plastic strain is
+            still measured from the fitted line.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional
@@ -113,8 +114,8 @@ def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray
         )
     if float(np.abs(e).max()) > 2.0:
         raise ValueError(
-            f"strain must be dimensionless, got values up to {np.abs(e).max():g}: divide percent "
-            "by 100"
+            f"strain must be dimensionless, got values up to {np.abs(e).max():g}: divide strains "
+            "in percent by 100"
         )
     sign = 1.0 if e[-1] >= e[0] else -1.0
     wrong = np.flatnonzero(np.diff(sign * e) <= 0)
@@ -138,10 +139,10 @@ def _require_no_neck(e: FloatArray, s: FloatArray) -> None:
     top = int(s.argmax())
     if e[-1] > e[0] and s[-1] < (1 - 1e-3) * s[top]:
         raise ValueError(
-            f"stress must not decrease at the end, but after its maximum {s[top]:g} Pa at a strain "
-            f"of {e[top]:g} it falls to {s[-1]:g} Pa: the specimen necks there, and the strain in "
-            f"the neck is unknown; use the first {top + 1} points, or engineering=False if the "
-            "stress is true"
+            f"stress must not decrease at the end, but falls from {s[top]:g} Pa at a strain of "
+            f"{e[top]:g} to {s[-1]:g} Pa: the specimen necks, and the strain in the neck is "
+            f"unknown; use the first {top + 1} points, or engineering=False if stress is the true "
+            "stress"
         )
 
 
@@ -187,7 +188,7 @@ def _require_modulus(modulus: float, slope: float) -> None:
     if modulus < 0.9 * slope:
         raise ValueError(
             f"E must not be below the slope of the curve, {slope:.3g} Pa, got {modulus:g} Pa: the "
-            "deformation of a machine only decreases the slope"
+            "deformation of the testing machine can only make the slope smaller than E"
         )
 
 
@@ -198,9 +199,9 @@ def _require_no_percent(e: FloatArray, s: FloatArray, modulus: float, given: boo
     early = float(slopes[np.abs(s[1:]) < 0.6 * top].max(initial=0.0)) or float(slopes.max())
     if top / modulus > _MAX_ELASTIC_STRAIN or (given and early < 0.05 * modulus):
         raise ValueError(
-            f"strain must be dimensionless: the slope of the curve is {early:.3g} Pa at its "
-            "beginning, which is too small for a stress of "
-            f"{top:.3g} Pa{f' and E = {modulus:.3g} Pa' if given else ''}; divide percent by 100"
+            f"strain must be dimensionless, but the initial slope of the curve, {early:.3g} Pa, is "
+            f"too small for a stress of {top:.3g} Pa"
+            f"{f' and E = {modulus:.3g} Pa' if given else ''}: divide strains in percent by 100"
         )
 
 

@@ -186,7 +186,7 @@ class Case(CaseFile):
 
     @property
     def reason_for_grid(self) -> str:
-        """Text why accuracy requires [grid]; "" if the grid can be chosen automatically."""
+        """Reason why accuracy requires [grid]; "" if the grid can be chosen automatically."""
         return reason_for_grid(self)
 
     @property

@@ -98,7 +98,7 @@ def _require_hardness(case: Any) -> None:
 def require_hardness_used(
     bodies: Iterable[tuple[str, BodySection]], judged: BodySection | None = None
 ) -> None:
-    """Raise ValueError for the hardness of an elastic material, except the body `judged`."""
+    """Raise ValueError if an elastic material other than `judged` has a hardness."""
     for name, body in bodies:
         for part in body.parts:
             if part.profile is not None and part.law == "elastic" and part is not judged:

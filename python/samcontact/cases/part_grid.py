@@ -16,7 +16,7 @@ _LAYERS = 12  # of elastic bodies
 
 
 def grid_of_part(case: Any) -> GridSection | None:
-    """Return the grid for the contact of a roller or bearing at maximum load; None for others.
+    """Return the grid for the contact of a roller or bearing at maximum load; None for other parts.
 
     The grid is enlarged during the solution if a contact or a plastic zone requires it.
     """

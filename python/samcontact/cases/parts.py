@@ -130,7 +130,7 @@ class GearSurface(SurfaceShape):
         return super().reason_for_grid
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the tooth pair [N]; of the width of the grid if it is periodic along y."""
+        """Load on the tooth pair [N]; on a grid periodic along y, the load on its width."""
         if self.torque is None:
             return None
         load = self.contact().load(self.torque, self.sharing)

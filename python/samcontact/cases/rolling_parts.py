@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 Angle = Annotated[Finite, in_unit("rad")]
 Race = Literal["inner", "outer"]
 _REFINED = 80.0
-"""Factor on the number of cells along a roller, because the pressure at its ends varies within a
-few per cent of its length."""
+"""Factor on the number of cells along a roller, because the pressure at the ends varies within a
+few per cent of the length."""
 SHORT_FORMS = ("roller", "bearing")
 """Sections that are short for [surface] with this shape."""
 

@@ -90,8 +90,8 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
     if start is None:
         if len(fractions) > 1:
             raise ValueError(
-                f"{name} cannot start here: its present value is unknown, because the "
-                "previous segment prescribes the motion. First add a segment with "
+                f"{name} must not change in several increments here, because its initial value is "
+                "unknown: the previous segment prescribes the motion. First add a segment with "
                 "increments = 1 that prescribes this force"
             )
         return [end]

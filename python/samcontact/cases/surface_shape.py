@@ -82,12 +82,12 @@ class SurfaceShape(Section):
         return None
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load of the part [N], of one period of a periodic grid; None if the shape has none."""
+        """Load on the part [N], or on one period of a periodic grid; None if it has no load."""
         return None
 
     @property
     def reason_for_grid(self) -> str:
-        """Why [grid] is required with an accuracy; "" if the grid is chosen automatically."""
+        """Reason why accuracy requires [grid]; "" if the grid is chosen automatically."""
         radii = self.radii()
         if radii is None or not all(map(math.isfinite, radii)):
             return (

@@ -99,8 +99,9 @@ def ramp(
     if start is None:
         if len(fractions) > 1:
             raise ValueError(
-                f"{name} cannot start here: its present value is unknown, because it follows from "
-                "the solution. First add a segment with increments = 1 that prescribes it"
+                f"{name} must not change in several increments here, because its initial value is "
+                "unknown: it follows from the solution. First add a segment with increments = 1 "
+                f"that prescribes {name}"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]

@@ -42,9 +42,9 @@ def find(
     An interrupted search is saved in the results folder of the case; repeat the command to
     continue it.
 
-    For a bearing, both races are solved unless the case names one, and the loads on the bearing are
-    shown with C0 and s0 of ISO 76; with --quiet, the radial load on the bearing is printed. VALUE
-    may be in diameters of the rolling element: "permanent_deformation=1e-4 D".
+    For a bearing, both races are solved unless the case names one. The loads on the bearing are
+    shown with C0 and s0 of ISO 76. With --quiet, only the radial load on the bearing is printed.
+    VALUE may be in diameters of the rolling element: "permanent_deformation=1e-4 D".
     """
     with short_errors(files=True):
         from ..accuracy.load_search import prepare_search

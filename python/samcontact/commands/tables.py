@@ -133,9 +133,10 @@ CONTACT_COLUMNS = (
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the quantities listed in `names`; keys: names of their variables in `dataset`.
+    """Return the quantities of a results file that are listed in `names`.
 
-    A quantity that is stored for each body has the variable of `body` as key.
+    The keys of the dictionary are names of variables in `dataset`: `{name}_body1` or `{name}_body2`
+    for a quantity that is stored for each body, and the name of the quantity otherwise.
     """
     found = ((f"{name}_body{body}", name) for name in names)
     variables = ((own if own in dataset else name, name) for own, name in found)

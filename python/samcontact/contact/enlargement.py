@@ -12,8 +12,8 @@ from ..diagnostics import hertz_estimate
 from ..problem.grid import Grid
 
 MAX_ENLARGEMENT, MAX_CELLS_UNFITTED = 64, 1 << 22
-"""Maximum ratio of the number of cells to the number in the initial grid; and number of cells that
-is allowed in any case, as long as the grid is smaller than the Hertz estimate."""
+"""Maximum number of cells, divided by the number of cells of the initial grid; and number of cells
+that is always allowed while the grid is smaller than the Hertz contact."""
 HERTZ_MARGIN = 1.25
 """Side of an enlarged grid / width of the Hertz contact; > 1, as plastic flow widens contacts."""
 _SIDE_GROWTH, _MIN_SIDE_GROWTH = (

@@ -171,12 +171,13 @@ class ContactSolver(ContactFields):
             be given.
         moment : pair of float, optional
             Moment about x and y on body 2 at the origin of the grid [N m], together with `load`: a
-            load that acts at (x, y) has the moment (load y, -load x). The tilt follows from it. A
-            moment beyond the edge of the bodies has no equilibrium. None for an axis leaves it to
-            `tilt`; across a periodic direction there is neither moment nor tilt.
+            load that acts at (x, y) has the moment (load y, -load x). The tilt is then computed.
+            There is no equilibrium if the load acts beyond the edge of the bodies. None for an
+            axis: see `tilt`. If the grid is periodic along x, give no moment or tilt about y, and
+            vice versa.
         tilt : pair of float, optional
             Rotation of body 1 relative to body 2 about x and y [rad], which lowers body 1 by
-            tilt[0] y - tilt[1] x. An axis without moment and tilt does not rotate.
+            tilt[0] y - tilt[1] x. Without moment and tilt for an axis, the tilt about it is zero.
         shift : pair of float, optional
             With `Coulomb`: tangential rigid-body displacement of body 1 relative to body 2 in this
             increment [m]. `None` for a component, or for both, means that `tangential_load`

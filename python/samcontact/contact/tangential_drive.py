@@ -172,9 +172,9 @@ def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
     low, high = (-int(rows[0]), grid.nx - 1 - int(rows[-1])) if rows.size else (cells, cells)
     if not low <= cells <= high:
         raise ValueError(
-            f"advance must move the contact of the preceding increment by {low} to {high} cells "
-            f"of {grid.dx!r} m, so that it stays on the grid, got {cells} cells as the mean of "
-            "both bodies: use smaller steps, or a longer grid"
+            f"advance must move the preceding contact by {low} to {high} cells of {grid.dx!r} m, "
+            f"so that it stays on the grid, got {cells} cells (mean of both bodies): use smaller "
+            "steps, or a longer grid"
         )
 
 
@@ -254,9 +254,9 @@ def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:
         )
     if drive.given.is_force[2] and not drive.given.is_force[1]:
         raise ValueError(
-            "torque with advance requires tangential_load along y instead of a shift, because spin "
-            f"also moves the bodies along y; got a shift of {drive.given.values[1]!r} m: prescribe "
-            "the tangential loads along x and y, or twist instead of torque"
+            "torque with advance requires tangential_load along y, because spin also moves the "
+            f"bodies along y; got a shift of {drive.given.values[1]!r} m along y: prescribe "
+            "tangential_load along x and y, or twist instead of torque"
         )
 
 

@@ -41,7 +41,7 @@ def warn_of_yield(
 ) -> bool:
     """Warn if a body treated as elastic would yield; return True after a warning.
 
-    The stress is that of a Hertz contact with the same maximum pressure, width and friction. A
+    The stress is computed for a Hertz contact with the same maximum pressure, width and friction. A
     rough or non-smooth contact may therefore yield at a slightly lower or higher load.
     """
     largest = float(solution.pressure.max())

@@ -87,13 +87,13 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     The work of an increment is the mean force times the motion. The mean load is computed for a
     load proportional to the power 3/2 of the approach, which is exact for elastic balls under
     normal load. `EnergyBalance.imbalance` decreases with the size of the increments. The energy of
-    the first state is part of the work input. Bodies may be heated; the work of their expansion is
-    the mean pressure of an increment times the change of the thermal displacement, plus the mean
-    thermal stress times the plastic strain increment. The travel of a body does work on the
-    pressure through the slope of its surface, e.g. against rolling resistance. In full sliding, the
-    bodies move tangentially by their travel alone, and the friction work follows from this motion
-    and from the tangential displacement of the surfaces. The yield stress of bodies that soften is
-    the mean of both ends of an increment.
+    the first state is part of the work input. The work of thermal expansion in an increment is the
+    mean pressure times the change of the thermal displacement, plus the mean thermal stress times
+    the plastic strain increment. If the surface of a body has a slope, the travel of the body does
+    work on the pressure, e.g. against rolling resistance. In full sliding, the bodies move
+    tangentially by their travel alone. The friction work follows from this motion and from the
+    tangential displacement of the surfaces. With thermal softening, the mean of the yield stresses
+    at the start and the end of an increment is used.
 
     Parameters
     ----------
@@ -217,8 +217,8 @@ def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> floa
 def _softened_work(material: Body, body: int, states: Sequence[State]) -> float:
     """Return the plastic work of a body whose yield stress depends on the temperature [J].
 
-    The factor on the yield stress in an increment is the mean of both ends, and in the first one
-    that of its end.
+    The factor on the yield stress is the mean of the factors at the start and the end of each
+    increment; in the first increment, it is the factor at the end.
     """
     layers = max(state.layers for state in states)
     deep = [state.at_layers(layers) for state in states]
@@ -278,8 +278,8 @@ def _depth_of_surface(material: Body, body: int, state: State) -> FloatArray:
 def _friction_work(simulation: Simulation, states: Sequence[State]) -> float:
     """Return the energy dissipated by friction up to the last state [J].
 
-    In full sliding it is counted from the first state: the work of the friction on the relative
-    travel, without its work on the tangential displacement of the surfaces.
+    In full sliding, it is counted from the first state. It is the work of the shear on the relative
+    travel minus the work of the shear on the tangential displacement of the surfaces.
     """
     if not _slides_fully(simulation):
         return states[-1].friction_work

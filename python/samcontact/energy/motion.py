@@ -62,9 +62,10 @@ class Motion:
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:
-        """Return a volume field of the state before at the places of its cells in the state after.
+        """Return the field `before`, moved with the body to its position at the end of the motion.
 
-        Cells that enter the grid take the value after. Arrays of shape (..., nx, ny, nz).
+        before, after: volume fields at the start and at the end of the motion, shape
+        (..., nx, ny, nz). Cells that enter the grid during the motion have the values of `after`.
         """
         cells = first_cell(self.before, self.body) - first_cell(self.after, self.body)
         if cells == 0:
@@ -82,7 +83,7 @@ class Motion:
     ) -> float:
         """Return tractions times the change of displacement of the material, summed over cells.
 
-        Each pair contains the fields before and after [N/m^2 or m], shape (..., nx, ny).
+        Each pair contains the fields before and after the motion [N/m^2 or m], shape (..., nx, ny).
         """
         (t, u), (t_new, u_new) = zip(tractions, fields, strict=True)
         total = float(np.sum(0.5 * (t + t_new) * (u_new - u)))
@@ -93,7 +94,8 @@ class Motion:
     ) -> float:
         """Return the work that moves the slopes of a surface through the pressure, per cell area.
 
-        The arrays are the pressure [Pa] and the depth of the surface [m] before and after.
+        The arrays are the pressure [Pa] and the depth of the surface [m] before and after the
+        motion.
         """
         return self._along(pressures, surfaces, self.travel)
 

@@ -76,7 +76,8 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
 def isotropic_work(body: Body, track: Track, state: State | None = None) -> FloatArray:
     """Return the work of the isotropic yield stress [J/m^3], shape (nx, ny, nz).
 
-    The cells are those of the track or, with a state, of its grid. No thermal softening.
+    The result covers the cells of the track or, if a state is given, of the grid of the state.
+    Thermal softening is not included.
     """
     factor, strain = (
         getattr(track, name)() if state is None else over_grid(track, name, state)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exposure of a hardened case over depth: stress of each criterion over the local strength."""
+"""Exposure of a hardened case over depth: stress of each criterion divided by the strength."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ NAMES = {
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Exposure(ShortRepr, HtmlTable):
-    """Stress over strength at each depth, for several criteria; from `exposure`.
+    """Stress divided by strength at each depth, for several criteria; from `exposure`.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Exposure(ShortRepr, HtmlTable):
         return {name: int(values.argmax()) for name, values in self.values.items()}
 
     def max_value(self, criterion: str | None = None) -> float:
-        """Largest exposure of a criterion [-]; default: of the criterion that governs.
+        """Largest exposure of a criterion [-]; default: of the governing criterion.
 
         Raises ValueError if the criterion is unknown.
         """
@@ -75,7 +75,7 @@ class Exposure(ShortRepr, HtmlTable):
         return float(self.values[name][self._peaks[name]])
 
     def depth(self, criterion: str | None = None) -> float:
-        """Depth of the largest exposure of a criterion [m]; default: of the one that governs.
+        """Depth of the largest exposure of a criterion [m]; default: of the governing criterion.
 
         Raises ValueError if the criterion is unknown.
         """
@@ -89,7 +89,7 @@ class Exposure(ShortRepr, HtmlTable):
 
     @property
     def criterion(self) -> str:
-        """Name of the criterion that governs, i.e. has the largest exposure."""
+        """Name of the governing criterion, which has the largest exposure."""
         return max(self.values, key=lambda name: self.values[name].max())
 
     def to_dataset(self) -> xr.Dataset:
@@ -132,7 +132,7 @@ def exposure(
     slope : float, optional
         Slope of Dang Van's criterion, in [0, 10] [-].
     axis : {"x", "y"}, optional
-        Rolling direction, also that of the orthogonal shear stress.
+        Rolling direction, which also selects the orthogonal shear stress.
     defect : float, optional
         Square root of the area of the largest inclusion [m], see
         `hardness.bending_limit_from_vickers`. Default: none, valid up to HV 400 only.
@@ -142,10 +142,10 @@ def exposure(
     Returns
     -------
     Exposure
-        For yield, the largest von Mises stress over the yield stress from hardness. For Dang Van
-        and orthogonal shear, the equivalent shear stress over the fatigue limit in reversed
-        torsion, t = f (1/2 + slope/3), with f the limit in reversed bending from hardness; this is
-        the ratio for which Dang Van's criterion has the given slope.
+        For yield, the largest von Mises stress divided by the yield stress from hardness. For Dang
+        Van and orthogonal shear, the equivalent shear stress divided by the fatigue limit in
+        reversed torsion, t = f (1/2 + slope/3). f is the limit in reversed bending from hardness.
+        For this ratio t/f, Dang Van's criterion has the given slope.
 
     Raises
     ------

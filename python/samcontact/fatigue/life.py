@@ -69,7 +69,8 @@ class Life(ShortRepr, HtmlTable):
     def relative_to(self, reference: Life) -> float:
         """Ratio of this life to the life of a reference at equal reliability [-].
 
-        Infinite if no stress exceeds the limit here; 0 if none does in the reference only.
+        If the stress of this life is nowhere above the limit, the ratio is infinite. If only the
+        stress of the reference is nowhere above the limit, the ratio is 0.
 
         Raises
         ------
@@ -157,11 +158,11 @@ def life(
 ) -> Life:
     """Integral for the life in rolling contact, from a field of equivalent stress over a pass.
 
-    The probability of survival S of N passes is ln(1/S) = A N^e I, with the integral
-    I = integral of (stress - limit)^c / z^h dV over the volume in which the stress exceeds the
-    limit (Ioannides and Harris), or with c e in place of c and h = 0 (Zaretsky). The material
-    constant A cancels in ratios of lives, `Life.relative_to`, which are the dependable result; see
-    the theory page "Life".
+    The probability S of surviving N passes follows from ln(1/S) = A N^e I. I is the integral of
+    (stress - limit)^c / z^h over the volume in which the stress exceeds the limit (Ioannides and
+    Harris). In Zaretsky's model the exponent is c e instead of c, and h = 0. The material constant
+    A cancels in ratios of lives (`Life.relative_to`), which are therefore more reliable than lives;
+    see the theory page "Life".
 
     Parameters
     ----------
@@ -180,10 +181,10 @@ def life(
     weibull : float, optional
         Weibull slope e, > 0. Default: 10/9; Lundberg and Palmgren use 9/8 for line contact.
     length : float, optional
-        Length of the axis or axes that the field does not have [m]: the raceway for a
-        `steady_cycle` or a point contact, raceway times width (in m^2) for a line contact, whose
-        field has depths only; > 0. Default: 1. Not used for states of a pass, whose field has the
-        three axes.
+        Size along the axes that the field does not have, > 0. For a `steady_cycle` or a point
+        contact: length of the raceway [m]. For a line contact, whose field has depths only: length
+        times width of the raceway [m^2]. Not used for states of a pass, whose field has all three
+        axes. Default: 1.
     stress_depth : float, optional
         Depth in place of z in the weight of all points [m], > 0, e.g. the depth of the largest
         stress, as in the formula of Lundberg and Palmgren. Default: depth of each point.
@@ -228,8 +229,8 @@ def life(
     at = z if stress_depth is None else np.full_like(z, positive("stress_depth", stress_depth))
     if constants["depth_exponent"] > 0 and exposed[..., at == 0].any():
         raise ValueError(
-            "field must have no stress above the limit at z = 0, where z^-h is infinite: begin at "
-            "half a cell, or set depth_exponent = 0"
+            "field must have no stress above the limit at the depth z = 0, where the weight z^-h "
+            "is infinite: let the depths begin at half a cell, or set depth_exponent = 0"
         )
     logs = np.full(excess.shape, -np.inf)
     depths = np.broadcast_to(at, excess.shape)[exposed]
@@ -281,7 +282,7 @@ def _limits(limit: float | ArrayLike, z: FloatArray) -> FloatArray:
 
 
 def _volumes(field: FatigueField) -> FloatArray:
-    """Return the extent of each point along the axes of the field, multiplied."""
+    """Return the product of the extents of each point along all axes of the field."""
     weight: FloatArray = np.ones(())
     for axis, values in field.coordinates.items():
         weight = np.asarray(np.multiply.outer(weight, _extents(values, axis == "z")))
@@ -289,7 +290,7 @@ def _volumes(field: FatigueField) -> FloatArray:
 
 
 def _extents(values: FloatArray, from_surface: bool) -> FloatArray:
-    """Return the length that belongs to each value: between the middles of its neighbours."""
+    """Return the extent of each point along an axis: half-way to both neighbouring points."""
     if values.size == 1:
         return np.array([2 * values[0] if from_surface and values[0] > 0 else 1.0])
     middles = (values[1:] + values[:-1]) / 2

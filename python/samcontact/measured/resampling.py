@@ -97,8 +97,9 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
     if sampling.fill is None and not inside.all():
         raise ValueError(
             f"grid must lie inside the measured area, {-half:.6g} to {half:.6g} m along "
-            f"{'xy'[axis]} from its centre, but its cells extend from {positions.min() - edge:.6g} "
-            f"to {positions.max() + edge:.6g} m: reduce the grid, or set fill"
+            f"{'xy'[axis]} from the centre of this area, but the cells of the grid extend from "
+            f"{positions.min() - edge:.6g} to {positions.max() + edge:.6g} m: reduce the grid, or "
+            "set fill"
         )
     return inside
 

@@ -17,7 +17,7 @@ from .._util.short_text import in_short
 from ..surfaces import SurfaceGrid, require_surface
 
 _SAMPLES = 3601
-"""Number of angles at which a cam is checked, and of points from which a contact is found."""
+"""Number of angles at which a cam is checked, and of points in the search for a contact."""
 
 Lift = Callable[[FloatArray, int], FloatArray]
 """Lift [m] at angles [rad], or its first or second derivative [m]."""
@@ -223,12 +223,12 @@ class TappetContact:
         return self.cam.base_radius + self.lift
 
     def _support(self, turn: FloatArray, order: int) -> FloatArray:
-        """Distance of the tangent from the axis when the cam has turned further, or derivative."""
+        """Distance from the axis to the tangent after a further rotation `turn`, or derivative."""
         value = self.cam.lift(self.angle + turn, order)
         return value + self.cam.base_radius if order == 0 else value
 
     def _along(self, turn: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Distances along x of the points with tangents turned from x, and their derivative."""
+        """Positions x of the points whose tangent is rotated by `turn`, and their derivative."""
         p, slope, second = (self._support(turn, order) for order in (0, 1, 2))
         x = p * np.sin(turn) + slope * np.cos(turn) - self.position
         return x, (p + second) * np.cos(turn)

@@ -133,16 +133,16 @@ class GearPair:
         for gear, tip, base in zip((1, 2), self.tip_radii, self.base_radii, strict=True):
             if tip <= base:
                 raise ValueError(
-                    f"tip_diameter must exceed that of the base circle of gear {gear}, "
+                    f"tip_diameter must exceed the diameter of the base circle of gear {gear}, "
                     f"{2.0 * base!r} m, got {2.0 * tip!r} m"
                 )
         start, end = self._ends
         if start <= 0.0 or end >= self._length:
             gear = 1 if start <= 0.0 else 2
             raise ValueError(
-                f"teeth of gear {gear} are met below their base circle: use more teeth or a "
-                f"larger profile_shift, got teeth = {self.teeth!r} and profile_shift = "
-                f"{self.profile_shift!r}"
+                f"the contact on the teeth of gear {gear} must not extend below the base circle, "
+                f"got teeth = {self.teeth!r} and profile_shift = {self.profile_shift!r}: use more "
+                "teeth, or a larger profile_shift"
             )
         if not 1.0 <= self.contact_ratio < 2.0:
             raise ValueError(

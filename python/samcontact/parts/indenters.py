@@ -91,8 +91,8 @@ def berkovich(
 ) -> FloatArray:
     """Gap of a Berkovich indenter, a pyramid with three faces.
 
-    At a depth h, its cross-section is 24.5 h^2, equal to that of the cone with a half angle of 70.3
-    degrees.
+    At a depth h, its cross-section is 24.5 h^2. A cone with a half angle of 70.3 degrees has an
+    equal cross-section.
 
     Parameters
     ----------

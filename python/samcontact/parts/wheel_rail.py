@@ -14,9 +14,9 @@ from ..surfaces import SurfaceGrid, require_surface
 from .profiles import Profile
 
 _POSITIONS = 2001
-"""Points of the first search across the wheel; neighbours are closer than details of a profile."""
+"""Number of points in the first search across the wheel: closer than details of a profile."""
 _LOCAL, _LEVELS = 65, 9
-"""Points of the later searches, each of which is narrower."""
+"""Number of points in each later, narrower search, and number of these searches."""
 _SLOPE_STEPS = 12
 _NEWTON_STEPS = 60
 
@@ -24,9 +24,9 @@ _NEWTON_STEPS = 60
 class WheelRail:
     """Rigid contact of a wheel and a rail, found by a direct search, and the gap next to it.
 
-    The frame is that of the track: x along the rail, y across, z down. The wheel is a surface of
-    revolution, the rail a prism. The contact is the point of least vertical distance; of several
-    points, the one that is reached first.
+    Coordinates are in the frame of the track: x along the rail, y across, z down. The wheel is a
+    surface of revolution, the rail a prism. The contact is the point of least vertical distance. If
+    there are several such points, the first one found is used.
 
     Parameters
     ----------
@@ -68,8 +68,8 @@ class WheelRail:
 
     Notes
     -----
-    The search is that of rigid bodies, as in the geometric part of CONTACT (Vollebregt); within the
-    patch, the gap follows both profiles and is not approximated by radii.
+    The search treats the bodies as rigid, as in the geometric part of CONTACT (Vollebregt). Within
+    the patch, the gap follows both profiles and is not approximated by radii.
     """
 
     def __init__(
@@ -249,7 +249,7 @@ class _Pose:
     def to_wheel(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, turned_only: bool = False
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return points, or with turned_only directions, in the frame of the wheel."""
+        """Return points in the frame of the wheel; with turned_only, directions."""
         a, b = np.asarray(x), np.asarray(y) - (0.0 if turned_only else self.shift)
         c, s = math.cos(self.yaw), math.sin(self.yaw)
         a, b = c * a + s * b, c * b - s * a

@@ -78,13 +78,13 @@ def fatigue_depth(
 
 
 def exposure_depth(found: Exposure, ax: Axes | None = None) -> Axes:
-    """Draw the exposure of a hardened case versus depth, with the depth that governs.
+    """Draw the exposure of a hardened case versus depth, and mark the maxima.
 
     Parameters
     ----------
     found : Exposure
         Result of `fatigue.exposure`. The maximum of each criterion is marked; a circle marks the
-        one that governs. The dashed line is the limit, exposure 1.
+        governing criterion. The dashed line is the limit, exposure 1.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
 

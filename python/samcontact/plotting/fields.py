@@ -48,7 +48,7 @@ class Plane(NamedTuple):
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return coordinates [µm] and values at cell centres and edges of the plane.
 
-        At an edge, the value is that of the nearest cell.
+        At an edge, the value of the nearest cell is used.
         """
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6

@@ -19,7 +19,8 @@ _ARRAY_TYPES = (np.dtype(np.float64), np.dtype(np.int64), np.dtype(np.uint32))
 def write_tree(group: h5py.Group, tree: Mapping[str, Any]) -> None:
     """Write a nested dictionary to a group.
 
-    Arrays become datasets; numbers, texts and lists become attributes. None is omitted.
+    Arrays become datasets; numbers, texts and lists become attributes. Entries whose value is None
+    are not written.
     """
     for name, value in tree.items():
         if isinstance(value, Mapping):

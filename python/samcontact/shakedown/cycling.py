@@ -156,7 +156,8 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
     if max(map(abs, travels)) > 1e-6 * dx:
         back = tuple(-travel for travel in travels)
         raise ValueError(
-            f"cycle must return both bodies, but they have travelled {travels!r} m at its end: "
+            "cycle must move both bodies back to their initial positions, but at its end they have "
+            f"travelled by {travels!r} m: "
             f"append {{'load': 0.0, 'advance': {back!r}}}"
         )
 

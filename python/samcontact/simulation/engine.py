@@ -90,7 +90,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; in common cells, surfaces must equal those in `current`."""
+        """Return the domain of a grid; its surfaces must equal `current` in the common cells."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)

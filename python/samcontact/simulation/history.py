@@ -20,8 +20,8 @@ class History:
     heat: Heat
     """Heat of the first increment."""
     steps: list[dict[str, Any]] | None = field(default_factory=list)
-    """Arguments of `Simulation.step` for each increment; None if those of any increment are
-    unknown."""
+    """Arguments of `Simulation.step` for each increment; None if the arguments of any
+    increment are unknown."""
     checked: int = 0
     """Number of increments at the last error estimate."""
 

@@ -102,7 +102,7 @@ def warn_of_errors(errors: IncrementErrors, *, stacklevel: int) -> bool:
 def is_path_dependent(setup: SimulationSetup, states: Sequence[State]) -> bool:
     """Whether some of the states depend on the number of increments.
 
-    States with partial slip depend on this number, and so do states after plastic flow, unless
+    States with partial slip depend on this number. States after plastic flow depend on it unless
     `increment_tol` controls the error.
     """
     last = states[-1]

@@ -214,7 +214,7 @@ class Simulation(Configured, HtmlTable):
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.
         tangential_load : pair of floats, optional
-            With `Coulomb`: final force on body 2 [N]. A direction without force and shift is held.
+            With `Coulomb`: final force on body 2 [N]. Without force and shift: no motion.
         twist : float, optional
             With `Coulomb`: rotation of body 1 over body 2 about z in this increment [rad].
         torque : float, optional
@@ -222,10 +222,10 @@ class Simulation(Configured, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s], > 0, with `heat.history` (the heat flux follows the final
-            pressure; unloaded bodies may move at once, in the duration 0) or `heat.partition`.
+            Duration of the increment [s], > 0, with `heat.history` (the heat flux follows from the
+            final pressure; the duration may be 0 for unloaded bodies) or `heat.partition`.
         moment, tilt : pair of floats, optional
-            As in `ContactSolver.solve`, at the end of the increment. Without both, no rotation.
+            As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 
         Returns
         -------

@@ -22,8 +22,8 @@ _ROUNDING_ERROR = 1e-9
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
     """Return the index (from 0) of the increment with the maximum von Mises stress.
 
-    Of several increments with equal stress, the one with the maximum pressure is chosen; if
-    pressures are equal, the one with the maximum load; if loads are equal, the first increment. In
+    If several increments have equal stress, the increment with the largest pressure is chosen; if
+    their pressures are equal too, the increment with the largest load; then the first increment. In
     rolling contact the load is constant, and the increment at a rough spot of the track is the most
     informative.
 

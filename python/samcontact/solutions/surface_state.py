@@ -157,7 +157,7 @@ class SurfaceState(RigidMotionState):
 
     @cached_property
     def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); with prescribed tractions, that at zero approach."""
+        """Separation [m], shape (nx, ny); with prescribed tractions, for zero approach."""
         field: FloatArray = self._core.gap()
         field.flags.writeable = False
         return field

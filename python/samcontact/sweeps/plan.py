@@ -221,5 +221,8 @@ def _require_different(name: str, labels: Any) -> None:
     seen = set()
     for label in labels.tolist():
         if label in seen:
-            raise ValueError(f"values of {name} must differ in mode 'product', got {label!r} twice")
+            raise ValueError(
+                f"values of {name} must be different, because mode is 'product', "
+                f"got {label!r} twice"
+            )
         seen.add(label)

@@ -109,7 +109,7 @@ def _of_wear(case: Case) -> xr.Dataset:
 
 
 def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
-    """Return maxima, margins, exposures and the life of [fatigue], as far as they are given."""
+    """Return the maxima, margins, exposures and life that [fatigue] requests."""
     if case.fatigue is None:
         return {}
     found = {}

@@ -93,10 +93,10 @@ def fretting(
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The contact is solved again before the wear
-        since the last solution changes the shortest pressure wave on the grid by more than 100 %.
-        Each solution starts with unloaded, unheated bodies that have the plastic strain of the
-        previous solution, and adds the plastic flow of the loops that it computes: usually one or
+        Number of repeats of the loop per cycle, >= 1. The contact is solved so often that between
+        two solutions wear changes the shortest pressure wave on the grid by at most 100 %. Each
+        solution starts with unloaded, unheated bodies that have the plastic strain of the previous
+        solution. A solution adds the plastic flow of the loops that it computes, usually one or
         two.
     checkpoint, progress
         As for `run`.
@@ -121,7 +121,7 @@ def fretting(
         As in `run`.
     IncrementWarning
         Plastic strain still grows in the last computed loop, by more than 1 % of the yield strain:
-        the bodies do not shake down, and flow in loops that are not computed is missing.
+        the bodies do not shake down, and the plastic flow in the other loops is neglected.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -149,8 +149,8 @@ def _warn_of_flow(setup: FrettingSetup, last: FrettingCycle) -> None:
     if setup.repeats > 1 and last.plastic_flow > small:
         warnings.warn(
             f"the bodies have not shaken down: the last computed loop of cycle {last.number} adds "
-            f"an equivalent plastic strain of {last.plastic_flow:.3g}, and the plastic flow of "
-            "loops that are not computed is missing; use fewer repeats and more cycles, or apply "
+            f"an equivalent plastic strain of {last.plastic_flow:.3g}, and the plastic strain that "
+            "the other loops would add is neglected; use fewer repeats and more cycles, or apply "
             "samcontact.shakedown.run to the unworn bodies",
             IncrementWarning,
             stacklevel=3,

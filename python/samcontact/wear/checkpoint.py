@@ -77,7 +77,7 @@ def _is_whole(path: str | os.PathLike[str]) -> bool:
 
 
 def latest(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
-    """Read a checkpoint file; if it is damaged, warn and read that of the preceding cycle."""
+    """Read a checkpoint file; if it is damaged, warn and read the file of the preceding cycle."""
     require_identified(_identity(problem))
     try:
         return read(path, problem)

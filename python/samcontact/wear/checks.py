@@ -58,7 +58,7 @@ class WearSetup(WearProblem):
     filter: Gaussian | Polynomials
     strain_depth: str
     keep_heat: bool
-    """Whether each cycle continues from the temperatures of the cycle before."""
+    """Whether each cycle continues from the temperatures of the previous cycle."""
 
     @property
     def may_grow(self) -> bool:
@@ -80,7 +80,7 @@ class WearSetup(WearProblem):
         return first, end - first
 
     def smoothed(self, depth: FloatArray) -> FloatArray:
-        """Return a worn depth [m] after smoothing, across the ends of a period."""
+        """Return a smoothed worn depth [m]; on a periodic grid, the smoothing is periodic too."""
         if not self.grid.along_x:
             return self.filter(depth)
         rows = self.grid.nx
@@ -194,9 +194,8 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
     end = [within_period(grid, travel) for travel in travels(path)[-1].tolist()]
     if max(map(abs, end)) > 1e-6 * grid.dx:
         raise ValueError(
-            "cycle must return both bodies to where they started (advances adding up to "
-            f"0), got sums of {end[0]!r} m and {end[1]!r} m: add a step that moves them "
-            "back"
+            "cycle must move both bodies back to their initial positions: the sum of the advances "
+            f"must be 0, got sums of {end[0]!r} m and {end[1]!r} m: add a step that moves them back"
         )
 
 

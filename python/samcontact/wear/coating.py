@@ -45,8 +45,9 @@ def warn_of_worn_coating(standing: WearProgress, *, stacklevel: int) -> bool:
         listed = " and ".join(f"{share:.0%} of body {body}" for body, share in worn.items())
         warnings.warn(
             f"the top layer is worn by {listed} in cycle {last.number} (at most "
-            f"{MAX_WORN_SHARE:.0%} expected): displacement and stress are those of layers of "
-            "initial thickness; for larger wear, repeat the run with a thinner top layer",
+            f"{MAX_WORN_SHARE:.0%} expected): displacement and stress are computed with the "
+            "initial thickness of the layers; for larger wear, repeat the run with a thinner top "
+            "layer",
             WornCoatingWarning,
             stacklevel=stacklevel + 1,
         )

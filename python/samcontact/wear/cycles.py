@@ -93,10 +93,10 @@ def run(
         threshold at the new surface. "smoothed": the depth removed from the surface. Where the
         filter has reduced this depth, overstrained material remains, and wears in a later cycle.
     keep_heat : bool, optional
-        Only with `heat.history`: whether a cycle continues from the temperatures of the cycle
-        before. The last, unloaded step of the cycle is the time in which the bodies cool; its
-        `duration` may be 0. The thin worn layer takes no heat along, and the grid is not enlarged.
-        Default: each cycle starts with unheated bodies.
+        Only with `heat.history`: whether a cycle continues from the temperatures of the previous
+        cycle. The bodies cool in the last, unloaded step of a cycle, whose `duration` may be 0. The
+        heat in the removed material is neglected, and the grid is not enlarged. Default: each cycle
+        starts with unheated bodies.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
         resumes from this file with bit-identical results; delete the file to start again. If the
@@ -193,7 +193,7 @@ def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
 def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress:
     """Remove overstrained material after a cycle, and move the remaining plastic strain up.
 
-    standing: state before the cycle, but with the plastic strain after the cycle.
+    standing: heights at the start of the cycle, and plastic strain at the end of the cycle.
     """
     strains = dict(standing.strains)
     bodies = [strains.get(body) for body in setup.worn]

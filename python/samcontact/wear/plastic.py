@@ -24,7 +24,7 @@ def _strain_of(state: State, body: int) -> BodyStrain | None:
     if state._core.strain_beyond(body - 1) is not None:
         raise ValueError(
             f"plastic strain of body {body} must lie within the grid, but extends below "
-            "its deepest layer or beyond its sides: omit nz, or enlarge nz, nx or ny"
+            "the deepest layer or beyond the sides of the grid: omit nz, or enlarge nz, nx or ny"
         )
     track = state.track(body, margin=0)
     fields = [track.equivalent_plastic_strain(), track.plastic_strain(), track.backstress()]
@@ -61,7 +61,7 @@ def flow_between(problem: WearProblem, start: State, end: State) -> float:
 
 
 def rows_of(problem: WearProblem, body: int, kept: BodyStrain) -> slice:
-    """Return which of the rows of a body that can wear belong to its plastic state."""
+    """Rows with plastic strain, as a slice of the rows in which the body can wear."""
     start = kept.first - problem.rows(body)[0]
     return slice(start, start + len(kept.equivalent))
 
@@ -69,7 +69,7 @@ def rows_of(problem: WearProblem, body: int, kept: BodyStrain) -> slice:
 def moved_up(problem: WearProblem, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
     """Return the remaining plastic strain at depths below the worn surface.
 
-    worn: removed depth [m], on the rows of the body that can wear.
+    worn: removed depth [m], on the rows in which the body can wear.
     """
     assert problem.grid.dz is not None
     removed = worn[rows_of(problem, body, kept)]

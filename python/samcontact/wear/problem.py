@@ -47,11 +47,11 @@ class WearProblem(ABC):
 
     @abstractmethod
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row and the number of rows of a body that can wear."""
+        """Return the first row, and the number of rows, in which a body can wear."""
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """Arguments that identify the computation; the surfaces are those on the first grid."""
+        """Arguments that identify the computation, with the surfaces on the first grid."""
         names = (item.name for item in dataclasses.fields(self) if item.name != "surfaces")
         return {name: getattr(self, name) for name in names}
 
@@ -69,7 +69,7 @@ class WearProblem(ABC):
         return replace(self, grid=grid, gap=domain.initial_gap, reliefs=domain.reliefs)
 
     def initial_heights(self, body: int) -> FloatArray:
-        """Return the heights of a body before any wear [m], on its rows that can wear."""
+        """Return the heights of a body before any wear [m], in the rows that can wear."""
         first, rows = self.rows(body)
         relief = self.reliefs[body - 1]
         if relief is None:

@@ -162,7 +162,7 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
 
 
 def scaled_to_volume(given: FloatArray, result: FloatArray) -> FloatArray:
-    """Return a smoothed depth multiplied so that its sum equals that of the given depth."""
+    """Return a smoothed depth, multiplied so that its sum equals the sum of the given depth."""
     if not given.any():
         return np.zeros_like(given)
     total = math.fsum(given.flat)

@@ -39,11 +39,11 @@ def test_the_law_of_a_ramberg_osgood_curve_is_recovered(strain, stress, extra):
 @pytest.mark.parametrize(
     ("strain", "stress", "extra", "says"),
     [
-        (STRAIN[:NECK] * 100, STRESS[:NECK], {}, "divide percent"),
-        (STRAIN[:70] * 100, STRESS[:70], {}, "divide percent"),  # less than 1 %
-        (STRAIN[:70] * 100, STRESS[:70], {"E": E}, "divide percent"),
+        (STRAIN[:NECK] * 100, STRESS[:NECK], {}, "divide strains in percent"),
+        (STRAIN[:70] * 100, STRESS[:70], {}, "divide strains in percent"),  # less than 1 %
+        (STRAIN[:70] * 100, STRESS[:70], {"E": E}, "divide strains in percent"),
         (STRAIN, STRESS / 1e6, {}, "multiply MPa by 1e6"),
-        (STRAIN, STRESS, {}, f"necks there.* first {NECK} points"),
+        (STRAIN, STRESS, {}, f"necks.* first {NECK} points"),
         (np.r_[STRAIN[:50], STRAIN[40:70]], STRESS[:80], {}, r"got strain\[50\]"),
         (STRAIN[:NECK], -STRESS[:NECK], {}, "equal signs"),
         (STRAIN[:20], STRESS[:20], {"E": E}, "does not yield"),

@@ -178,7 +178,7 @@ def test_forces_scale_with_other_loads():
         ),
         (
             "load = 600.0\nshift_x = 1e-6\n[[path]]\nload = 600.0\ntangential_load_x = 1.0",
-            r"path\[2\]: tangential_load_x cannot start here",
+            r"path\[2\]: tangential_load_x must not change in several increments",
         ),
         (
             "load = 300.0\nfret = {shift_x = 1e-6}",

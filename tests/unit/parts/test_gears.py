@@ -124,7 +124,7 @@ def test_flanks_end_at_the_tip_and_at_the_ends_of_the_face():
 
 
 def test_unusable_pairs_are_refused():
-    with pytest.raises(ValueError, match="teeth of gear 1 are met below their base circle"):
+    with pytest.raises(ValueError, match="teeth of gear 1 must not extend below the base"):
         GearPair(2e-3, (10, 60), 10e-3)
     with pytest.raises(ValueError, match=r"pressure_angle must be .* degrees"):
         GearPair(2e-3, (20, 60), 10e-3, pressure_angle=20.0)

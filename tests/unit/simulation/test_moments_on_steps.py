@@ -138,5 +138,5 @@ def test_a_case_file_prescribes_moments_and_tilts():
     with pytest.raises(ValueError, match="moment_x and moment_y cannot be combined with approach"):
         parse_case(wrong)
     unknown = CASE.replace("load = 60.0\nmoment_x = 1e-3", "load = 60.0\ntilt_x = 1e-3", 1)
-    with pytest.raises(ValueError, match="tilt_x cannot start here"):
+    with pytest.raises(ValueError, match="tilt_x must not change in several increments"):
         parse_case(unknown)

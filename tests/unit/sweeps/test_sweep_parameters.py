@@ -43,7 +43,7 @@ def none_solved(monkeypatch):
         ({"body1.nu": list(np.arange(0.5, 0.9, 0.01))}, "product", r"\nand 30 more$"),
         ({"body1.E": [2e11], "body1.nu": [0.2, 0.3]}, "zip", r"body1\.E 1, body1\.nu 2"),
         ({"body1.E": [2e11]}, "grid", "mode must be one of 'product', 'zip', got 'grid'"),
-        ({"body1.E": [1e11, 10**11]}, "product", r"values of body1\.E must differ"),
+        ({"body1.E": [1e11, 10**11]}, "product", r"values of body1\.E must be different"),
         ({"body1.E": []}, "product", r"body1\.E must have at least one value"),
         ({"body1.E": "1e9"}, "product", r"body1\.E must have a sequence of values, got '1e9'"),
         ({"body1.E": 1e9}, "product", r"body1\.E must have a sequence of values"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear cycles that continue from the temperatures of the cycle before."""
+"""Wear cycles that continue from the temperatures of the previous cycle."""
 
 import numpy as np
 import pytest

@@ -303,7 +303,7 @@ def test_checkpoint_of_other_arguments_is_refused(tmp_path):
         ({"cycle": [{"load": 1.0}, {"pressure": 0 * GAP}]}, "cycle must end unloaded"),
         ({"cycle": [{"load": 0.0}]}, "cycle must have at least one step with contact"),
         ({"cycle": [{"load": 1.0, "advance": (1e-6, 0.0)}, {"load": 0.0}]},
-         "cycle must return both bodies.* got sums of 1e-06 m"),
+         "cycle must move both bodies back.* got sums of 1e-06 m"),
     ],
 )  # fmt: skip
 def test_bad_input_is_named_before_the_first_cycle(changes, message, monkeypatch):
