@@ -43,13 +43,13 @@ simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& 
 State step(Simulation& simulation, const contact::Drive& drive, const MaybeArray& pressure,
            const MaybeArray& shear_x, const MaybeArray& shear_y,
            const operators::HeatingPair& heating, double duration,
-           const simulation::Travel& advance, const std::array<bool, 3>& is_force,
+           const std::array<double, 2>& advance, const std::array<bool, 3>& is_force,
            const std::array<double, 3>& tangential) {
   const Target target{.drive = drive,
                       .tangential = contact::tangential_drive(is_force, tangential),
                       .tractions = {to_field_or_empty(pressure), to_field_or_empty(shear_x),
                                     to_field_or_empty(shear_y)},
-                      .advance = advance,
+                      .advance = {advance, {}},
                       .heating = heating,
                       .duration = duration};
   const LongWork work;

@@ -95,8 +95,8 @@ Placement Setup::placement(const Travel& travel) const {
   if (body >= 0 || !friction.sticks()) return {travel, body};
   // Under partial slip the shear is transported with the surface, by the mean travel of both
   // bodies.
-  const double mean = 0.5 * (travel[0] + travel[1]);
-  return {Travel{mean, mean}, 1};
+  const double mean = 0.5 * (travel.x[0] + travel.x[1]);
+  return {Travel{{mean, mean}, {}}, 1};
 }
 
 Field Setup::relief(int body, const Travel& travel) const {

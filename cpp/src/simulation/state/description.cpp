@@ -108,7 +108,7 @@ void require_consistent(const State& state) {
     require_that(field->empty() || fits(*field),
                  "shear, gap or slip power does not match the grid");
   }
-  for (const double travel : state.travel) {
+  for (const double travel : state.travel.x) {
     require(std::fabs(travel) < largest_index, "travel", in_range, travel);
   }
   require(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
