@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from .._util.travels import along_x
 from ..problem.grid import within_period
 from ..problem.heating import NO_HEAT
 from .base import changed
@@ -124,9 +125,8 @@ def _require_repeatable(case: Any) -> None:
             "shakedown requires an elastic-plastic body: set a hardening law in [body1] or "
             "[body2], or remove [shakedown]"
         )
-    travels = [
-        math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
-    ]
+    motions = [along_x(step.get("advance", (0.0, 0.0)), "with shakedown") for step in case.steps()]
+    travels = [math.fsum(motion[n] for motion in motions) for n in (0, 1)]
     if case.grid is not None:
         grid = case.grid.build()
         travels = [within_period(grid, travel) for travel in travels]

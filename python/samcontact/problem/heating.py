@@ -144,11 +144,13 @@ def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: flo
             f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
             "steady state; set heat.time or heat.history"
         )
-    if heat.track is not None and "x" in grid.periodic:
-        raise ValueError(
-            f"heat.track must be None on a grid that is periodic along x, got {heat.track!r}: heat "
-            "that moves along a period is not supported"
-        )
+    for axis, length in zip("xy", heat.tracks, strict=True):
+        if axis in grid.periodic and length > 0:
+            raise ValueError(
+                f"heat.track must be {'None' if axis == 'x' else '0 along y'} on a grid that is "
+                f"periodic along {axis}, got {heat.track!r}: heat that moves along a period is not "
+                "supported"
+            )
     for axis, speed in zip("xy", heat.velocity[body - 1], strict=True):
         if axis in grid.periodic and speed != 0.0:
             raise ValueError(
@@ -177,11 +179,11 @@ def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: 
 
 
 def require_speeds(heat: Heat, bodies: Bodies, grid: Grid, speeds: Sequence[float]) -> None:
-    """Raise ValueError if a heated body moves too fast in an increment; speeds: along x [m/s]."""
+    """Raise ValueError if a heated body moves too fast; speeds: magnitudes [m/s]."""
     for n, (body, share, speed) in enumerate(zip(bodies, heat.shares, speeds, strict=True), 1):
         thermal = thermal_of(body)
         if share > 0 and thermal is not None:
-            _require_speed(grid, n, *_diffusivities(thermal), abs(speed))
+            _require_speed(grid, n, *_diffusivities(thermal), speed)
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:

@@ -186,10 +186,12 @@ Target Division::part_of(const State& from, double start, double end) const {
     if (!from.setup().transient_heating.follows()) continue;
     const bool loaded = !target_.is_load() || target_.drive.normal.value != 0;
     heat.speed_x = loaded ? by.x[b] * from.setup().grid.dx / part.duration : 0.0;
+    heat.speed_y = loaded ? by.y[b] * from.setup().grid.dy / part.duration : 0.0;
   }
   part.past_symmetry = common(part.past_symmetry, from.heat_symmetry_so_far());
   if (from.setup().transient_heating.follows() && by != Travel{}) {
-    part.past_symmetry = common(part.past_symmetry, fft::Symmetry::y);
+    part.past_symmetry =
+        common(part.past_symmetry, by.is_along_x() ? fft::Symmetry::y : fft::Symmetry::none);
   }
   return part;
 }

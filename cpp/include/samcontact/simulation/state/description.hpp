@@ -105,6 +105,7 @@ void describe(S& s, Visitor& visit) {
   visit("slip_power", s.slip_power);
   visit("shear_symmetry", s.shear_symmetry);
   visit("travel", s.travel.x);
+  visit("lateral_travel", s.travel.y);
   visit("time", s.time);
   visit("duration", s.duration);
   visit("residual_method", s.method);
@@ -120,6 +121,7 @@ void describe(S& s, Visitor& visit) {
     const std::string number = std::to_string(b + 1);
     visit("heat_factor" + number, s.heating[b].factor);
     visit("heat_speed" + number, s.heating[b].speed_x);
+    visit("lateral_heat_speed" + number, s.heating[b].speed_y);
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
