@@ -63,7 +63,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             thickness = [h for _, h in body.layers] if isinstance(body, Layered) else []
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
-            _require_in_layers(heat, n, body, grid)
+            _require_in_layers(n, body, grid)
             _require_transient(name, heat, grid, n, factor)
             lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
@@ -108,7 +108,7 @@ def _of_missing(body: Body) -> str:
     return f" of {' and '.join(name for name, material in pairs if material.thermal is None)}"
 
 
-def _require_in_layers(heat: Heat, n: int, body: Body, grid: Grid) -> None:
+def _require_in_layers(n: int, body: Body, grid: Grid) -> None:
     """Raise ValueError for heat in layers that is not supported."""
     if not isinstance(body, Layered):
         return
@@ -120,12 +120,6 @@ def _require_in_layers(heat: Heat, n: int, body: Body, grid: Grid) -> None:
                 f"m, {MIN_THICKNESS:g} of the cell length {cell:.4g} m, got {thickness:.4g} m: "
                 "thicknesses are in metres, 5e-6 is 5 um"
             )
-    steady = heat.time is None and heat.history is None
-    if steady and all(heat.velocity[n - 1]):
-        raise ValueError(
-            f"heat.velocity of layered body{n} must be along x or along y in the steady state, got "
-            f"{heat.velocity[n - 1]!r}: set heat.time or heat.history"
-        )
 
 
 def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float, float]:

@@ -286,6 +286,13 @@ def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid:
     With a track, the velocity follows from the motion. A track along y excludes bodies with a
     history, so that fractions of a cell have no effect on the positions of cells.
     """
+    if heat.track is not None:
+        for axis, (cells, length) in enumerate(zip(advance, heat.tracks, strict=True)):
+            if any(cells) and length == 0:
+                raise ValueError(
+                    f"heat.track must be > 0 along {'xy'[axis]} for a path along {'xy'[axis]}, got "
+                    f"{heat.track!r}: set it to the pair of lengths of the path along x and y"
+                )
     if heat.tracks[1] == 0:
         require_whole_cells(advance[0], grid.dx)
     if heat.track is None:
