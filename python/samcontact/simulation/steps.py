@@ -131,6 +131,7 @@ class StepArguments:
         if not (shift is None and tangential_load is None and twist is None and torque is None):
             tangential = given_along(friction, shift, tangential_load, twist, torque)
         if any(travels[1]):
+            _require_endless_along_y(self.bodies)
             _require_no_friction_along_y(friction, travels[1], pressure, shear)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
@@ -178,6 +179,16 @@ def _travels(grid: Grid, advance: ArrayLike) -> Travels:
         for body in given.tolist()
     )
     return (x1, x2), (y1, y2)
+
+
+def _require_endless_along_y(bodies: Bodies) -> None:
+    """Raise ValueError for bodies whose end faces would move with them."""
+    for n, body in enumerate(bodies, 1):
+        if getattr(body, "free_faces", None) is not None:
+            raise ValueError(
+                f"advance along y must be 0 with free_faces of body {n}, which stay at one place "
+                "in the contact: move the bodies along x only"
+            )
 
 
 def _require_no_friction_along_y(
