@@ -355,7 +355,7 @@ CALLS = [
         ("paths.traverse", sc.paths.traverse,
          {"points": [(0.0, 0.0), (1e-5, 0.0), (1e-5, 2e-5)], "step": 5e-6, "slider": 1,
           "speed": 0.1, **driver})
-        for driver in (*DRIVERS, {"pressure": PRESSURE})
+        for driver in (*DRIVERS, {"pressure": PATCH})
     ),
     ("paths.tangential", sc.paths.tangential,
      {"load": 10.0, "force": (1.0, 0.0), "start": (0.5, 0.0)}),

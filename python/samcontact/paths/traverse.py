@@ -76,9 +76,11 @@ def traverse(
     {'load': 3.0, 'advance': ((0.0, 0.0), (0.0, -2e-05))}
     """
     name = exactly_one(load=load, approach=approach, pressure=pressure)
-    target: Any = pressure
+    target: Any
     if pressure is None:
         name, target = load_or_approach(load, approach)
+    else:
+        target = finite_array("pressure", pressure)
     moving = (True, True)
     if slider is not None:
         moving = (choice("slider", slider, (1, 2)) == 2, slider == 1)
