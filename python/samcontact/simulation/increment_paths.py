@@ -30,7 +30,7 @@ def cleaned(step: Step) -> dict[str, Any]:
     for name, value in step.items():
         if name == "advance" and value is not None:
             kept[name] = plain(both_axes(value))
-        if value is None or kept[name] == (0.0, 0.0):
+        if value is None or (name == "advance" and kept[name] == (0.0, 0.0)):
             del kept[name]
     return kept
 
