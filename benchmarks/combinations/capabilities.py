@@ -124,6 +124,10 @@ def _slides(contact: Contact) -> None:
     contact.travels = (0.0, -SIZE)
 
 
+def _rolls_across(contact: Contact) -> None:
+    contact.travels = ((0.0, -0.5 * SIZE), (0.0, -0.5 * SIZE))
+
+
 def _measured(contact: Contact) -> None:
     x = np.arange(-20, 21) * SIZE
     along, across = (np.cos(2 * np.pi * x / length) for length in (5e-4, 4e-4))
@@ -182,6 +186,7 @@ CAPABILITIES: dict[str, Change] = {
     "periodic in both directions": _periodic("xy"),
     "rolling": _rolls,
     "sliding": _slides,
+    "motion along y": _rolls_across,
     "measured surface": _measured,
     "dent": _dented,
     "enlarged grid": _enlarged,
@@ -197,7 +202,7 @@ ALTERNATIVES = (
     {"full sliding", "partial slip", "no slip"},
     {"steady heat", "heat for a given time", "heat history", "heat of slip"},
     {"periodic along x", "periodic along y", "periodic in both directions"},
-    {"rolling", "sliding"},
+    {"rolling", "sliding", "motion along y"},
 )
 """Capabilities of which a contact has only one."""
 PAIRS = [

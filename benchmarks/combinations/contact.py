@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -36,8 +37,8 @@ class Contact:
     """Whether the grid is enlarged when the contact reaches its edge."""
     law: float | sc.Coulomb = 0.0
     heat: dict[str, Any] = field(default_factory=dict)
-    travels: tuple[float, float] | None = None
-    """Distances by which the surfaces travel in each of three increments [m]."""
+    travels: Sequence[Any] | None = None
+    """Distances by which the surfaces travel in each of three increments [m]: along x, or pairs."""
     drive: dict[str, Any] = field(default_factory=dict)
     """Tangential motions or forces in one increment at the full load."""
     pulls: float | None = None
@@ -79,7 +80,8 @@ class Contact:
         if self.prescribes_approach:
             heat["reference"] = 1e-2
         if self.lasts() and self.travels:
-            heat["velocity"] = [(travel / SIZE * SPEED, 0.0) for travel in self.travels]
+            pairs = [travel if np.ndim(travel) else (travel, 0.0) for travel in self.travels]
+            heat["velocity"] = [(x / SIZE * SPEED, y / SIZE * SPEED) for x, y in pairs]
         return sc.Heat(**heat)
 
     def gap(self, grid: sc.Grid) -> np.ndarray:

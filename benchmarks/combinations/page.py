@@ -72,6 +72,11 @@ REASONS = (
         is_limit=True,
     ),
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
+    Reason(
+        "advance along y is not supported|heat.velocity of body . along y must be 0",
+        "Motion along y of plastic strain and of surface heights, under partial slip, and of heat "
+        "along a period.",
+    ),
 )
 
 

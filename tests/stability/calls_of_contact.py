@@ -351,6 +351,12 @@ CALLS = [
         for name, rest in (("tangential", {}), ("fretting_loop", {"cycles": 1}))
         for drive in ({"force": (1.0, 0.0)}, {"shift": (1e-7, 0.0)})
     ),
+    *(
+        ("paths.traverse", sc.paths.traverse,
+         {"points": [(0.0, 0.0), (1e-5, 0.0), (1e-5, 2e-5)], "step": 5e-6, "slider": 1,
+          "speed": 0.1, **driver})
+        for driver in (*DRIVERS, {"pressure": PATCH})
+    ),
     ("paths.tangential", sc.paths.tangential,
      {"load": 10.0, "force": (1.0, 0.0), "start": (0.5, 0.0)}),
     ("paths.tangential", sc.paths.tangential, {"approach": 1e-7, "force": (1.0, 0.0)}),

@@ -409,6 +409,12 @@ class State:
     @property
     def last_flow(self) -> dict[str, typing.Any] | None: ...
     @property
+    def lateral_heat_speed1(self) -> float: ...
+    @property
+    def lateral_heat_speed2(self) -> float: ...
+    @property
+    def lateral_travel(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
+    @property
     def load(self) -> float: ...
     @property
     def motion(self) -> typing.Annotated[list[float], "FixedSize(3)"]: ...
@@ -482,7 +488,7 @@ class Simulation:
         gap: numpy.typing.NDArray[numpy.float64],
         friction: FrictionLaw,
         settings: Settings,
-        march: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
+        march: typing.Annotated[collections.abc.Sequence[float], "FixedSize(4)"],
         softening: typing.Annotated[
             collections.abc.Sequence[
                 collections.abc.Callable[
@@ -535,7 +541,12 @@ class Simulation:
         shear_y: numpy.typing.NDArray[numpy.float64] | None,
         heating: typing.Annotated[collections.abc.Sequence[Heating], "FixedSize(2)"],
         duration: float,
-        advance: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
+        advance: typing.Annotated[
+            collections.abc.Sequence[
+                typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"]
+            ],
+            "FixedSize(2)",
+        ],
         is_force: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(3)"],
         tangential: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
     ) -> State: ...

@@ -196,6 +196,10 @@ CONTACT = {
         "m", "travel of the surface of body {body} through the contact, positive along +x", "µm",
         "travel", "travel", 6,
     ),
+    "lateral_travel": Q(
+        "m", "travel of the surface of body {body} through the contact, positive along +y", "µm",
+        "travel along y", "travel along y", 6,
+    ),
     "contact_origin": Q("m", "x position of the contact origin relative to the grid centre"),
     "offset": Q(
         "m", "offset of the volume fields of body {body} from the cells of the grid, along x"

@@ -13,6 +13,7 @@ from .. import hertz as _hertz
 from .. import paths
 from .._util import memory
 from .._util.short_text import in_short
+from .._util.travels import both_axes
 from ..bodies.layered import softest
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
@@ -21,6 +22,7 @@ from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .cross_checks import path_with_loads, reason_for_grid, require_all_used
 from .fatigue import FatigueSection
+from .heat_checks import require_velocity_of_motion
 from .motion import ReliefSection, Segment
 from .part_grid import grid_of_part
 from .rolling_parts import in_full
@@ -202,7 +204,7 @@ class Case(CaseFile):
     @property
     def moves(self) -> bool:
         """Whether the surface of a body moves through the contact."""
-        return any(any(step.get("advance", ())) for step in self.steps())
+        return any(both_axes(step["advance"]).any() for step in self.steps() if "advance" in step)
 
     def _check_motion(self, steps: paths.Path) -> None:
         """Check that motion agrees with the direction of friction and the velocity of [heat]."""
@@ -214,22 +216,19 @@ class Case(CaseFile):
                 require_held(step, friction)
             if step.get("load") == 0.0 or "advance" not in step:
                 continue
-            first, second = step["advance"]
+            (first, first_y), (second, second_y) = travels = both_axes(step["advance"]).tolist()
+            if not friction.sticks and not friction.is_frictionless and first_y != second_y:
+                raise ValueError(
+                    "advance of both bodies along y must be equal, because friction acts along x, "
+                    f"got {travels}: set friction = 0 to slide along y"
+                )
             if friction.sliding_ratio > 0 and first < second:
                 raise ValueError(
                     "advance[0] must be >= advance[1], because friction acts on body 2 towards "
                     f"+x, got {[first, second]}: reverse the sliding direction, or set friction = 0"
                 )
-            for body in (1, 2):
-                if "duration" in step and heat.shares[body - 1] > 0 and heat.track is None:
-                    speed = step["advance"][body - 1] / step["duration"]
-                    given = heat.velocity[body - 1][0]
-                    if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
-                        raise ValueError(
-                            f"heat.velocity must agree with the motion of heated body {body}, "
-                            f"{speed:.9g} m/s along x, got {given:.9g} m/s: make both equal, or "
-                            "set heat.track"
-                        )
+            if "duration" in step and heat.track is None:
+                require_velocity_of_motion(heat, travels, step["duration"])
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
         """Return the Hertz contact at a load [N] > 0; None if Hertz theory does not apply.

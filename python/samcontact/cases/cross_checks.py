@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from .._util.travels import along_x, both_axes
 from ..problem.grid import within_period
 from ..problem.heating import NO_HEAT
 from .base import changed
@@ -33,6 +34,7 @@ def require_all_used(case: Any) -> None:
     _require_hardness(case)
     _require_repeatable(case)
     require_motion_of_heat(case)
+    _require_free_along_y(case)
     _require_known_faces(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
@@ -124,9 +126,8 @@ def _require_repeatable(case: Any) -> None:
             "shakedown requires an elastic-plastic body: set a hardening law in [body1] or "
             "[body2], or remove [shakedown]"
         )
-    travels = [
-        math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
-    ]
+    motions = [along_x(step.get("advance", (0.0, 0.0)), "with shakedown") for step in case.steps()]
+    travels = [math.fsum(motion[n] for motion in motions) for n in (0, 1)]
     if case.grid is not None:
         grid = case.grid.build()
         travels = [within_period(grid, travel) for travel in travels]
@@ -136,6 +137,23 @@ def _require_repeatable(case: Any) -> None:
             f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
+
+
+def _require_free_along_y(case: Any) -> None:
+    """Raise ValueError for motion along y of a case with anything that moves along x only."""
+    moved = (both_axes(step["advance"]) for step in case.steps() if "advance" in step)
+    if not any(travels[:, 1].any() for travels in moved):
+        return
+    for name in ("body1", "body2"):
+        body = getattr(case, name)
+        if body.is_plastic or getattr(body, "free_faces", None) is not None:
+            what = "an elastic-plastic body" if body.is_plastic else "free_faces"
+            raise ValueError(f"advance along y must be 0 with {what} in [{name}]")
+    for name in ("relief1", "relief2"):
+        if getattr(case, name) is not None:
+            raise ValueError(f"advance along y must be 0 with [{name}]: omit the relief")
+    if case.friction.sticks:
+        raise ValueError("advance along y must be 0 with partial slip: use full sliding")
 
 
 def _require_known_faces(case: Any) -> None:

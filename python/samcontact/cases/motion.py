@@ -92,7 +92,10 @@ class Segment(TiltingSection):
     start: Finite | None = None
     spacing: Literal["linear", "power"] = "linear"
     exponent: Positive = 2.0
-    advance: Annotated[Pair, in_unit("m")] | None = None
+    advance: (
+        Annotated[Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], in_unit("m")]
+        | None
+    ) = None
     roll: Rolling | None = None
     slide: Sliding | None = None
     fret: Fretting | None = None

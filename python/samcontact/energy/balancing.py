@@ -174,6 +174,8 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         )
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be from load or approach control, got prescribed tractions"
+    if any(any(state.lateral_travel) for state in states):
+        return "states must not have moved along y: the work of this travel is not included"
     if _slides_fully(simulation):
         slid = np.diff([state.travel[0] - state.travel[1] for state in states])
         if np.any(slid * friction_law(simulation.friction).sliding_ratio < 0):

@@ -4,7 +4,9 @@
 from .fretting import fretting_loop, tangential
 from .passes import rolling, sliding
 from .ramps import Path, hold, load_unload, ramp
+from .traverse import traverse
 
 __all__ = [
     "Path", "fretting_loop", "hold", "load_unload", "ramp", "rolling", "sliding", "tangential",
+    "traverse",
 ]  # fmt: skip

@@ -7,18 +7,19 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .._util.checks import (
     FloatArray,
     choice,
     exactly_one,
     finite,
-    finite_array,
     load_or_approach,
     positive,
     step_count,
     value_per_body,
 )
+from .._util.travels import both_axes, plain
 
 Path = list[dict[str, Any]]
 
@@ -40,14 +41,14 @@ def _steps(name: str, start: float, end: float, parts: FloatArray) -> Path:
 
 def _with_parts(
     steps: Path,
-    advance: Sequence[float] | None,
+    advance: ArrayLike | None,
     duration: float | None,
     heat_factor: float | Sequence[float] | None,
 ) -> Path:
     """Divide travel and duration equally among steps, and add the heat factor to the first step."""
     if advance is not None:
-        first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
-        steps = [{**step, "advance": (first, second)} for step in steps]
+        each = plain(both_axes(advance) / len(steps))
+        steps = [{**step, "advance": each} for step in steps]
     if duration is not None:
         part = positive("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
@@ -62,7 +63,7 @@ def hold(
     load: float | None = None,
     approach: float | None = None,
     increments: int = 1,
-    advance: Sequence[float] | None = None,
+    advance: ArrayLike | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:
@@ -74,8 +75,9 @@ def hold(
         Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     increments : int
         Number of steps, from 1 to 100000.
-    advance : pair of floats, optional
-        Total displacement of the surfaces of bodies 1 and 2 along +x in all steps [m].
+    advance : pair of floats, or pair of pairs, optional
+        Total displacement of the surfaces of bodies 1 and 2 along +x in all steps [m], or along x
+        and y, see `Simulation.step`.
     duration : float, optional
         Total duration of all steps [s], for a simulation with heat.history.
     heat_factor : float or pair of floats, optional
@@ -104,7 +106,7 @@ def ramp(
     start: float = 0.0,
     spacing: str = "linear",
     exponent: float = 2.0,
-    advance: Sequence[float] | None = None,
+    advance: ArrayLike | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:

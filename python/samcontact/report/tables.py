@@ -154,7 +154,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
 _SCALARS = (
     "load", "approach", "tilt_x", "tilt_y", "moment_x", "moment_y", "max_pressure", "contact_area",
     "max_von_mises", "max_equivalent_plastic_strain", "imprint_depth", "max_temperature", "travel",
-    "time",
+    "lateral_travel", "time",
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "plastic_strain_residual", "yield_violation", "contact_iterations", "substeps",

@@ -185,7 +185,7 @@ class Simulation(Configured, HtmlTable):
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
-        advance: Sequence[float] = AT_REST,
+        advance: ArrayLike = AT_REST,
         shift: Sequence[float | None] | None = None,
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
@@ -205,11 +205,11 @@ class Simulation(Configured, HtmlTable):
             Prescribed pressure [Pa], without load and approach; the contact is not solved.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Shear s_x, or (s_x, s_y), on body 2 [Pa], with `pressure`; default friction * pressure.
-        advance : pair of floats, optional
-            Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
-            positive along +x [m]. Equal values mean rolling towards -x, different values sliding by
-            the difference (creepage with `Coulomb`). Plastic strain moves with the body. Motion by
-            whole cells is exact; else see `State.origin`.
+        advance : pair of floats, or pair of pairs, optional
+            Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
+            [m]: equal for rolling towards -x, different for sliding by the difference (creepage
+            with `Coulomb`). Plastic strain moves with the body. Motion by whole cells is exact,
+            else see `State.origin`. Smooth elastic bodies in full sliding: or ((x1, y1), (x2, y2)).
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.

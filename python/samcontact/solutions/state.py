@@ -20,6 +20,7 @@ from ..problem.domain import Domain
 from ..problem.heating import softening_of
 from ..problem.setup import SimulationSetup
 from .interface_stress import layered_body, stress_at_interfaces
+from .moving_state import MovingState, rows_of_travel
 from .surface_state import SurfaceState, rows_along_surface
 from .track import Track
 from .zone import Zone, ZoneStress
@@ -38,7 +39,7 @@ def on_common_grid(states: Sequence[State]) -> list[State]:
     return [s if s.grid == largest.grid else s._padded_to(largest) for s in states]
 
 
-class State(SurfaceState, FixedAttributes, HtmlTable):
+class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
     """Fields and scalars at the end of one increment, in SI units.
 
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
@@ -106,12 +107,6 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def heat_factor(self) -> tuple[float, float]:
         """Heat flux per unit pressure of both bodies [m/s]; with heat.partition, heat fractions."""
         return self._core.heat_factor1, self._core.heat_factor2
-
-    @property
-    def travel(self) -> tuple[float, float]:
-        """Accumulated displacement of surfaces 1 and 2 through the contact, along +x [m]."""
-        first, second = self._core.travel
-        return first * self.grid.dx, second * self.grid.dx
 
     @property
     def origin(self) -> float:
@@ -381,8 +376,7 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
                 name = f"maximum equivalent plastic strain, body {body}"
                 rows.append((name, f"{100 * strain:.4g} %"))
         rows += rows_along_surface(self)
-        if any(self.travel):
-            rows += [(f"travel, body {n}", quantity(self.travel[n - 1], "m")) for n in (1, 2)]
+        rows += rows_of_travel(self)
         if self.time > 0:
             rows.append(("time", quantity(self.time, "s")))
         return [

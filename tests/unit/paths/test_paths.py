@@ -234,7 +234,7 @@ def test_ramp_and_hold_while_the_bodies_move():
         {"load": 2.0, "advance": (-0.5, 1.5)},
     ]
     assert paths.hold(load=0.0, advance=(1.0, 1.0)) == [{"load": 0.0, "advance": (1.0, 1.0)}]
-    with pytest.raises(ValueError, match=r"advance must have shape \(2,\), got \(3,\)"):
+    with pytest.raises(ValueError, match=r"advance must be a pair \(body 1, body 2\)"):
         paths.hold(load=1.0, advance=(1.0, 2.0, 3.0))
 
 

@@ -177,7 +177,7 @@ Target Division::part_of(const State& from, double start, double end) const {
   }
   if (!from.setup().transient_heating.is_on()) return part;
   part.duration *= end - start;
-  const Travel by{(end - start) * target_.advance[0], (end - start) * target_.advance[1]};
+  const Travel by = scaled(target_.advance, end - start);
   part.past = from.heat_so_far(by);
   for (int b = 0; b < 2; ++b) {
     operators::Heating& heat = part.heating[b];
@@ -185,17 +185,19 @@ Target Division::part_of(const State& from, double start, double end) const {
     if (part.duration == 0) heat.age = from.setup().transient_heating.shortest;  // without flux
     if (!from.setup().transient_heating.follows()) continue;
     const bool loaded = !target_.is_load() || target_.drive.normal.value != 0;
-    heat.speed_x = loaded ? by[b] * from.setup().grid.dx / part.duration : 0.0;
+    heat.speed_x = loaded ? by.x[b] * from.setup().grid.dx / part.duration : 0.0;
+    heat.speed_y = loaded ? by.y[b] * from.setup().grid.dy / part.duration : 0.0;
   }
   part.past_symmetry = common(part.past_symmetry, from.heat_symmetry_so_far());
   if (from.setup().transient_heating.follows() && by != Travel{}) {
-    part.past_symmetry = common(part.past_symmetry, fft::Symmetry::y);
+    part.past_symmetry =
+        common(part.past_symmetry, by.is_along_x() ? fft::Symmetry::y : fft::Symmetry::none);
   }
   return part;
 }
 
 State Division::moved_to(const State& from, double end) const {
-  const Travel to = advanced(from_.travel, {end * target_.advance[0], end * target_.advance[1]});
+  const Travel to = advanced(from_.travel, scaled(target_.advance, end));
   return from.travel == to ? from : from.moved(to);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 /// Mean travel of both bodies in the increment [m].
 double mean_travel(const State& state) {
-  return 0.5 * (state.advance[0] + state.advance[1]) * state.setup().grid.dx;
+  return 0.5 * (state.advance.x[0] + state.advance.x[1]) * state.setup().grid.dx;
 }
 
 /// If the travel of a body differs from that of the tractions by this much, its displacement is
@@ -97,7 +97,7 @@ Field displaced_otherwise(const Setup& setup, int body, const operators::Tractio
 /// Slip due to the difference between the travel of the bodies [cells] and the whole cells by which
 /// the tractions move; empty: none.
 Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
-                     const Travel& travel, int cells) {
+                     const std::array<double, 2>& travel, int cells) {
   const bool cut = is_cut(tractions.pressure, setup.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
@@ -124,7 +124,7 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.gap = simulation::gap(task.from);
   } else {
     // Tractions of a moved state lie at its contact, not at the new positions of their cells.
-    const Placement then = task.setup().placement(advanced(task.from.travel, {-by[0], -by[1]}));
+    const Placement then = task.setup().placement(advanced(task.from.travel, scaled(by, -1.0)));
     const Placement now = task.from.placement();
     const int followed = std::max(task.setup().followed(), 0);
     const int cells = then.first[followed] - now.first[followed] -
@@ -134,8 +134,8 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
     // Fractions of a cell move the grid, not the surface of the body that it follows.
-    const double own = task.setup().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
-    const Travel travel{by[0] - own + cells, by[1] - own + cells};
+    const double own = task.setup().followed() < 0 ? 0.5 * (by.x[0] + by.x[1]) : by.x[followed];
+    const std::array travel{by.x[0] - own + cells, by.x[1] - own + cells};
     before.free_slip = slip_of_travel(task.setup(), task.from.tractions, travel, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
@@ -147,7 +147,7 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
 contact::TangentialDrive tangential_drive(const IncrementTask& task) {
   contact::TangentialDrive drive = task.target.tangential;
   if (!drive[0].is_force()) {
-    drive[0].value += (task.from.advance[0] - task.from.advance[1]) * task.setup().grid.dx;
+    drive[0].value += (task.from.advance.x[0] - task.from.advance.x[1]) * task.setup().grid.dx;
   }
   // Slip due to rotation is evaluated at the mean positions of particles during the increment.
   if (!drive[1].is_force())

@@ -95,8 +95,8 @@ Placement Setup::placement(const Travel& travel) const {
   if (body >= 0 || !friction.sticks()) return {travel, body};
   // Under partial slip the shear is transported with the surface, by the mean travel of both
   // bodies.
-  const double mean = 0.5 * (travel[0] + travel[1]);
-  return {Travel{mean, mean}, 1};
+  const double mean = 0.5 * (travel.x[0] + travel.x[1]);
+  return {Travel{{mean, mean}, {}}, 1};
 }
 
 Field Setup::relief(int body, const Travel& travel) const {
@@ -129,7 +129,9 @@ Field Setup::gap(const Travel& travel) const {
 
 fft::Symmetry Setup::symmetry(const Travel& travel) const {
   const bool moved = travel != Travel{};
-  const auto symmetry = moved ? common(symmetry_, fft::Symmetry::y) : symmetry_;
+  const auto symmetry = !moved                ? symmetry_
+                        : travel.is_along_x() ? common(symmetry_, fft::Symmetry::y)
+                                              : fft::Symmetry::none;
   const bool flat = reliefs[0].heights.empty() && reliefs[1].heights.empty();
   if (flat) return symmetry;
   const auto of_gap = common(symmetry, symmetry_of(gap(travel), grid));
@@ -156,7 +158,7 @@ Strength Setup::strength(int body, const Travel& travel) const {
 
 operators::HeatHistory Setup::heat_history(int body, const operators::Heating& heating) const {
   operators::Heating source = heating;
-  if (transient_heating.follows()) source.speed_x = 0.0;
+  if (transient_heating.follows()) source.speed_x = source.speed_y = 0.0;
   return heat_of(*media[body])
       ->history(grid, source,
                 {.shortest = transient_heating.shortest,

@@ -108,8 +108,10 @@ void require_consistent(const State& state) {
     require_that(field->empty() || fits(*field),
                  "shear, gap or slip power does not match the grid");
   }
-  for (const double travel : state.travel) {
-    require(std::fabs(travel) < largest_index, "travel", in_range, travel);
+  for (const auto& travels : {state.travel.x, state.travel.y}) {
+    for (const double travel : travels) {
+      require(std::fabs(travel) < largest_index, "travel", in_range, travel);
+    }
   }
   require(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
           "residual_method", "0 or 1", static_cast<int>(state.method));

@@ -76,7 +76,7 @@ void describe(F& f, Visitor& visit) {
 template <Is<PlasticIncrementGuess> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);
-  visit("advance", f.advance);
+  visit("advance", f.advance.x);
   visit("load", f.load);
   visit("approach", f.approach);
   for (int b = 0; b < 2; ++b) {
@@ -104,7 +104,8 @@ void describe(S& s, Visitor& visit) {
   visit("friction_work", s.friction_work);
   visit("slip_power", s.slip_power);
   visit("shear_symmetry", s.shear_symmetry);
-  visit("travel", s.travel);
+  visit("travel", s.travel.x);
+  visit("lateral_travel", s.travel.y);
   visit("time", s.time);
   visit("duration", s.duration);
   visit("residual_method", s.method);
@@ -120,6 +121,7 @@ void describe(S& s, Visitor& visit) {
     const std::string number = std::to_string(b + 1);
     visit("heat_factor" + number, s.heating[b].factor);
     visit("heat_speed" + number, s.heating[b].speed_x);
+    visit("lateral_heat_speed" + number, s.heating[b].speed_y);
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
