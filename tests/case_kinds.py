@@ -203,6 +203,17 @@ KINDS = {
     "capped friction": STICKS
     | {"contact": {"friction": {"capped_coulomb": {"coefficient": 0.3, "limit": 1e8}}},
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "friction in an ellipse": STICKS
+    | {"contact": {"friction": {"anisotropic": {"mu_x": 0.3, "mu_y": 0.2, "angle": 0.5}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "friction of the place": STICKS
+    | {"contact": {"friction": {"mapped_coulomb": {
+        "coefficient": [0.2, 0.3, 0.3, 0.4], "x": [0.0, 1e-5], "y": [0.0, 1e-5], "body": 1}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "falling friction": STICKS
+    | {"contact": {"friction": {"falling_coulomb": {
+        "kinetic": 0.2, "drop": 0.1, "half_speed": 1.0, "memory": 1e-6}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "shear strength": STICKS
     | {"contact": {"friction": {"tresca": 1e8}}, "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "hard": STICKS

@@ -13,15 +13,16 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields
 from typing import Any, ClassVar
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
-from .._util.checks import FloatArray, finite_array, non_negative, number
+from .._util.checks import FloatArray, finite_array, non_negative, number, positive, real_array
 from .._util.display import HtmlTable, Rows, quantity
 from .._util.short_text import in_short
 from ..bodies.hardening_laws import Constant, constant_of
 
-__all__ = ["CappedCoulomb", "Coulomb", "Tresca"]
+__all__ = ["Anisotropic", "CappedCoulomb", "Coulomb", "FallingCoulomb", "MappedCoulomb", "Tresca"]
 
 _CORE_LAWS = {name: (sticks, parameters) for name, sticks, parameters in _core.friction_laws()}
 LAWS: dict[str, type[FrictionLaw]] = {}
@@ -47,15 +48,20 @@ class FrictionLaw(HtmlTable):
 
     def __post_init__(self) -> None:
         for item in fields(self):
-            object.__setattr__(self, item.name, number(item.name, getattr(self, item.name)))
+            checked = _numbers if self.constants[item.name].many else number
+            object.__setattr__(self, item.name, checked(item.name, getattr(self, item.name)))
         self.to_core()  # checks the ranges
 
     def to_core(self) -> _core.FrictionLaw:
         """Return the law as an object of the core; raise ValueError for an invalid parameter."""
-        return _core.FrictionLaw(self.law, asdict(self))
+        values = {name: np.atleast_1d(value).tolist() for name, value in asdict(self).items()}
+        return _core.FrictionLaw(self.law, values)
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
-        """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip."""
+        """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip.
+
+        It is the largest one in any direction, at any place and slip rate.
+        """
         bound: FloatArray = self.to_core().bound(finite_array("pressure", pressure))
         return bound
 
@@ -79,17 +85,43 @@ class FrictionLaw(HtmlTable):
         return math.isinf(float(self.bound(1.0)))
 
     @property
+    def needs_duration(self) -> bool:
+        """Whether the shear depends on the slip rate, so that increments need a duration."""
+        return False
+
+    @property
+    def varies_along_x(self) -> bool:
+        """Whether the friction varies along x with the material of a body."""
+        return False
+
+    @property
     def given(self) -> float | FrictionLaw:
         """Value of the argument `friction` that selects this law."""
         return self
 
     def to_tree(self) -> dict[str, Any]:
         """Return the name and the parameters of the law, from which `law_of` restores the law."""
-        return {"law": self.law, **asdict(self)}
+        lists = {name for name, constant in self.constants.items() if constant.many}
+        values = {n: list(v) if n in lists else v for n, v in asdict(self).items()}
+        return {"law": self.law, **values}
 
     def _rows(self) -> Rows:
-        units = {name: constant.unit for name, constant in self.constants.items()}
-        return [(name, quantity(getattr(self, name), unit)) for name, unit in units.items()]
+        return [
+            (name, _shown(getattr(self, name), constant))
+            for name, constant in self.constants.items()
+        ]
+
+
+def _numbers(name: str, given: Any) -> tuple[float, ...]:
+    """Return a list of numbers, or the rows of a table one after the other, as a tuple."""
+    values = real_array(name, [] if given is None else given)
+    return tuple((values.ravel() + 0.0).tolist())
+
+
+def _shown(value: Any, constant: Constant) -> str:
+    if not constant.many:
+        return quantity(value, constant.unit)
+    return f"{in_short(list(value))} {constant.unit}".strip() if value else "-"
 
 
 @dataclass(frozen=True, repr=False)
@@ -175,6 +207,115 @@ class CappedCoulomb(FrictionLaw):
     limit: float
 
 
+@dataclass(frozen=True)
+class Anisotropic(FrictionLaw):
+    """Friction with different coefficients in two perpendicular directions of the surface.
+
+    The shear traction s lies within an ellipse with the half-axes mu_x p and mu_y p. A cell whose
+    shear is on the ellipse slips along the normal of the ellipse (associated flow), so that friction
+    dissipates as much as it can. Equal coefficients give Coulomb friction.
+
+    Attributes
+    ----------
+    mu_x, mu_y : float
+        Coefficients of friction along the two axes of the ellipse [-], > 0.
+    angle : float
+        Angle from the x axis of the grid to the axis with mu_x, about z [rad], in [-pi, pi]. The
+        axes do not turn with the bodies.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A coefficient is not positive and finite, or the angle is out of range.
+
+    Notes
+    -----
+    A. Michalowski and Z. Mroz (1978), Arch. Mech. 30, 259; the page on friction describes the
+    change of coordinates that turns the ellipse into a circle.
+    """
+
+    mu_x: float
+    mu_y: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True)
+class MappedCoulomb(FrictionLaw):
+    """Coulomb friction with a coefficient that varies over the surface of a body.
+
+    The coefficient is bilinear between the points (x, y) and constant beyond them. In a simulation,
+    the points move with the body. In steady rolling, the coefficient may vary along y only.
+
+    Attributes
+    ----------
+    coefficient : sequence of float
+        Coefficients of friction at the points [-], >= 0: one for each x or y, or a table with one
+        row for each x (stored row after row).
+    x, y : sequence of float, optional
+        Increasing positions of the points from the centre of the grid [m]; empty: no variation along
+        this axis.
+    body : {1, 2}, optional
+        Body with which the points move.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A coefficient is negative or infinite, positions do not increase, or the numbers of
+        coefficients and points differ.
+    """
+
+    coefficient: tuple[float, ...]
+    x: tuple[float, ...] = ()
+    y: tuple[float, ...] = ()
+    body: float = 2.0
+
+    @property
+    def varies_along_x(self) -> bool:
+        """Whether the friction varies along x with the material of a body."""
+        return len(self.x) > 1
+
+
+@dataclass(frozen=True)
+class FallingCoulomb(FrictionLaw):
+    """Coulomb friction with a coefficient that falls as the slip rate v increases.
+
+    mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
+    For short increments, both stick and slip may be solutions: such an increment is refused unless
+    the law has a memory. With a memory d, v is a mean of the slip rates of a material point over
+    its slip path, with weights that decrease by 1/e over the distance d.
+
+    Attributes
+    ----------
+    kinetic : float
+        Coefficient of friction at high slip rates [-], >= 0.
+    drop : float
+        Difference between the coefficients without slip and at high slip rates [-], >= 0.
+    half_speed : float
+        Slip rate at which half of the drop remains [m/s], > 0.
+    memory : float, optional
+        Slip distance over which slip rates are averaged [m]; 0: none.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A parameter is negative, infinite or not a number, or half_speed is 0.
+
+    Notes
+    -----
+    E. A. H. Vollebregt and H. M. Schuttelaars (2012), J. Sound Vib. 331, 2141.
+    """
+
+    kinetic: float
+    drop: float
+    half_speed: float
+    memory: float = 0.0
+
+    @property
+    def needs_duration(self) -> bool:
+        """Whether the shear depends on the slip rate, so that increments need a duration."""
+        return self.drop > 0
+
+
 def is_law(friction: Any) -> bool:
     """Whether a value is a friction law."""
     return isinstance(friction, FrictionLaw)
@@ -196,6 +337,26 @@ def sticking_law(friction: Any) -> FrictionLaw:
     return friction
 
 
+def lasting(law: FrictionLaw, duration: float | None, name: str = "duration") -> float:
+    """Return the duration of an increment [s], or the speed of rolling; 0 if the law needs none.
+
+    Raises ValueError for a value that is missing, not positive or without effect.
+    """
+    if law.needs_duration:
+        if duration is None:
+            raise ValueError(
+                f"{name} is required because the friction depends on the slip rate, {law!r}: give "
+                f"the {name} {'of the increment [s]' if name == 'duration' else '[m/s]'}"
+            )
+        return positive(name, duration)
+    if duration is not None:
+        raise ValueError(
+            f"{name} has no effect with friction that does not depend on the slip rate, got "
+            f"{in_short(duration)}: omit it, or use samcontact.FallingCoulomb"
+        )
+    return 0.0
+
+
 def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
     """Return the law that `FrictionLaw.to_tree` has stored as a dictionary.
 
@@ -210,7 +371,8 @@ _ATTRIBUTE_PREFIX = "friction_"
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
     """Return the attributes of results: friction_law and the parameters (friction_...)."""
-    return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in law.to_tree().items()}
+    given = {name: value for name, value in law.to_tree().items() if value != []}
+    return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in given.items()}
 
 
 def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
@@ -218,4 +380,11 @@ def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
     law = LAWS.get(str(attributes.get(f"{_ATTRIBUTE_PREFIX}law")))
     if law is None:
         return None
-    return law(**{name: float(attributes[f"{_ATTRIBUTE_PREFIX}{name}"]) for name in law.constants})
+    values: dict[str, Any] = {}
+    for name, constant in law.constants.items():
+        key = f"{_ATTRIBUTE_PREFIX}{name}"
+        if constant.many:
+            values[name] = np.atleast_1d(attributes.get(key, []))
+        else:
+            values[name] = float(attributes[key])
+    return law(**values)

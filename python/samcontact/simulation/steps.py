@@ -24,7 +24,7 @@ from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
 from ..problem.cell_fields import shear_components
-from ..problem.friction import FrictionLaw
+from ..problem.friction import FrictionLaw, lasting
 from ..problem.grid import Grid
 from ..problem.heating import (
     Bodies,
@@ -50,6 +50,8 @@ class Step:
     heat: Heat
     heating: list[Any]
     duration: float
+    lasts: float
+    """Duration for friction that depends on the slip rate [s]; 0: not needed."""
     advance: tuple[float, float]
     tangential: TangentialInput
     pressure: FloatArray | None = None
@@ -126,7 +128,9 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        lasts = _duration(heat, duration, is_unloaded=is_unloaded)
+        slides_for = lasting(friction, duration) if friction.needs_duration else 0.0
+        given_duration = _without_heat(heat, duration) if slides_for else duration
+        lasts = _duration(heat, given_duration, is_unloaded=is_unloaded)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
@@ -145,7 +149,7 @@ class StepArguments:
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
-        return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
+        return Step(normal, heat, heated, lasts or 0.0, slides_for, travels, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""
@@ -245,6 +249,11 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
             f"got {seconds!r}"
         )
     return seconds
+
+
+def _without_heat(heat: Heat, duration: float | None) -> float | None:
+    """Return the duration that the heat needs: None if it needs none."""
+    return None if heat.partition is None and heat.history is None else duration
 
 
 def _require_motion_of_heat(

@@ -290,6 +290,8 @@ def public_objects():
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         sc.Coulomb(0.3), sc.Tresca(1e9 / 3), sc.CappedCoulomb(1 / 3, 1e9 / 3),
+        sc.Anisotropic(1 / 3, 1 / 7), sc.FallingCoulomb(1 / 3, 1 / 7, 1 / 9),
+        sc.MappedCoulomb([1 / 3] * 100, y=[n / 3 for n in range(100)]),
         sc.HardContact(), sc.TensileLimit(1e6 / 3),
         sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),

@@ -9,6 +9,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/base/grid.hpp"
+#include "samcontact/contact/laws/friction_conditions.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/drive.hpp"
 #include "samcontact/contact/tangential/shear_problem.hpp"
@@ -31,6 +32,8 @@ struct PreviousDisplacement {
   Field displacement;  // [2][i][j] [m]
 };
 
+inline const Field no_field{};
+
 /// Vector fields are [2][i][j] on the grid.
 struct ShearTask {
   const Field& pressure;  // [i][j] [Pa]
@@ -51,6 +54,8 @@ struct ShearTask {
   /// Whether the contact is in steady rolling towards +x. Motions, free_slip, slip and
   /// friction_work are then per distance rolled [-, -, 1/m, N]; the motions are creepages and spin.
   bool rolls = false;
+  /// Bound of each cell [i][j], relative to that of the law; empty: 1.
+  const Field& factor = no_field;
 };
 
 struct ShearSolution {
@@ -84,6 +89,10 @@ class ShearSolver {
   ShearSolution solve(const ShearTask& task, const Field& shear,
                       const std::array<double, 3>& motion, double tol, int max_steps) const;
 
+  /// Displacement of a cell under its own unit shear on the last box; in rolling, less that of the
+  /// cell ahead [m/Pa]. 0 before the first solve.
+  double self_influence(bool rolls) const;
+
  private:
   class Level;
   std::shared_ptr<const Level> level(const Box& box, int margin) const;
@@ -100,10 +109,11 @@ constexpr double spin_lead = 1.0 / 6;
 
 /// Forces of a shear [2][i][j] on a grid about its origin [N, N, N m].
 std::array<double, 3> forces(const Grid& grid, const Field& shear);
-/// Friction limits under a pressure: tangential force, and torque.
+/// Friction limits for the bounds of all cells [Pa]: tangential force in the direction in which it
+/// is largest, and torque.
 struct LargestForces {
   double along, torque;
 };
-LargestForces largest_forces(const Grid& grid, const Field& pressure, const FrictionLaw& friction);
+LargestForces largest_forces(const Grid& grid, const Field& bound, const Stretch& stretch);
 
 }  // namespace samcontact::contact
