@@ -210,6 +210,10 @@ KINDS = {
     | {"contact": {"friction": {"mapped_coulomb": {
         "coefficient": [0.2, 0.3, 0.3, 0.4], "x": [0.0, 1e-5], "y": [0.0, 1e-5], "body": 1}}},
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "layer of particles": STICKS
+    | {"contact": {"friction": {"third_body": {
+        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "falling friction": STICKS
     | {"contact": {"friction": {"falling_coulomb": {
         "kinetic": 0.2, "drop": 0.1, "half_speed": 1.0, "memory": 1e-6}}},

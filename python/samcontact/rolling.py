@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._util.checks import FloatArray, exactly_one, require_type
+from ._util.short_text import in_short
 from .bodies.material import Material
 from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
@@ -112,8 +113,8 @@ def steady(
     pace = lasting(friction, speed, "speed")
     if friction.varies_along_x:
         raise ValueError(
-            f"friction.x must be empty in steady rolling, got {len(friction.x)} positions: friction "
-            "that varies along the direction of rolling has no steady state; use Simulation"
+            f"friction must not vary along x in steady rolling, got {in_short(friction)}: such "
+            "friction has no steady state; use Simulation"
         )
     if start is not None:
         require_type("start", start, RollingSolution)

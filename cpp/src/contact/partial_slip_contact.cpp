@@ -45,9 +45,9 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
       law_(std::move(law)),
       crosswise_(crosswise_compliance(grid, {body1, body2})),
       normal_(grid, frictionless(body1, body2)),
-      shear_(grid, {body1, body2}),
+      shear_(grid, {body1, body2, friction.compliance()}),
       coupling_(grid, {body1, body2}),
-      joint_(grid, {body1, body2}) {
+      joint_(grid, {body1, body2, friction.compliance()}) {
   assert(friction.sticks());
 }
 

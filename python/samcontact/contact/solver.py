@@ -210,9 +210,9 @@ class ContactSolver(ContactFields):
             Duration of the increment [s], with friction that depends on the slip rate
             (`FallingCoulomb`).
         slip_rate : float, optional
-            With `duration`: slip rate of all cells from which the iteration starts [m/s], >= 0, which
-            selects one of several solutions. Default: that of `previous`, or 0; an increment that
-            may have several solutions is then refused.
+            With `duration`: slip rate of all cells from which the iteration starts [m/s], >= 0,
+            which selects one of several solutions. Default: that of `previous`, or 0; an increment
+            that may have several solutions is then refused.
 
         Returns
         -------

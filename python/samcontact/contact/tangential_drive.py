@@ -148,10 +148,10 @@ class TangentialDrive:
             y -= lead * turn
         drive = self.given.is_force, (x, y, turn)
         tol, most, refuse, accept = settings
-        rates = (self.duration, self._rate(grid), self.slip_rate is not None)
         found = core.solve(
-            *contact, *drive, p, s, g, d, tilt, moves, start, tol, most, refuse, accept, *rates
-        )
+            *contact, *drive, p, s, g, d, tilt, moves, start, tol, most, refuse, accept,
+            self.duration, self._rate(grid), self.slip_rate is not None,
+        )  # fmt: skip
         dx, dy, turned = found.pop("motion")
         return self._total(grid, found, (dx, dy + lead * turned), turned)
 

@@ -22,7 +22,7 @@ from .._util.display import HtmlTable, Rows, quantity
 from .._util.short_text import in_short
 from ..bodies.hardening_laws import Constant, constant_of
 
-__all__ = ["Anisotropic", "CappedCoulomb", "Coulomb", "FallingCoulomb", "MappedCoulomb", "Tresca"]
+__all__ = ["CappedCoulomb", "Coulomb", "Tresca"]
 
 _CORE_LAWS = {name: (sticks, parameters) for name, sticks, parameters in _core.friction_laws()}
 LAWS: dict[str, type[FrictionLaw]] = {}
@@ -92,6 +92,16 @@ class FrictionLaw(HtmlTable):
     @property
     def varies_along_x(self) -> bool:
         """Whether the friction varies along x with the material of a body."""
+        return False
+
+    @property
+    def compliance(self) -> float:
+        """Tangential displacement of a layer between the bodies per unit shear [m/Pa]."""
+        return 0.0
+
+    @property
+    def needs_temperature(self) -> bool:
+        """Whether the shear depends on the temperature of the surfaces."""
         return False
 
     @property
@@ -205,115 +215,6 @@ class CappedCoulomb(FrictionLaw):
 
     coefficient: float
     limit: float
-
-
-@dataclass(frozen=True)
-class Anisotropic(FrictionLaw):
-    """Friction with different coefficients in two perpendicular directions of the surface.
-
-    The shear traction s lies within an ellipse with the half-axes mu_x p and mu_y p. A cell whose
-    shear is on the ellipse slips along the normal of the ellipse (associated flow), so that friction
-    dissipates as much as it can. Equal coefficients give Coulomb friction.
-
-    Attributes
-    ----------
-    mu_x, mu_y : float
-        Coefficients of friction along the two axes of the ellipse [-], > 0.
-    angle : float
-        Angle from the x axis of the grid to the axis with mu_x, about z [rad], in [-pi, pi]. The
-        axes do not turn with the bodies.
-
-    Raises
-    ------
-    ValueError, TypeError
-        A coefficient is not positive and finite, or the angle is out of range.
-
-    Notes
-    -----
-    A. Michalowski and Z. Mroz (1978), Arch. Mech. 30, 259; the page on friction describes the
-    change of coordinates that turns the ellipse into a circle.
-    """
-
-    mu_x: float
-    mu_y: float
-    angle: float = 0.0
-
-
-@dataclass(frozen=True)
-class MappedCoulomb(FrictionLaw):
-    """Coulomb friction with a coefficient that varies over the surface of a body.
-
-    The coefficient is bilinear between the points (x, y) and constant beyond them. In a simulation,
-    the points move with the body. In steady rolling, the coefficient may vary along y only.
-
-    Attributes
-    ----------
-    coefficient : sequence of float
-        Coefficients of friction at the points [-], >= 0: one for each x or y, or a table with one
-        row for each x (stored row after row).
-    x, y : sequence of float, optional
-        Increasing positions of the points from the centre of the grid [m]; empty: no variation along
-        this axis.
-    body : {1, 2}, optional
-        Body with which the points move.
-
-    Raises
-    ------
-    ValueError, TypeError
-        A coefficient is negative or infinite, positions do not increase, or the numbers of
-        coefficients and points differ.
-    """
-
-    coefficient: tuple[float, ...]
-    x: tuple[float, ...] = ()
-    y: tuple[float, ...] = ()
-    body: float = 2.0
-
-    @property
-    def varies_along_x(self) -> bool:
-        """Whether the friction varies along x with the material of a body."""
-        return len(self.x) > 1
-
-
-@dataclass(frozen=True)
-class FallingCoulomb(FrictionLaw):
-    """Coulomb friction with a coefficient that falls as the slip rate v increases.
-
-    mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
-    For short increments, both stick and slip may be solutions: such an increment is refused unless
-    the law has a memory. With a memory d, v is a mean of the slip rates of a material point over
-    its slip path, with weights that decrease by 1/e over the distance d.
-
-    Attributes
-    ----------
-    kinetic : float
-        Coefficient of friction at high slip rates [-], >= 0.
-    drop : float
-        Difference between the coefficients without slip and at high slip rates [-], >= 0.
-    half_speed : float
-        Slip rate at which half of the drop remains [m/s], > 0.
-    memory : float, optional
-        Slip distance over which slip rates are averaged [m]; 0: none.
-
-    Raises
-    ------
-    ValueError, TypeError
-        A parameter is negative, infinite or not a number, or half_speed is 0.
-
-    Notes
-    -----
-    E. A. H. Vollebregt and H. M. Schuttelaars (2012), J. Sound Vib. 331, 2141.
-    """
-
-    kinetic: float
-    drop: float
-    half_speed: float
-    memory: float = 0.0
-
-    @property
-    def needs_duration(self) -> bool:
-        """Whether the shear depends on the slip rate, so that increments need a duration."""
-        return self.drop > 0
 
 
 def is_law(friction: Any) -> bool:

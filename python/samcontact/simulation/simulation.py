@@ -223,8 +223,7 @@ class Simulation(Configured, HtmlTable):
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
             Duration of the increment [s], > 0, with `heat.history` (the heat flux follows the final
-            pressure; unloaded bodies may move at once, in the duration 0), `heat.partition`, or
-            friction that depends on the slip rate (`FallingCoulomb`).
+            pressure; 0 for unloaded bodies that move), `heat.partition` or `FallingCoulomb`.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both, no rotation.
 

@@ -222,7 +222,9 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile free_faces layers surface path body1 body2 contact contact_law "
-        "capped_coulomb anisotropic mapped_coulomb falling_coulomb heat asperities output fatigue limit shakedown hardness exposure life"
+        "capped_coulomb "
+        "anisotropic mapped_coulomb falling_coulomb third_body thermal_coulomb "
+        "heat asperities output fatigue limit shakedown hardness exposure life"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -33,7 +33,7 @@ def axes_of(law):
 
 
 def require_flow_rule(found, law, slip, tol=1e-5):
-    """|M^-1 s| <= p; no slip below the bound; slip along M^-2 s, the normal of the ellipse, at it."""
+    """|M^-1 s| <= p; no slip below the bound; at it, slip along the normal of the ellipse."""
     inverse = np.linalg.inv(axes_of(law))
     pressed = found.pressure > 0
     shear, moved = found.shear[:, pressed], slip[:, pressed]
@@ -46,7 +46,9 @@ def require_flow_rule(found, law, slip, tol=1e-5):
     assert np.hypot(*moved[:, sticks]).max(initial=0.0) < tol * scale
     across = normal[0] * moved[1] - normal[1] * moved[0]
     assert np.abs(across / np.hypot(*normal))[~sticks].max() < tol * scale
-    assert ((normal * moved).sum(axis=0)[~sticks] >= -tol * scale * np.hypot(*normal)[~sticks]).all()
+    assert (
+        (normal * moved).sum(axis=0)[~sticks] >= -tol * scale * np.hypot(*normal)[~sticks]
+    ).all()
 
 
 def walk(law, body1):
@@ -121,27 +123,13 @@ def test_turning_the_problem_turns_the_solution():
 @dissimilar
 def test_rolling_obeys_the_flow_rule(body1):
     drive = {"creepage": (1e-3, 0.6e-3), "spin": 0.5}
-    found = sc.rolling.steady(
-        GRID, body1, STEEL, GAP, load=LOAD, friction=LAW, tol=1e-9, **drive
-    )
+    found = sc.rolling.steady(GRID, body1, STEEL, GAP, load=LOAD, friction=LAW, tol=1e-9, **drive)
     require_flow_rule(found, LAW, found.slip)
     one, other = (
         sc.rolling.steady(GRID, body1, STEEL, GAP, load=LOAD, friction=law, **drive)
         for law in (sc.Coulomb(0.3), sc.Anisotropic(0.3, 0.3, 1.0))
     )
     assert all(np.array_equal(getattr(one, name), getattr(other, name)) for name in FIELDS)
-
-
-def test_pressure_and_shear_together_obey_the_flow_rule():
-    law = sc.Anisotropic(30.0, 15.0, 0.5)
-    rubber = sc.Material.elastic(1e9, 0.0)
-    solver = sc.ContactSolver(GRID, sc.Material.rigid(), rubber, law, tol=1e-9)
-    before = solver.solve(GAP, load=0.0)
-    shift = np.array([2e-6, 1e-6])
-    found = solver.solve(GAP, approach=20e-6, shift=shift, previous=before)
-    assert found.joint_steps > 0
-    slip = shift[:, None, None] - solver.displacement(found.pressure, found.shear, 2)[:2]
-    require_flow_rule(found, law, np.where(found.pressure > 0, slip, 0.0), tol=1e-4)
 
 
 def test_a_simulation_of_elastic_bodies_is_the_elastic_solution():
@@ -154,7 +142,9 @@ def test_a_simulation_of_elastic_bodies_is_the_elastic_solution():
 
 def test_friction_work_of_a_plastic_contact_increases():
     run = sc.Simulation(GRID, STEEL, YIELDS, GAP, LAW)
-    work = [run.step(**step).friction_work for step in [*PATH, {"load": LOAD, "shift": (0.0, -2e-6)}]]
+    work = [
+        run.step(**step).friction_work for step in [*PATH, {"load": LOAD, "shift": (0.0, -2e-6)}]
+    ]
     assert (np.diff([0.0, *work]) >= 0).all()
     assert work[-1] > 0
 

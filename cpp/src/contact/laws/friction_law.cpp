@@ -20,15 +20,20 @@ double bound_of(const Law& law, double pressure) {
 
 }  // namespace
 
+namespace {
+
+void require_increasing(const std::string& axis, const std::vector<double>& points) {
+  for (std::size_t n = 1; n < points.size(); ++n) {
+    require(points[n] > points[n - 1], entry(axis, n), "larger than " + entry(axis, n - 1),
+            points[n]);
+  }
+}
+
+}  // namespace
+
 void MappedCoulomb::check() const {
-  const auto increases = [](const std::string& axis, const std::vector<double>& points) {
-    for (std::size_t n = 1; n < points.size(); ++n) {
-      require(points[n] > points[n - 1], entry(axis, n), "larger than " + entry(axis, n - 1),
-              points[n]);
-    }
-  };
-  increases("x", x);
-  increases("y", y);
+  require_increasing("x", x);
+  require_increasing("y", y);
   const std::size_t count = std::max<std::size_t>(x.size(), 1) * std::max<std::size_t>(y.size(), 1);
   if (coefficient.size() != count) {
     throw std::invalid_argument("coefficient must have one value for each point (x, y), " +
@@ -64,6 +69,27 @@ double MappedCoulomb::factor(double at_x, double at_y) const {
     return v > 0 ? (1 - v) * value(k, j) + v * value(k, j + 1) : value(k, j);
   };
   const double mu = u > 0 ? (1 - u) * along_y(i) + u * along_y(i + 1) : along_y(i);
+  const double most = largest();
+  return most > 0 ? mu / most : 1.0;
+}
+
+void ThermalCoulomb::check() const {
+  require_increasing("temperature", temperature);
+  if (temperature.empty() || coefficient.size() != temperature.size()) {
+    throw std::invalid_argument("coefficient must have one value for each temperature, " +
+                                std::to_string(temperature.size()) + ", got " +
+                                std::to_string(coefficient.size()));
+  }
+}
+
+double ThermalCoulomb::largest() const {
+  return coefficient.empty() ? 0.0 : *std::max_element(coefficient.begin(), coefficient.end());
+}
+
+double ThermalCoulomb::factor(double rise) const {
+  const auto [n, weight] = between(temperature, rise);
+  const double mu =
+      weight > 0 ? (1 - weight) * coefficient[n] + weight * coefficient[n + 1] : coefficient[n];
   const double most = largest();
   return most > 0 ? mu / most : 1.0;
 }
@@ -138,6 +164,16 @@ Stretch FrictionLaw::stretch() const {
       return law.stretch();
     } else {
       return Stretch{};
+    }
+  });
+}
+
+double FrictionLaw::compliance() const {
+  return visit([](const auto& law) {
+    if constexpr (requires { law.compliance(); }) {
+      return law.compliance();
+    } else {
+      return 0.0;
     }
   });
 }

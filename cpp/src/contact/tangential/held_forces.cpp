@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/tangential/projected_gradient.hpp"
 
@@ -18,6 +19,19 @@ namespace {
 /// A force that is closer to the friction limit than this, relative to the limit, does not
 /// determine the motion.
 constexpr double min_margin = 1e-8;
+
+/// Friction limits for the bounds of all cells [Pa]: tangential force in the direction in which it
+/// is largest, and torque.
+struct LargestForces {
+  double along, torque;
+};
+LargestForces largest_forces(const Grid& grid, const Field& bound, const Stretch& stretch) {
+  const std::vector<double> x = grid.x(), y = grid.y();
+  return {grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) { return bound[at]; }),
+          grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) {
+            return bound[at] * stretch.length(-y[at % grid.ny], x[at / grid.ny]);
+          })};
+}
 
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
 

@@ -387,14 +387,6 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   return solution;
 }
 
-TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
-                                 const std::array<double, 3>& values) {
-  const auto given = [&](int k) {
-    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
-  };
-  return {given(0), given(1), given(2)};
-}
-
 std::array<double, 3> forces(const Grid& grid, const Field& shear) {
   const std::size_t n = grid.surface_size();
   const std::vector<double> x = grid.x(), y = grid.y();
@@ -403,14 +395,6 @@ std::array<double, 3> forces(const Grid& grid, const Field& shear) {
           area * ordered_sum(n, [&](std::size_t at) { return shear[n + at]; }),
           area * ordered_sum(n, [&](std::size_t at) {
             return x[at / grid.ny] * shear[n + at] - y[at % grid.ny] * shear[at];
-          })};
-}
-
-LargestForces largest_forces(const Grid& grid, const Field& bound, const Stretch& stretch) {
-  const std::vector<double> x = grid.x(), y = grid.y();
-  return {grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) { return bound[at]; }),
-          grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) {
-            return bound[at] * stretch.length(-y[at % grid.ny], x[at / grid.ny]);
           })};
 }
 

@@ -2,6 +2,7 @@
 #include "samcontact/simulation/increment/slip_history.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "samcontact/contact/slip_rate.hpp"
 #include "samcontact/operators/surface/surface_displacement.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/sources/given_heat.hpp"
 #include "samcontact/simulation/state/surface_fields.hpp"
 
 namespace samcontact::simulation {
@@ -122,7 +124,22 @@ int cells_moved(const IncrementTask& task) {
          static_cast<int>(std::lround(now.origin - then.origin));
 }
 
-/// Place and slip rate of the cells, as far as the friction law depends on them.
+/// Temperature rise of the hotter surface in each cell [K].
+Field hotter_surface(const IncrementTask& task) {
+  const Target& target = task.target;
+  const std::array surface{0.0};
+  Field rise(task.setup().grid.surface_size(), 0.0);
+  const auto heat =
+      given_heat(task.setup(), target.heating, target.past, target.duration, target.slip_power);
+  for (const GivenHeat& body : heat) {
+    if (!body.is_on()) continue;
+    const Field own = body.temperature(surface, 0.0);
+    for (std::size_t i = 0; i < rise.size(); ++i) rise[i] = std::max(rise[i], own[i]);
+  }
+  return rise;
+}
+
+/// Place, temperature and slip rate of the cells, as far as the friction law depends on them.
 contact::FrictionConditions conditions_of(const IncrementTask& task) {
   const Setup& setup = task.setup();
   contact::FrictionConditions conditions;
@@ -131,6 +148,10 @@ contact::FrictionConditions conditions_of(const IncrementTask& task) {
     const int body = map->body == 1 ? 0 : 1;
     const double moved = place.first[body] + place.offset[body];
     conditions.factor = contact::factor_on(*map, setup.grid, moved * setup.grid.dx);
+  }
+  if (const contact::ThermalCoulomb* law = setup.friction.thermal()) {
+    conditions.factor = hotter_surface(task);
+    for (double& value : conditions.factor) value = law->factor(value);
   }
   if (setup.friction.rates().is_on()) {
     conditions.duration = task.target.lasts;

@@ -106,6 +106,29 @@ struct CappedCoulomb {
   bool operator==(const CappedCoulomb&) const = default;
 };
 
+/// Elastic layer of wear particles between the bodies, which yields at a shear strength; the shear
+/// is at most mu p.
+struct ThirdBody {
+  static constexpr auto name = "third_body",
+                        says = "Elastic layer between the bodies that yields at a shear strength.";
+  static constexpr bool sticks = true;
+  double coefficient, strength, shear_modulus, thickness;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{""});
+    visit("strength", law.strength, Allowed{.unit = "Pa", .infinite = "an elastic layer"});
+    visit("shear_modulus", law.shear_modulus, Allowed::positive("Pa"));
+    visit("thickness", law.thickness, Allowed{"m"});
+  }
+  double bound(double pressure) const { return std::min(coefficient * pressure, strength); }
+  double ratio(double pressure) const {
+    return strength > 0 ? std::min(coefficient, strength / pressure) : 0.0;
+  }
+  double compliance() const { return thickness / shear_modulus; }
+  bool operator==(const ThirdBody&) const = default;
+};
+
 /// Shear s in an ellipse with the half-axes mu_x p and mu_y p; slip along the normal of the
 /// ellipse.
 struct Anisotropic {
@@ -154,6 +177,30 @@ struct MappedCoulomb {
   bool operator==(const MappedCoulomb&) const = default;
 };
 
+/// Coulomb friction with a coefficient that depends on the temperature rise of the surfaces: linear
+/// between points, constant beyond them.
+struct ThermalCoulomb {
+  static constexpr auto name = "thermal_coulomb",
+                        says = "Coulomb friction with a coefficient that depends on temperature.";
+  static constexpr bool sticks = true;
+  std::vector<double> temperature, coefficient;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("temperature", law.temperature,
+          Allowed{.unit = "K", .low = -std::numeric_limits<double>::infinity()});
+    visit("coefficient", law.coefficient, Allowed{""});
+  }
+  /// Throws std::invalid_argument for temperatures that do not increase or do not match.
+  void check() const;
+  double largest() const;
+  double bound(double pressure) const { return largest() * pressure; }
+  double ratio(double) const { return largest(); }
+  /// Coefficient at a temperature rise [K], relative to the largest.
+  double factor(double rise) const;
+  bool operator==(const ThermalCoulomb&) const = default;
+};
+
 /// Coulomb friction that falls from kinetic + drop to kinetic as the slip rate increases; the drop
 /// is halved at half_speed.
 struct FallingCoulomb {
@@ -186,7 +233,7 @@ struct FrictionDescription {
 class FrictionLaw {
  public:
   using Laws = std::variant<FullSliding, Coulomb, Tresca, CappedCoulomb, Anisotropic, MappedCoulomb,
-                            FallingCoulomb>;
+                            FallingCoulomb, ThirdBody, ThermalCoulomb>;
   using Values = std::map<std::string, std::vector<double>>;
 
   /// Throws std::invalid_argument with the name of the parameter, its value and the allowed range.
@@ -209,6 +256,10 @@ class FrictionLaw {
   Stretch stretch() const;
   /// Coefficient that depends on the place; null: it does not.
   const MappedCoulomb* map() const { return std::get_if<MappedCoulomb>(&law_); }
+  /// Coefficient that depends on the temperature; null: it does not.
+  const ThermalCoulomb* thermal() const { return std::get_if<ThermalCoulomb>(&law_); }
+  /// Tangential displacement of a layer between the bodies per unit shear [m/Pa].
+  double compliance() const;
   /// Dependence on the slip rate.
   SlipRateLaw rates() const;
   bool is_frictionless() const { return bound(1.0) == 0; }

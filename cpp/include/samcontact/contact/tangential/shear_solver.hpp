@@ -22,8 +22,13 @@ using TangentialDrive = std::array<Given, 3>;
 inline constexpr TangentialDrive held{Given::motion(0), Given::motion(0), Given::motion(0)};
 
 /// Drive along x, along y and about z: a value for each, and whether it is a force or a motion.
-TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
-                                 const std::array<double, 3>& values);
+inline TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
+                                        const std::array<double, 3>& values) {
+  const auto given = [&](int k) {
+    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
+  };
+  return {given(0), given(1), given(2)};
+}
 
 /// Tangential displacement due to the shear before an increment, in a box, for several solves of
 /// the increment.
@@ -109,11 +114,4 @@ constexpr double spin_lead = 1.0 / 6;
 
 /// Forces of a shear [2][i][j] on a grid about its origin [N, N, N m].
 std::array<double, 3> forces(const Grid& grid, const Field& shear);
-/// Friction limits for the bounds of all cells [Pa]: tangential force in the direction in which it
-/// is largest, and torque.
-struct LargestForces {
-  double along, torque;
-};
-LargestForces largest_forces(const Grid& grid, const Field& bound, const Stretch& stretch);
-
 }  // namespace samcontact::contact
