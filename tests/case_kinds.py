@@ -235,6 +235,11 @@ KINDS = {
     | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
        "path": [{"load": 2.0, "increments": 2, "duration": 1e-3},
                 {"load": 2.0, "duration": 1e-2, "fret": {"shift_x": 1e-8}}]},
+    "friction of the temperature": STICKS
+    | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
+       "contact": {"friction": {"thermal_coulomb": {
+           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2]}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "fretting by motion": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},

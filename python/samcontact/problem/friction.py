@@ -115,6 +115,10 @@ class FrictionLaw(HtmlTable):
         values = {n: list(v) if n in lists else v for n, v in asdict(self).items()}
         return {"law": self.law, **values}
 
+    def __repr__(self) -> str:
+        given = (f"{item.name}={in_short(getattr(self, item.name))}" for item in fields(self))
+        return f"{type(self).__name__}({', '.join(given)})"
+
     def _rows(self) -> Rows:
         return [
             (name, _shown(getattr(self, name), constant))

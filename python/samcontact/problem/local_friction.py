@@ -42,7 +42,7 @@ class Anisotropic(FrictionLaw):
     angle: float = 0.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class MappedCoulomb(FrictionLaw):
     """Coulomb friction with a coefficient that varies over the surface of a body.
 
@@ -78,7 +78,7 @@ class MappedCoulomb(FrictionLaw):
         return len(self.x) > 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ThermalCoulomb(FrictionLaw):
     """Coulomb friction with a coefficient that depends on the temperature of the surfaces.
 

@@ -157,6 +157,8 @@ def others(name, field, value):
         return [one for one in literals if one != value]
     if isinstance(value, int):
         return [value + 1, value + 2]
+    if isinstance(value, list):
+        return [[1.01 * item for item in value]]
     return [value * 1.01, value * 0.9]
 
 

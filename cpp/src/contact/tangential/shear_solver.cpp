@@ -365,7 +365,6 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
     level_of_box->operators().displacement.apply(slid.displacement.data(), slid.displacement.data(),
                                                  work);
   }
-  // Relative displacement due to the previous shear is not slip.
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   const Level::Answer answer = level_of_box->solve(
       part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, max_steps);
