@@ -137,18 +137,13 @@ CALLS = [
             {"advance": (GRID.dx, GRID.dx), "shift": (0.0, 1e-8)},
         )
     ),
-    (
-        "ContactSolver.solve",
-        FALLING.solve,
-        {"gap": GAP, "load": LOAD, "shift": (1e-8, 0.0), "duration": 1.0, "slip_rate": 1e-3},
-    ),
+    ("ContactSolver.solve", FALLING.solve,
+     {"gap": GAP, "load": LOAD, "shift": (1e-8, 0.0), "duration": 1.0, "slip_rate": 1e-3}),
     (
         "rolling.steady",
         sc.rolling.steady,
-        {
-            "grid": GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "load": LOAD, "speed": 1.0,
-            "friction": sc.FallingCoulomb(0.2, 0.1, 1.0), "creepage": (1e-3, 0.0),
-        },
+        {"grid": GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "load": LOAD, "speed": 1.0,
+         "friction": sc.FallingCoulomb(0.2, 0.1, 1.0), "creepage": (1e-3, 0.0)},
     ),
     *(
         (

@@ -70,7 +70,11 @@ class MappedCoulomb(FrictionLaw):
     coefficient: tuple[float, ...]
     x: tuple[float, ...] = ()
     y: tuple[float, ...] = ()
-    body: float = 2.0
+    body: int = 2
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "body", int(self.body))
 
     @property
     def varies_along_x(self) -> bool:
@@ -114,9 +118,9 @@ class FallingCoulomb(FrictionLaw):
     """Coulomb friction with a coefficient that falls as the slip rate v increases.
 
     mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
-    For short increments, both stick and slip may be solutions: such an increment is refused unless
-    the law has a memory. With a memory d, v is a mean of the slip rates of a material point over
-    its slip path, with weights that decrease by 1/e over the distance d.
+    In short increments, a cell may be able to stick as well as to slip: such an increment is
+    refused unless the law has a memory. With a memory d, v is a mean of the slip rates of a
+    material point over its slip path, with weights that decrease by 1/e over the distance d.
 
     Attributes
     ----------

@@ -128,9 +128,8 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        slides_for = lasting(friction, duration) if friction.needs_duration else 0.0
-        given_duration = _without_heat(heat, duration) if slides_for else duration
-        lasts = _duration(heat, given_duration, is_unloaded=is_unloaded)
+        slides_for, duration = _of_friction(friction, heat, duration)
+        lasts = _duration(heat, duration, is_unloaded=is_unloaded)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
@@ -138,13 +137,12 @@ class StepArguments:
             )
         if heat_factor is not None:
             heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
-        is_loaded = not is_unloaded
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
-            if heat.track is not None and is_loaded:
+            if heat.track is not None and not is_unloaded:
                 require_speeds(heat, self.bodies, grid, [n * grid.dx / lasts for n in travels])
         slips = heat.history is None and heat.partition is not None
-        if slips and lasts is not None and is_loaded and travels != AT_REST:
+        if slips and lasts is not None and not is_unloaded and travels != AT_REST:
             _require_velocity_of_heat(heat, lasts, travels, grid.dx)
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
@@ -251,9 +249,14 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
     return seconds
 
 
-def _without_heat(heat: Heat, duration: float | None) -> float | None:
-    """Return the duration that the heat needs: None if it needs none."""
-    return None if heat.partition is None and heat.history is None else duration
+def _of_friction(
+    friction: FrictionLaw, heat: Heat, duration: float | None
+) -> tuple[float, float | None]:
+    """Return the duration for the friction (0: not needed), and that for the heat (None: none)."""
+    if not friction.needs_duration:
+        return 0.0, duration
+    heated = heat.partition is not None or heat.history is not None
+    return lasting(friction, duration), duration if heated else None
 
 
 def _require_motion_of_heat(
