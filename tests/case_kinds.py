@@ -203,6 +203,21 @@ KINDS = {
     "capped friction": STICKS
     | {"contact": {"friction": {"capped_coulomb": {"coefficient": 0.3, "limit": 1e8}}},
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "friction in an ellipse": STICKS
+    | {"contact": {"friction": {"anisotropic": {"mu_x": 0.3, "mu_y": 0.2, "angle": 0.5}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "friction of the place": STICKS
+    | {"contact": {"friction": {"mapped_coulomb": {
+        "coefficient": [0.2, 0.3, 0.3, 0.4], "x": [0.0, 1e-5], "y": [0.0, 1e-5], "body": 1}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "layer of particles": STICKS
+    | {"contact": {"friction": {"third_body": {
+        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "falling friction": STICKS
+    | {"contact": {"friction": {"falling_coulomb": {
+        "kinetic": 0.2, "drop": 0.1, "half_speed": 1.0, "memory": 1e-6}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "shear strength": STICKS
     | {"contact": {"friction": {"tresca": 1e8}}, "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "hard": STICKS
@@ -220,6 +235,11 @@ KINDS = {
     | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
        "path": [{"load": 2.0, "increments": 2, "duration": 1e-3},
                 {"load": 2.0, "duration": 1e-2, "fret": {"shift_x": 1e-8}}]},
+    "friction of the temperature": STICKS
+    | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
+       "contact": {"friction": {"thermal_coulomb": {
+           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2]}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "fretting by motion": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},

@@ -91,6 +91,10 @@ Content to_python(contact::PartialSlipSolution solution,
   result["fallbacks"] = tangential.fallbacks;
   result["sweeps"] = solution.sweeps;
   result["joint_steps"] = solution.joint.steps;
+  if (!solution.slip_rate.empty()) {
+    result["slip_rate"] = surface_array(std::move(solution.slip_rate), grid);
+    result["falling_number"] = solution.falling_number;
+  }
   return result;
 }
 
@@ -106,7 +110,8 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                        const MaybeArray& shear, const MaybeArray& gap_before,
                        double approach_before, const contact::AboutAxes& tilt_before,
                        bool has_moved, const MaybeArray& initial_pressure, double tol,
-                       int max_iterations, bool error_on_border, bool accept_stall) {
+                       int max_iterations, bool error_on_border, bool accept_stall, double duration,
+                       const MaybeArray& slip_rate, bool selects) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure),
@@ -115,11 +120,12 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                                        {approach_before, tilt_before},
                                        has_moved};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
+  const contact::FrictionConditions conditions{{}, duration, to_field_or_empty(slip_rate), selects};
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
     solution = contact.solve(h, drive, contact::tangential_drive(is_force, tangential), before,
-                             start, settings);
+                             start, settings, conditions);
   }
   return to_python(std::move(solution), contact);
 }
@@ -128,16 +134,17 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, const
              const std::array<bool, 3>& is_force, const std::array<double, 3>& tangential,
              const MaybeArray& pressure, const MaybeArray& shear,
              const std::array<double, 3>& creepage, double tol, int max_iterations,
-             bool error_on_border, bool accept_stall) {
+             bool error_on_border, bool accept_stall, double duration) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
+  const contact::FrictionConditions conditions{{}, duration, {}, false};
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
-    solution =
-        contact.roll(h, drive, contact::tangential_drive(is_force, tangential), start, settings);
+    solution = contact.roll(h, drive, contact::tangential_drive(is_force, tangential), start,
+                            settings, conditions);
   }
   return to_python(std::move(solution), contact);
 }
@@ -240,11 +247,12 @@ void bind_contact(py::module_& m) {
            py::arg("tangential"), py::arg("previous_pressure"), py::arg("previous_shear"),
            py::arg("previous_gap"), py::arg("previous_approach"), py::arg("previous_tilt"),
            py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"))
+           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"),
+           py::arg("duration") = 0.0, py::arg("slip_rate") = py::none(), py::arg("selects") = false)
       .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
            py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
            py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"), py::arg("accept_stall"));
+           py::arg("error_on_border"), py::arg("accept_stall"), py::arg("duration") = 0.0);
 }
 
 }  // namespace samcontact::bindings

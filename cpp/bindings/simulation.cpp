@@ -44,14 +44,15 @@ State step(Simulation& simulation, const contact::Drive& drive, const MaybeArray
            const MaybeArray& shear_x, const MaybeArray& shear_y,
            const operators::HeatingPair& heating, double duration,
            const std::array<std::array<double, 2>, 2>& advance, const std::array<bool, 3>& is_force,
-           const std::array<double, 3>& tangential) {
+           const std::array<double, 3>& tangential, double lasts) {
   const Target target{.drive = drive,
                       .tangential = contact::tangential_drive(is_force, tangential),
                       .tractions = {to_field_or_empty(pressure), to_field_or_empty(shear_x),
                                     to_field_or_empty(shear_y)},
                       .advance = {advance[0], advance[1]},
                       .heating = heating,
-                      .duration = duration};
+                      .duration = duration,
+                      .lasts = lasts};
   const LongWork work;
   return simulation.step(target);
 }
@@ -132,7 +133,7 @@ void bind_simulation(py::module_& m) {
            py::arg("reliefs"), py::arg("contact_law"))
       .def("step", &step, py::arg("drive"), py::arg("pressure"), py::arg("shear_x"),
            py::arg("shear_y"), py::arg("heating"), py::arg("duration"), py::arg("advance"),
-           py::arg("is_force"), py::arg("tangential"))
+           py::arg("is_force"), py::arg("tangential"), py::arg("lasts"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,

@@ -73,8 +73,8 @@ class Heat:
         distances along x and y; only with `history` and instead of `velocity`. The heat then
         follows the travel of the bodies, which may stop, turn and return unloaded, as in several
         passes. The memory grows with these distances. Motion along y requires elastic bodies
-        without reliefs in full sliding. Default:
-        each body has the constant velocity `velocity`, and does not return.
+        without reliefs in full sliding. Default: each body has the constant velocity
+        `velocity`, and does not return.
 
     Raises
     ------

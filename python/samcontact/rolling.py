@@ -12,11 +12,12 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._util.checks import FloatArray, exactly_one, require_type
+from ._util.short_text import in_short
 from .bodies.material import Material
 from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
 from .contact.tangential_drive import Pressing, Settings, TangentialInput
-from .problem.friction import FrictionLaw, sticking_law
+from .problem.friction import FrictionLaw, lasting, sticking_law
 from .problem.grid import Grid
 from .problem.settings import ContactSettings
 from .solutions.contact_solution import ContactSolution, RollingSolution, before_on
@@ -37,6 +38,7 @@ def steady(
     spin: float | None = None,
     tangential_load: Sequence[float | None] | None = None,
     torque: float | None = None,
+    speed: float | None = None,
     start: RollingSolution | None = None,
     tol: float = ContactSettings.tol,
     on_border: str = ContactSettings.on_border,
@@ -63,7 +65,7 @@ def steady(
         Normal load [N], >= 0.
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
-    friction : Coulomb
+    friction : friction law
         Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
@@ -76,6 +78,8 @@ def steady(
     torque : float, optional
         Moment about z on body 2 [N m]. A direction without a prescribed creepage, spin, force or
         torque has zero creepage.
+    speed : float, optional
+        Rolling speed [m/s], with friction that depends on the slip rate (`FallingCoulomb`).
     start : RollingSolution, optional
         Solution for similar creepages or forces, used as initial guess of the iteration.
     tol, on_border, on_stall, max_iterations
@@ -106,6 +110,12 @@ def steady(
     """
     require_type("grid", grid, Grid)
     sticking_law(friction)
+    pace = lasting(friction, speed, "speed")
+    if friction.varies_along_x:
+        raise ValueError(
+            f"friction must not vary along x in steady rolling, got {in_short(friction)}: such "
+            "friction has no steady state; use Simulation"
+        )
     if start is not None:
         require_type("start", start, RollingSolution)
     given = TangentialInput.of(
@@ -125,7 +135,7 @@ def steady(
     )
     name = exactly_one(load=load, approach=approach)
     normal = NormalDrive.of(name, load if approach is None else approach)
-    solution = solve_driven(solver, gap, normal, _Rolling(given, friction, start))
+    solution = solve_driven(solver, gap, normal, _Rolling(given, friction, start, pace))
     assert isinstance(solution, RollingSolution)
     return solution
 
@@ -152,6 +162,8 @@ class _Rolling:
     given: TangentialInput
     friction: FrictionLaw
     previous: RollingSolution | None
+    speed: float = 0.0
+    """Rolling speed [m/s]; 0 for friction that does not depend on the slip rate."""
 
     def solved(
         self,
@@ -168,7 +180,10 @@ class _Rolling:
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
         tol, most, refuse, accept = settings
-        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse, accept)
+        lasts = 1 / self.speed if self.speed else 0.0
+        found = core.roll(
+            *contact, *drive, start, shear, creepage, tol, most, refuse, accept, lasts
+        )
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

@@ -33,6 +33,7 @@ SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, re
 FRETTING = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 PULLED = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 STICKING = sc.ContactSolver(GRID, STEEL, STEEL, sc.Coulomb(0.3))
+FALLING = sc.ContactSolver(GRID, STEEL, STEEL, sc.FallingCoulomb(0.2, 0.1, 1.0))
 STUCK = STICKING.solve(GAP, load=LOAD)
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
@@ -135,6 +136,14 @@ CALLS = [
             {"tangential_load": (1.0, 2.0), "torque": 1e-6, "moment": (1e-6, 0.0)},
             {"advance": (GRID.dx, GRID.dx), "shift": (0.0, 1e-8)},
         )
+    ),
+    ("ContactSolver.solve", FALLING.solve,
+     {"gap": GAP, "load": LOAD, "shift": (1e-8, 0.0), "duration": 1.0, "slip_rate": 1e-3}),
+    (
+        "rolling.steady",
+        sc.rolling.steady,
+        {"grid": GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "load": LOAD, "speed": 1.0,
+         "friction": sc.FallingCoulomb(0.2, 0.1, 1.0), "creepage": (1e-3, 0.0)},
     ),
     *(
         (

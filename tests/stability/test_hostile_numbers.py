@@ -45,6 +45,7 @@ INTENDED = {
     ("Coulomb", "coefficient", math.inf),
     ("Tresca", "limit", math.inf),
     ("CappedCoulomb", "limit", math.inf),
+    ("ThirdBody", "strength", math.inf),
     # a steady state
     ("heat_kernels.temperature", "time", math.inf),
     ("heat_kernels.displacement", "time", math.inf),

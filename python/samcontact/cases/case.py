@@ -123,13 +123,14 @@ class Case(CaseFile):
                     f"{name} is elastic-plastic (law {law}) and requires a "
                     "grid with layers: set grid.dz"
                 )
-        timed = self.heat is not None and self.heat.is_timed
+        timed = self.friction.needs_duration or (self.heat is not None and self.heat.is_timed)
         for index, segment in enumerate(self.path):
             if segment.is_timed != timed:
                 name = "duration" if segment.passes is None else "speed"
                 raise ValueError(
-                    f"path[{index}]: {name} must be given if, and only if, heat.history or "
-                    "heat.partition is given: add the missing one, or remove the other"
+                    f"path[{index}]: {name} must be given if, and only if, heat.history, "
+                    "heat.partition or falling_coulomb is given: add the missing one, or remove "
+                    "the other"
                 )
         if self.has_volume and self.wear is None:
             self._show_a_body_with_stresses()

@@ -31,7 +31,7 @@ from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
 from .normal_drive import NormalDrive
-from .tangential_drive import Pressing, TangentialDriver, tangential_drive
+from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
 
 
 class ContactSolver(ContactFields):
@@ -152,6 +152,8 @@ class ContactSolver(ContactFields):
         previous: ShearedSolution | None = None,
         advance: Sequence[float] = (0.0, 0.0),
         initial_pressure: ArrayLike | None = None,
+        duration: float | None = None,
+        slip_rate: float | None = None,
     ) -> ContactSolution:
         """Solve the contact for a given load or approach.
 
@@ -205,6 +207,13 @@ class ContactSolver(ContactFields):
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
             for a similar gap or load, saves the coarser grids and most iterations. If the iteration
             does not converge from this pressure, the solve is repeated without it.
+        duration : float, optional
+            Duration of the increment [s], with friction that depends on the slip rate
+            (`FallingCoulomb`).
+        slip_rate : float, optional
+            With `duration`: slip rate of all cells from which the iteration starts [m/s], >= 0,
+            which selects one of several solutions. Default: that of `previous`, or 0; an increment
+            that may have several solutions is then refused.
 
         Returns
         -------
@@ -243,6 +252,7 @@ class ContactSolver(ContactFields):
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
+        drive = at_pace(drive, self._law, duration, slip_rate)
         name = exactly_one(load=load, approach=approach)
         normal = NormalDrive.of(name, load if approach is None else approach, moment, tilt)
         return solve_driven(self, gap, normal, drive, initial_pressure)

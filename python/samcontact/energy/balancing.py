@@ -162,6 +162,11 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     """Return the reason why no energy balance can be computed; "" if it can be computed."""
     if not states:
         return "states must contain at least one state, got none"
+    if friction_law(simulation.friction).compliance > 0:
+        return (
+            "an energy balance is not available with a layer between the bodies "
+            f"(friction = {simulation.friction!r}), whose elastic energy is not computed"
+        )
     if simulation.contact_law.attracts:
         return (
             f"contact_law must not attract, got {simulation.contact_law!r}: the energy stored by "

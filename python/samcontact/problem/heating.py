@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
+from .._util.short_text import in_short
 from ..bodies.layered import Body, Layered, materials_at, materials_of, thermal_of
 from ..heat import Heat
 from .friction import FrictionLaw
@@ -243,7 +244,12 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError for heat.partition with full sliding."""
+    """Raise ValueError for heat.partition with full sliding, or without it if friction needs it."""
+    if friction.needs_temperature and heat.partition is None:
+        raise ValueError(
+            f"heat.partition is required with friction = {in_short(friction)}, which depends on "
+            "the temperature due to slip: use Simulation with heat=samcontact.Heat(partition=...)"
+        )
     if not friction.sticks and heat.partition is not None:
         raise ValueError(
             f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "

@@ -223,7 +223,8 @@ class Simulation(Configured, HtmlTable):
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
             Duration of the increment [s], > 0, with `heat.history` (the heat flux follows from the
-            final pressure; the duration may be 0 for unloaded bodies) or `heat.partition`.
+            final pressure; the duration may be 0 for unloaded bodies), `heat.partition` or
+            `FallingCoulomb`.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 

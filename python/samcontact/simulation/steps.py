@@ -26,7 +26,7 @@ from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
 from ..problem.cell_fields import shear_components
-from ..problem.friction import FrictionLaw
+from ..problem.friction import FrictionLaw, lasting
 from ..problem.grid import Grid
 from ..problem.heating import (
     Bodies,
@@ -56,6 +56,8 @@ class Step:
     heat: Heat
     heating: list[Any]
     duration: float
+    lasts: float
+    """Duration for friction that depends on the slip rate [s]; 0: not needed."""
     advance: Travels
     tangential: TangentialInput
     pressure: FloatArray | None = None
@@ -136,6 +138,7 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
+        slides_for, duration = _of_friction(friction, heat, duration)
         lasts = _duration(heat, duration, is_unloaded=is_unloaded)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
@@ -159,7 +162,7 @@ class StepArguments:
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
-        return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
+        return Step(normal, heat, heated, lasts or 0.0, slides_for, travels, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""
@@ -289,6 +292,16 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
             f"got {seconds!r}"
         )
     return seconds
+
+
+def _of_friction(
+    friction: FrictionLaw, heat: Heat, duration: float | None
+) -> tuple[float, float | None]:
+    """Return the duration for the friction (0: not needed), and that for the heat (None: none)."""
+    if not friction.needs_duration:
+        return 0.0, duration
+    heated = heat.partition is not None or heat.history is not None
+    return lasting(friction, duration), duration if heated else None
 
 
 def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid: Grid) -> None:

@@ -47,10 +47,33 @@ class RigidMotionState:
         return np.array(self._core.moment())
 
 
-class SurfaceState(RigidMotionState):
-    """Tractions, gap and rigid-body motion at the end of an increment."""
+class SlipRateState(RigidMotionState):
+    """Slip rate of friction that depends on it."""
 
     grid: Grid
+
+    @property
+    def slip_rate(self) -> FloatArray:
+        """Slip rate that the friction of each cell follows [m/s], shape (nx, ny).
+
+        It is zero with friction that does not depend on the slip rate.
+        """
+        field = self._core.slip_rate
+        shape = self.grid.surface_shape
+        return np.zeros(shape) if field is None else field.reshape(shape)
+
+    @property
+    def falling_number(self) -> float:
+        """Largest |dmu/dv| p C/t of a cell in the last increment [-], with `FallingCoulomb`.
+
+        C is the displacement of a cell under its own unit shear, t the duration of the increment.
+        """
+        return float(self._core.falling_number)
+
+
+class SurfaceState(SlipRateState):
+    """Tractions, gap and rigid-body motion at the end of an increment."""
+
     setup: SimulationSetup
 
     @cached_property

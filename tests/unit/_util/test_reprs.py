@@ -248,6 +248,18 @@ PARTS = [
 ]  # fmt: skip
 
 
+FRICTION_LAWS = (
+    sc.Coulomb(0.3),
+    sc.Tresca(1e9 / 3),
+    sc.CappedCoulomb(1 / 3, 1e9 / 3),
+    sc.Anisotropic(1 / 3, 1 / 7),
+    sc.ThermalCoulomb([0.0, 100 / 3], [1 / 3, 1 / 7]),
+    sc.ThirdBody(1 / 3, 1e9 / 3, 1e9 / 7, 1e-6 / 3),
+    sc.FallingCoulomb(1 / 3, 1 / 7, 1 / 9),
+    sc.MappedCoulomb([1 / 3] * 100, y=[n / 3 for n in range(100)]),
+)
+
+
 def public_objects():
     """Return one object of each public class."""
     grid = sc.Grid(40, 30, 60e-6, 60e-6, 3, 60e-6)
@@ -289,7 +301,7 @@ def public_objects():
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
-        sc.Coulomb(0.3), sc.Tresca(1e9 / 3), sc.CappedCoulomb(1 / 3, 1e9 / 3),
+        *FRICTION_LAWS,
         sc.HardContact(), sc.TensileLimit(1e6 / 3),
         sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),

@@ -157,6 +157,8 @@ def others(name, field, value):
         return [one for one in literals if one != value]
     if isinstance(value, int):
         return [value + 1, value + 2]
+    if isinstance(value, list):
+        return [[1.01 * item for item in value]]
     return [value * 1.01, value * 0.9]
 
 
@@ -222,7 +224,9 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile free_faces layers surface path body1 body2 contact contact_law "
-        "capped_coulomb heat asperities output fatigue limit shakedown hardness exposure life"
+        "capped_coulomb "
+        "anisotropic mapped_coulomb falling_coulomb third_body thermal_coulomb "
+        "heat asperities output fatigue limit shakedown hardness exposure life"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -43,6 +43,10 @@ LAWS = {
     "{tresca = inf}": sc.Tresca(math.inf),
     "{capped_coulomb = {coefficient = 0.3, limit = '200 MPa'}}": sc.CappedCoulomb(0.3, 2e8),
     "{capped_coulomb = {coefficient = 0.3, limit = inf}}": sc.CappedCoulomb(0.3, math.inf),
+    "{anisotropic = {mu_x = 0.4, mu_y = 0.2, angle = '500 mrad'}}": sc.Anisotropic(0.4, 0.2, 0.5),
+    "{mapped_coulomb = {coefficient = [0.2, 0.4], y = ['-1 mm', 0.001]}}": sc.MappedCoulomb(
+        (0.2, 0.4), (), (-1e-3, 1e-3)
+    ),
 }
 
 

@@ -197,6 +197,7 @@ NUMBERS = {
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
     *("HV", "surface", "core", "limit", "slope", "weibull", "depth_exponent"),
     *("inner_conformity", "outer_conformity", "profile_shift", "relief_exponent", "load_factor"),
+    *("mu_x", "mu_y", "body", "kinetic", "drop"),
 }
 
 

@@ -175,6 +175,7 @@ Target Division::part_of(const State& from, double start, double end) const {
   for (auto& given : part.tangential) {
     if (!given.is_force()) given.value *= 1.0 - start;
   }
+  part.lasts *= end - start;
   if (!from.setup().transient_heating.is_on()) return part;
   part.duration *= end - start;
   const Travel by = scaled(target_.advance, end - start);

@@ -85,9 +85,14 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
 int Setup::followed() const {
   // Without plastic strain or relief all positions on a body are equivalent.
   const auto has_history = [this](int body) {
-    return bodies[body].is_plastic() || !reliefs[body].heights.empty();
+    return bodies[body].is_plastic() || !reliefs[body].heights.empty() || friction_moves_with(body);
   };
   return has_history(1) ? 1 : has_history(0) ? 0 : -1;
+}
+
+bool Setup::friction_moves_with(int body) const {
+  const contact::MappedCoulomb* map = friction.map();
+  return map != nullptr && map->x.size() > 1 && map->body == body + 1;
 }
 
 Placement Setup::placement(const Travel& travel) const {

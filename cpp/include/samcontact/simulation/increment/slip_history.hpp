@@ -42,6 +42,9 @@ class SlipHistory {
   IncrementTask task_;
   bool on_;
   contact::ContactHistory before_;
+  contact::FrictionConditions conditions_;
+  Field slip_rate_;               // of the last solution
+  double falling_number_ = 0.0;   // likewise
   Field travel_slip_;             // slip due to different travel of the bodies
   contact::ShearSolution shear_;  // of the last solution
   std::string stall_warning_;     // likewise

@@ -25,6 +25,8 @@ struct Target {
   /// Duration of the increment [s]: for transient heating, where it is also the age of the heat,
   /// and for heat due to slip, where the power is the mean over the increment.
   double duration = 0.0;
+  /// Duration of the increment for friction that depends on the slip rate [s]; 0: not needed.
+  double lasts = 0.0;
   PastHeat past = {};     // filled in by the simulation
   Field slip_power = {};  // likewise, power of heat due to slip
   fft::Symmetry past_symmetry = fft::Symmetry::xy;

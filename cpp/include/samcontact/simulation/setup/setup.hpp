@@ -44,6 +44,8 @@ class Setup {
   Placement placement(const Travel& travel) const;
   /// Index of the body whose cells coincide with those of the grid, or -1 if no body has a history.
   int followed() const;
+  /// Whether the friction law varies along x with the material of a body.
+  bool friction_moves_with(int body) const;
   /// Heights of the relief of a body on the grid [i][j]; 0 without a relief.
   Field relief(int body, const Travel& travel) const;
   /// Yield strength of the cells of a body at its position.

@@ -100,6 +100,8 @@ void describe(S& s, Visitor& visit) {
   visit.maybe_nan("approach", s.approach);
   visit("tilt", s.tilt);
   visit("slip", s.slip);
+  visit("slip_rate", s.slip_rate);
+  visit("falling_number", s.falling_number);
   visit("motion", s.motion);
   visit("friction_work", s.friction_work);
   visit("slip_power", s.slip_power);

@@ -57,6 +57,10 @@ class State {
   /// Partial slip: slip of body 1 relative to body 2 in the last increment [2][i][j] [m], 0 in
   /// sticking cells; empty: no slip.
   Field slip;
+  /// Slip rate that the friction of each cell follows [i][j] [m/s]; empty: the friction law does
+  /// not depend on it.
+  Field slip_rate;
+  double falling_number = 0.0;     // of the last increment, see contact::PartialSlipSolution
   std::array<double, 3> motion{};  // accumulated tangential rigid-body motion [m, m, rad]
   double friction_work = 0.0;      // accumulated since the start [J]
   // Mirror planes of all tangential motion so far.
