@@ -10,7 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from .. import bearings, hertz, surfaces
 from .._util.checks import FloatArray
@@ -122,11 +122,16 @@ def _misalignment(
     return bearing.element_loads(radial_load, axial_load, moment).tilt
 
 
+def _as_text(given: Any) -> Any:
+    """Return a designation without quotes, e.g. 6208, as text."""
+    return str(given) if type(given) is int else given
+
+
 class BearingSurface(_RollingSurface):
     """Most heavily loaded element of a bearing, see `bearings.Bearing`."""
 
     shape: Literal["bearing"]
-    designation: str | None = None
+    designation: Annotated[str | None, BeforeValidator(_as_text)] = None
     bore: Length | None = None
     outside_diameter: Length | None = None
     kind: Literal["deep_groove", "angular_contact", "cylindrical_roller"] | None = None

@@ -151,7 +151,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
             raise ValueError(f"margin must be <= {MAX_CELLS_ALONG_AXIS // 4} cells, got {cells}")
         key = body, cells
         if key not in self._tracks:
-            self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers)
+            self._tracks[key] = Track(
+                self._core, self.grid, body, cells, self.layers, self.setup.bodies[body - 1]
+            )
         return self._tracks[key]
 
     def zones(self, body: int = 2) -> tuple[Zone, ...]:
