@@ -18,6 +18,7 @@ from .._util.short_text import in_short
 from ..bearings.rating import STEEL_CONTACT_MODULUS
 from ..bodies.layered import softest
 from .base import Count, Finite, Length, NonNegative, Radius, in_unit
+from .errors import SHORT_FORMS
 from .surface_shape import FirstGrid, SurfaceShape
 
 if TYPE_CHECKING:
@@ -29,8 +30,6 @@ Race = Literal["inner", "outer"]
 _REFINED = 80.0
 """Factor on the number of cells along a roller, because the pressure at its ends varies within a
 few per cent of its length."""
-SHORT_FORMS = ("roller", "bearing")
-"""Sections that are short for [surface] with this shape."""
 
 
 class _RollingSurface(SurfaceShape):
@@ -250,6 +249,11 @@ class BearingSurface(_RollingSurface):
             )
 
 
+def _tables(given: Any) -> list[Any]:
+    """Return the tables of a list of sections; [] for a value of another type."""
+    return given if isinstance(given, list) else []
+
+
 def in_full(content: Any) -> Any:
     """Return the content of a case file with [surface] for [roller] or [bearing], and with a path.
 
@@ -266,7 +270,8 @@ def in_full(content: Any) -> Any:
         if isinstance(part, Mapping):
             found["surface"] = {"shape": name, **part}
         elif part is not None:
-            raise ValueError(f"{name}: must be a table, got {in_short(part)}")
+            remedy = f": write [{name}] instead of [[{name}]]" if isinstance(part, list) else ""
+            raise ValueError(f"{name}: must be a table, got {in_short(part)}{remedy}")
     surface = found.get("surface")
     if "path" in found or not isinstance(surface, Mapping) or surface.get("shape") != "bearing":
         return found
@@ -274,7 +279,7 @@ def in_full(content: Any) -> Any:
         part.get("law", "elastic")
         for name in ("body1", "body2")
         if isinstance(body := found.get(name), Mapping)
-        for part in (body, *body.get("layers", ()))
+        for part in (body, *_tables(body.get("layers")))
         if isinstance(part, Mapping)
     ]
     if all(law in ("elastic", "rigid") for law in laws):
