@@ -79,6 +79,7 @@ def _panel(
     heading = (quantity.heading or quantity.short).replace("\n", " ")
     ax.set(xlabel=f"{name} [{shown}]" if shown else name,
            ylabel=f"{heading} [{quantity.shown}]" if quantity.shown else heading)  # fmt: skip
+    ax.yaxis.label.set_fontsize("small")
     if places is not None:
         ax.set_xticks(range(len(places)), [_short(text) for text in places], rotation=20,
                       ha="right")  # fmt: skip

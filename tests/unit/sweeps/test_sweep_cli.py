@@ -129,7 +129,7 @@ radial_load = 1e3
 material = "52100"
 [body2]
 material = "52100"
-hardness = {surface = 600.0, core = 350.0, depth = 1e-3, limit = 550.0}
+hardness = {surface = 390.0, core = 250.0, depth = 1e-3, limit = 320.0}
 [fatigue]
 steady_axis = "x"
 exposure = {}
