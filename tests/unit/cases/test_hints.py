@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hints in the errors of case files: what an unknown field is meant to be."""
 
+from pathlib import Path
+
 import pytest
 
-from samcontact.cases import Case, CaseError
+from samcontact.cases import CaseError
+from samcontact.cases.reading import validated
 
 
 @pytest.mark.parametrize(
@@ -26,4 +29,4 @@ def test_hints_name_what_is_meant(section, fields, says):
     steel = {"material": "52100"}
     content = {"title": "t", "body1": steel, "body2": steel, section: fields}
     with pytest.raises(CaseError, match=says):
-        Case.model_validate(content)
+        validated(content, Path("case.toml"))
