@@ -84,6 +84,7 @@ GEAR = {
     "relief_length": [5e-3, 6e-3], "relief_exponent": 1.5, "position": -6e-3, "torque": 0.1,
     "sharing": "linear",
 }  # fmt: skip
+CAM = {"shape": "cam", "base_radius": 18e-3, "cam_angle": 0.3, "crown_radius": 1e-2}
 PROFILES = {
     "shape": "wheel_rail", "rail": "rail.npy", "wheel": "wheel.npy", "wheel_radius": 0.46,
     "unit": "mm", "shift": 1e-3, "yaw": 1e-2, "roll": 1e-3, "smoothing": 1e-6,
@@ -136,6 +137,11 @@ KINDS = {
                    "outside_diameter": 0.08},
        "path": [{"load_factor": 0.5}]},
     "roller bearing": BASE | PRESSED | {"surface": ROLLERS, "path": [{"load_factor": 0.5}]},
+    "cam": BASE | PRESSED | {"surface": CAM | {"max_lift": 6e-3, "event_angle": 2.4}},
+    "eccentric cam": BASE | PRESSED | {"surface": CAM | {"eccentricity": 2e-3}},
+    "cam by its lifts": BASE | PRESSED
+    | {"surface": CAM | {"lift_angle": [-1.2, -0.6, 0.0, 0.6, 1.2],
+                         "lift": [0.0, 2e-3, 4e-3, 2e-3, 0.0]}},
     "wheel and rail": BASE | PRESSED | {"surface": PROFILES},
     "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
                       "relief2": FURROW},

@@ -18,6 +18,7 @@ from pydantic import (
 from .. import materials
 from ..bodies.hardening_laws import LAWS, Constant, Law
 from ..hardness import HardnessProfile, hardened_case
+from ..materials.library import ADVICE
 from .base import Finite, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
@@ -197,7 +198,9 @@ def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
     try:
         known = materials.get(name).constants(law)
     except ValueError as error:
-        raise ValueError(str(error).replace("name must", "material must", 1)) from None
+        text = str(error).replace("name must", "material must", 1)
+        remedy = "for another material, omit material and write its constants, e.g. E and nu"
+        raise ValueError(text.replace(ADVICE, remedy)) from None
     for field in ("E", "nu"):
         if field in given:
             raise ValueError(

@@ -144,9 +144,9 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
         if cells > MAX_CELLS_ALONG_AXIS // 4:
             raise ValueError(f"margin must be <= {MAX_CELLS_ALONG_AXIS // 4} cells, got {cells}")
-        key = body, cells
-        if key not in self._tracks:
-            self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers)
+        if (key := (body, cells)) not in self._tracks:
+            material = self.setup.bodies[body - 1]
+            self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers, material)
         return self._tracks[key]
 
     def zones(self, body: int = 2) -> tuple[Zone, ...]:

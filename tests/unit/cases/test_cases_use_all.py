@@ -34,6 +34,7 @@ OF_RESULTS = {"title", "description", "estimate_error", "output"}
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
+    "lift": [[0.0, 1e-3, 3e-3, 1e-3, 0.0]], "lift_angle": [[-1.1, -0.5, 0.0, 0.5, 1.1]],
     "friction": [0.2], "low": [-18e-6], "high": [24e-6], "lateral_creepage": [2e-3], "spin": [1.0],
     "material": ["M50"], "HV": [[610.0, 450.0]], "surface": [620.0], "axis": ["y"],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
@@ -72,6 +73,8 @@ UNSET = {
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
     "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
     "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
+    "eccentricity": 3e-3, "max_lift": 5e-3, "event_angle": 2.2,
+    "lift": [0.0, 1e-3, 2e-3, 1e-3, 0.0], "lift_angle": [-1.0, -0.5, 0.0, 0.5, 1.0],
 }  # fmt: skip
 
 
