@@ -64,9 +64,9 @@ APPLICATION = Application(
     kind="bearing",
     gains="The load on a bearing 6208 that leaves the permanent deformation permitted by ISO 76, "
     "compared with the static load rating.",
-    text="A radial load of {radial} on the bearing leaves a permanent deformation of 1e-4 of the ball diameter "
-    "at the inner race. The rating C₀ is {rated}: the bearing withstands more than its rating. The "
-    "outer race needs a higher load on the ball, {outer} instead of {inner}.",
+    text="A radial load of {radial} on the bearing leaves a permanent deformation of 1e-4 of the "
+    "ball diameter at the inner race. The rating C₀ is {rated}: the bearing withstands more than "
+    "its rating. The outer race needs a higher load on the ball, {outer} instead of {inner}.",
     commands=('find bearing.toml "permanent_deformation=1e-4 D"', "run bearing.toml"),
     shown=("Bearing 6208",),
     functions=(
