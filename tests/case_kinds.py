@@ -184,6 +184,14 @@ KINDS = {
     | {"path": [{k: v for k, v in RAMP.items() if k != "advance"}],
        "shakedown": {"cycles": 7, "tol": 2e-3, "accelerate": False}},
     "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
+    "dented": BASE | PRESSED
+    | {"surface": FLAT, "dents": {"increments": 2, "E": 300e9, "nu": 0.2, "particles": [
+        {"radius": 2e-4, "approach": 1e-6, "x": 5e-6, "y": 1e-6},
+        {"radius": 1e-4, "load": 1.0, "x": 3e-6, "y": 2e-6}]}},
+    "dented at random": BASE | PRESSED
+    | {"surface": FLAT, "dents": {"random": {
+        "length": 1e-4, "width": 4e-5, "density": 2e9, "radius": 1e-4, "spread": 0.1,
+        "depth_ratio": 0.02, "x": 1e-5, "y": 1e-6, "seed": 3}}},
     "marched": BASE
     | {"heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
                                  {"load": 1.0, "duration": 1e-4}]},

@@ -292,7 +292,10 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
   const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
   state_.plastic[body] = from_record(record, setup_->grid, terms);
   const Grid& window = setup_->grid;
-  state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
+  const Box inside = box.intersected({0, 0, window.nx, window.ny, box.nz});
+  // An increment begins with a zone on the grid; strain outside the grid has none.
+  const Box middle{window.nx / 2, window.ny / 2, 1, 1, 1};
+  state_.flow_boxes[body] = {inside.empty() ? middle : inside};
 }
 
 void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& strain) {

@@ -133,7 +133,15 @@ def label_and_unit(name: str) -> tuple[str, str]:
 
 
 def elastic(simulation: Simulation) -> Simulation:
-    """Return a copy of a simulation with elastic instead of elastic-plastic bodies."""
+    """Return a copy of a simulation with elastic instead of elastic-plastic bodies.
+
+    Raises ValueError for a simulation with dents, which are plastic strain from the start.
+    """
+    if simulation.engine.preparation is not None:
+        raise ValueError(
+            "yield cannot be sought with dents, where body 2 has yielded before: use another "
+            "quantity, e.g. max_pressure or max_equivalent_plastic_strain"
+        )
     bodies = {}
     for name in ("body1", "body2"):
         body = getattr(simulation, name)

@@ -18,9 +18,11 @@ from ..bodies.layered import softest
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating
+from ..simulation.given_strain import prepare
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
 from .cross_checks import path_with_loads, reason_for_grid, require_all_used
+from .dents import DentsSection
 from .fatigue import FatigueSection
 from .heat_checks import require_velocity_of_motion
 from .motion import ReliefSection, Segment
@@ -77,6 +79,7 @@ class Case(CaseFile):
     surface: SurfaceSection
     relief1: ReliefSection | None = None
     relief2: ReliefSection | None = None
+    dents: DentsSection | None = None
     contact: ContactSection = ContactSection()
     heat: HeatSection | None = None
     path: Annotated[list[Segment], Field(min_length=1)]
@@ -243,6 +246,8 @@ class Case(CaseFile):
             return None
         if self.relief1 is not None or self.relief2 is not None or periodic:
             return None
+        if self.dents is not None:
+            return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None
         E_star = _hertz.effective_modulus(*map(softest, (self.body1.build(), self.body2.build())))
@@ -304,6 +309,8 @@ class Case(CaseFile):
             section = "contact"
             settings = settings_of(self.contact)
             simulation = Simulation(grid, body1, body2, heat=heat, **settings, **lies_between)
+            section = "dents"
+            prepare(simulation, None if self.dents is None else self.dents.build(settings))
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()

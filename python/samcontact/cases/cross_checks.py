@@ -36,6 +36,7 @@ def require_all_used(case: Any) -> None:
     require_motion_of_heat(case)
     _require_free_along_y(case)
     _require_known_faces(case)
+    _require_dentable(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -170,6 +171,21 @@ def _require_known_faces(case: Any) -> None:
                 f"{name}.free_faces: the stress near a free face is not known: omit grid.dz, set "
                 'output.volume = "none", or select the other body with output.body'
             )
+
+
+def _require_dentable(case: Any) -> None:
+    """Raise ValueError if body 2 keeps no dents, or if [dents] cannot be combined."""
+    if case.dents is None:
+        return
+    if not case.body2.is_plastic:
+        raise ValueError(
+            "dents requires an elastic-plastic body2, because an elastic body keeps no dent: set "
+            "a hardening law in [body2], or describe the dent by [relief2]"
+        )
+    if case.wear is not None:
+        raise ValueError("dents cannot be combined with [wear]: omit one of them")
+    if case.grid is not None and case.grid.periodic:
+        raise ValueError("dents cannot be combined with grid.periodic: omit one of them")
 
 
 def _require_law_of_friction(case: Any) -> None:

@@ -217,7 +217,7 @@ class _ContactRun:
         """Return grid errors from a run on a coarsened grid; None if not requested or failed."""
         if not self.case.estimate_error:
             run = self.simulation
-            repeat = repeat_with(type(run))
+            repeat = repeat_with(type(run), run.engine.preparation)
             check_errors(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
             return None
         try:

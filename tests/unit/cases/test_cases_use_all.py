@@ -26,7 +26,15 @@ from case_kinds import (
     WEAR,
 )
 from samcontact import wear
-from samcontact.cases import AsperityCase, Case, CaseError, asperities, fatigue, shakedown
+from samcontact.cases import (
+    AsperityCase,
+    Case,
+    CaseError,
+    asperities,
+    dents,
+    fatigue,
+    shakedown,
+)
 
 # Fields that do not affect the computation: title, results folder, and output of the command.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
@@ -48,6 +56,7 @@ OTHER = {
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
     "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
     "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
+    "density": [4e9],
     "teeth": [[16, 25]], "profile_shift": [[0.1, 0.1]], "tip_diameter": [[82.4e-3, 118.3e-3]],
     "tip_relief": [[3e-5, 2e-5]], "relief_length": [[6e-3, 5e-3]], "rail": ["other.npy"],
     "wheel": ["other.npy"], "smoothing": [0.0],
@@ -109,6 +118,7 @@ def computed(tmp_path, monkeypatch):
     monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(asperities, "collide", record)
+    monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
     def compute(content):
         case = (AsperityCase if "asperities" in content else Case).model_validate(content)
@@ -126,7 +136,8 @@ def computed(tmp_path, monkeypatch):
             judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue)]
         if case.shakedown is not None:
             judged.append(case.shakedown.solve(simulation, path, False))
-        return stated([list(surfaces), path, judged]), repr(simulation)
+        pressed = repr(simulation.engine.preparation)
+        return stated([list(surfaces), path, judged]), repr(simulation), pressed
 
     return compute
 
@@ -229,7 +240,8 @@ def test_every_field_of_every_section_is_tried():
         "kinematic yield_profile free_faces layers surface path body1 body2 contact contact_law "
         "capped_coulomb "
         "anisotropic mapped_coulomb falling_coulomb third_body thermal_coulomb "
-        "heat asperities output fatigue limit shakedown hardness exposure life"
+        "heat asperities output fatigue limit shakedown hardness exposure life "
+        "dents particles random"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -191,7 +191,7 @@ def test_without_pint(tmp_path, monkeypatch):
 # depends on its segment
 NUMBERS = {
     *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "coulomb", "lateral_creepage"),
-    *("coefficient", "partition"),
+    *("coefficient", "partition", "spread", "depth_ratio"),
     *("tol", "increment_tol", "rate", "plastic_strain", "factor"),
     *("dang_van", "crossland", "findley", "fatemi_socie"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
