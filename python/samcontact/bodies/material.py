@@ -11,19 +11,20 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.cached_property import cached_property
-from .._util.checks import FloatArray, real_array
+from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows
 from .._util.short_text import in_short
 from .constants import as_list, named_numbers
 from .depth_profiles import PROFILE_ARGUMENTS, HasDepthProfiles, Profile, profile
 from .display import material_rows
+from .flow_curve import HasFlowCurve
 from .free_faces import FreeFaces, HasFreeFaces, checked_faces
 from .hardening_laws import checked_constants, core_material
 from .tension_test import FromTest
 
 
 @dataclass(frozen=True, repr=False)
-class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
+class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable):
     """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes
@@ -311,68 +312,6 @@ class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
     def is_plastic(self) -> bool:
         """Whether the body can yield."""
         return bool(self._core.is_plastic)
-
-    def yield_stress(self, g: ArrayLike) -> float | FloatArray:
-        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), same shape as g.
-
-        With kinematic hardening, this is the radius of the yield surface, without backstress. The
-        factor of a yield profile is not included, see `yield_factor`. For an elastic or rigid body
-        the result is infinite. Raises ValueError if g is negative or not finite.
-        """
-        return self._at(g, self._core.yield_stress)
-
-    def _at(self, g: ArrayLike, function: Callable[[FloatArray], FloatArray]) -> float | FloatArray:
-        strain = real_array("g", g)
-        bad = ~(np.isfinite(strain) & (strain >= 0))
-        if bad.any():
-            raise ValueError(f"g must be finite and >= 0, got {float(strain[bad].flat[0])!r}")
-        values = function(np.ascontiguousarray(strain).ravel())
-        return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
-
-    def plastic_work(self, g: ArrayLike) -> float | FloatArray:
-        """Plastic work [J/m^3] up to equivalent plastic strain g: integral of the yield stress.
-
-        This is the energy dissipated per volume. It includes neither the work of backstresses
-        (kinematic hardening) nor the factors of thermal softening and of a yield profile. The
-        result has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is
-        negative or not finite.
-        """
-        return self._at(g, self._core.work)
-
-    def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
-        """Axial stress in a bar of this material under a history of axial strain.
-
-        Parameters
-        ----------
-        strain : array_like, shape (n,)
-            History of the total axial strain [-], tension positive, from the virgin state. Each
-            value is one increment (backward Euler: exact for linear hardening, otherwise with an
-            error of first order in the increments).
-
-        Returns
-        -------
-        ndarray, shape (n,)
-            Axial stress [Pa]; the lateral stresses are zero.
-
-        Raises
-        ------
-        ValueError
-            The strain is not one-dimensional or not finite, or the body is rigid.
-        """
-        if self.is_rigid:
-            raise ValueError("uniaxial_stress requires a deformable material, got a rigid one")
-        history = real_array("strain", strain)
-        if history.ndim != 1 or not np.isfinite(history).all():
-            raise ValueError("strain must be a list of finite numbers")
-        stress = np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
-        if not np.isfinite(stress).all():
-            largest = float(np.abs(history).max())
-            raise ValueError(
-                "strain must be small enough to give a finite stress, got "
-                f"values up to {largest!r}: strain is dimensionless, not in "
-                "percent"
-            )
-        return stress
 
     def _rows(self) -> Rows:
         return material_rows(self)
