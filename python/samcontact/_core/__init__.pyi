@@ -166,6 +166,9 @@ class Material:
         syy: collections.abc.Sequence[float],
         sxy: collections.abc.Sequence[float],
     ) -> Material: ...
+    def with_relaxation(
+        self, times: collections.abc.Sequence[float], shares: collections.abc.Sequence[float]
+    ) -> Material: ...
     def with_thermal(
         self, conductivity: float, expansion: float, diffusivity: float
     ) -> Material: ...

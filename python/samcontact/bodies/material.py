@@ -20,11 +20,12 @@ from .display import material_rows
 from .flow_curve import HasFlowCurve
 from .free_faces import FreeFaces, HasFreeFaces, checked_faces
 from .hardening_laws import checked_constants, core_material
+from .relaxation import HasRelaxation, RelaxationTerms, checked_relaxation
 from .tension_test import FromTest
 
 
 @dataclass(frozen=True, repr=False)
-class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable):
+class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, FromTest, HtmlTable):
     """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes
@@ -44,6 +45,8 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable
         `with_residual_stress`.
     free_faces : tuple of (float, float, str), or None
         Coordinates y of both free faces [m] and method, see `with_free_faces`.
+    relaxation_terms : tuple of tuples of float, or None
+        Relaxation times [s] and their shares of E [-], see `with_relaxation`.
     """
 
     law: str
@@ -54,6 +57,7 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable
     yield_profile: Profile | None = None
     residual_stress: Profile | None = None
     free_faces: FreeFaces | None = None
+    relaxation_terms: RelaxationTerms | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", checked_constants(self.law, self.parameters))
@@ -69,6 +73,9 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable
                 object.__setattr__(self, name, profile(name, getattr(self, name)))
         if self.free_faces is not None:
             object.__setattr__(self, "free_faces", checked_faces(self.free_faces))
+        if self.relaxation_terms is not None:
+            terms = checked_relaxation(self.relaxation_terms)
+            object.__setattr__(self, "relaxation_terms", terms)
         if self.softening is not None:
             self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
@@ -291,6 +298,8 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable
         if self.free_faces is not None:
             low, high, method = self.free_faces
             core = core.with_free_faces(low, high, method == "exact")
+        if self.relaxation_terms is not None:
+            core = core.with_relaxation(*self.relaxation_terms)
         return core
 
     @property
@@ -307,6 +316,11 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, FromTest, HtmlTable
     def is_rigid(self) -> bool:
         """Whether the body is rigid."""
         return self.law == "rigid"
+
+    @property
+    def is_viscoelastic(self) -> bool:
+        """Whether the body relaxes, see `with_relaxation`."""
+        return self.relaxation_terms is not None
 
     @property
     def is_plastic(self) -> bool:

@@ -80,9 +80,8 @@ def _relaxation(terms: RelaxationTerms, t: FloatArray) -> FloatArray:
 def complex_ratio(terms: RelaxationTerms, omega: FloatArray) -> Any:
     """Return the complex modulus over the instantaneous one at angular frequencies [rad/s]."""
     x = omega[..., None] * np.asarray(terms[0])
-    # x/(1 + x^2) without overflow
-    loss = 1.0 / (np.maximum(x, 1e-300) + 1.0 / np.maximum(x, 1e-300)) * (x > 0)
-    stored = x * loss
+    with np.errstate(divide="ignore", over="ignore"):
+        loss, stored = 1.0 / (x + 1.0 / x), 1.0 / (1.0 + 1.0 / x**2)
     shares = np.asarray(terms[1])
     return long_time_share(terms) + stored @ shares + 1j * (loss @ shares)
 
