@@ -150,6 +150,9 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 }
 
 void Simulation::check(const Target& target) const {
+  if (setup_->is_viscoelastic() && target.advance != Travel{}) {
+    throw std::invalid_argument("viscoelastic bodies cannot travel through the contact");
+  }
   if (setup_->transient_heating.is_on() && target.duration == 0 && state_.load != 0) {
     throw std::invalid_argument(
         "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");

@@ -14,6 +14,7 @@ from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
+from ..bodies.viscoelastic import require_no_relaxation
 from ..diagnostics import resolution
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
@@ -114,6 +115,7 @@ def collide(
     boolean("back_and_forth", back_and_forth)
     require_type("collision", collision, Collision)
     require_homogeneous("asperity collision does not support layered bodies", body1, body2)
+    require_no_relaxation("asperity collisions have no duration", body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if given := settings.get(name):

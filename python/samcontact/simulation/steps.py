@@ -20,6 +20,7 @@ from .._util.checks import (
     value_per_body,
 )
 from .._util.short_text import in_short
+from ..bodies.viscoelastic import relaxes
 from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
@@ -33,6 +34,7 @@ from ..problem.heating import (
     require_reference,
     require_speeds,
 )
+from ..problem.relaxing import relaxing_duration, require_cold
 
 STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
@@ -83,6 +85,7 @@ class StepArguments:
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
+        self._relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
     def checked(
@@ -126,7 +129,10 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        lasts = _duration(heat, duration, is_unloaded=is_unloaded)
+        if self._relaxes:
+            lasts: float | None = relaxing_duration(duration, travels)
+        else:
+            lasts = _duration(heat, duration, is_unloaded=is_unloaded)
         if heat_factor is not None and heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
@@ -134,6 +140,7 @@ class StepArguments:
             )
         if heat_factor is not None:
             heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
+            require_cold(heat, self.bodies)
         is_loaded = not is_unloaded
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
@@ -223,8 +230,8 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
     if heat.partition is None and heat.history is None:
         if duration is not None:
             raise ValueError(
-                "duration has no effect without heat.history or "
-                "heat.partition: omit duration, or set one of them"
+                "duration has no effect without heat.history, heat.partition or a viscoelastic "
+                "body: omit duration, or set one of them"
             )
         return None
     if duration is None:

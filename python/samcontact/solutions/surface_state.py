@@ -18,6 +18,7 @@ from .contact_area import contact_area
 from .contact_solution import both, rows_of_tilt
 from .outline import Outline, outline_of
 from .stress_at_points import require_closed_forms, stress_at_points
+from .viscous_state import ViscousState
 
 
 class RigidMotionState:
@@ -47,7 +48,7 @@ class RigidMotionState:
         return np.array(self._core.moment())
 
 
-class SurfaceState(RigidMotionState):
+class SurfaceState(RigidMotionState, ViscousState):
     """Tractions, gap and rigid-body motion at the end of an increment."""
 
     grid: Grid

@@ -41,6 +41,12 @@ class Setup {
   const Reliefs reliefs;
   const OperatorCache cache;
 
+  bool is_viscoelastic() const {
+    return bodies[0].is_viscoelastic() || bodies[1].is_viscoelastic();
+  }
+  /// Whether increments have a duration.
+  bool has_time() const { return transient_heating.is_on() || is_viscoelastic(); }
+
   Placement placement(const Travel& travel) const;
   /// Index of the body whose cells coincide with those of the grid, or -1 if no body has a history.
   int followed() const;
