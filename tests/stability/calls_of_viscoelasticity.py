@@ -8,10 +8,11 @@ import samcontact as sc
 SLS = STEEL.with_relaxation([1.0], [0.5])
 CREEPING = sc.Simulation(GRID, STEEL, SLS, GAP)
 STATE = CREEPING.step(load=LOAD, duration=1.0)
+SHARES = [0.1, 0.2]
 OMEGA = [0.1, 1.0, 10.0]
 
 CALLS = [
-    ("Material.with_relaxation", STEEL.with_relaxation, {"times": [1.0, 2.0], "shares": [0.1, 0.2]}),
+    ("Material.with_relaxation", STEEL.with_relaxation, {"times": [1.0, 2.0], "shares": SHARES}),
     (
         "Material.from_dynamic",
         sc.Material.from_dynamic,

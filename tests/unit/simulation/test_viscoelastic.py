@@ -92,12 +92,12 @@ def test_the_error_is_of_second_order_in_the_steps():
 def test_creep_under_a_step_load_agrees_with_lee_and_radok(bodies):
     """The power 3/2 of the approach grows as the sum of the creep functions of both bodies."""
     body1, body2 = bodies
-    steps = sc.paths.creep(0.2 * LOAD, until=30.0, per_decade=6, first=0.02)
+    steps = sc.paths.creep(0.2 * LOAD, until=30.0, per_decade=12, first=0.02)
     states = simulation(body2, body1).run(steps, progress=False)
     parts = [(1 - b.nu**2) / b.E * b.creep([s.time for s in states]) for b in bodies if b != RIGID]
     expected = (sum(parts) / sum(part[0] for part in parts)) ** (2 / 3)
     found = np.array([s.approach for s in states]) / states[0].approach
-    np.testing.assert_allclose(found, expected, rtol=1e-2)
+    np.testing.assert_allclose(found, expected, rtol=6e-3)
     assert np.all(np.diff(found) > 0)
 
 
@@ -141,8 +141,8 @@ def test_a_body_that_hardly_relaxes_is_elastic():
 
 
 HISTORY = [
-    {"load": 0.4 * LOAD, "duration": 0.3}, {"load": 0.1 * LOAD, "duration": 2.0},
-    {"approach": 2e-5, "duration": 0.0}, {"load": 0.3 * LOAD, "duration": 30.0},
+    {"load": 0.2 * LOAD, "duration": 0.3}, {"load": 0.05 * LOAD, "duration": 2.0},
+    {"approach": 1.5e-5, "duration": 0.0}, {"load": 0.1 * LOAD, "duration": 30.0},
 ]  # fmt: skip
 
 
@@ -194,10 +194,10 @@ def test_the_print_recovers_and_is_the_gap_of_equivalent_pressure():
     np.testing.assert_allclose(free.residual_displacement(), elastic, rtol=1e-9)
     np.testing.assert_allclose(loaded.residual_displacement(), elastic, atol=1e-9 * elastic.max())
     depths = [elastic.max()]
-    for duration in (0.1, 1.0, 10.0, 100.0, 1e4):
+    for duration in (0.1, 1.0, 10.0, 100.0, 1e4, 1e7):
         depths.append(sim.step(load=0.0, duration=duration).residual_displacement().max())
     assert np.all(np.diff(depths) < 0)
-    assert depths[-1] < 1e-6 * depths[0]
+    assert depths[-1] < 1e-5 * depths[0]
 
 
 def test_stress_follows_the_present_pressure():
@@ -229,6 +229,7 @@ def random_body(rng):
     return SOFT.with_relaxation(10.0 ** rng.uniform(-4, 4, terms), shares)
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
 @pytest.mark.parametrize("seeds", [range(20), pytest.param(range(500), marks=pytest.mark.slow)])
 def test_random_histories(seeds):
     """No negative pressure, and viscous work that never decreases."""
@@ -264,12 +265,13 @@ def test_the_energy_balance_closes_with_viscous_work(friction):
 
 
 def test_work_of_an_oscillation_follows_from_the_loss_modulus():
-    """Steady loop of a wave in full contact under an oscillating approach of its amplitude."""
-    omega = 2 * np.pi * 0.3
+    """Steady loop under an oscillating pressure, from the complex compliance."""
+    omega = 2 * np.pi * 0.05
     grid = sc.Grid(30, 28, 3.2 * RADII / 30, 3.2 * RADII / 28)
     sim = simulation(SLS, grid=grid)
     shape = np.where((grid.x[:, None] ** 2 + grid.y**2) < RADII**2, 1.0, 0.0)
     steps, cycles = 60, 4
+    sim.step(pressure=1e5 * shape, duration=1e7)
     work = []
     for n in range(1, cycles * steps + 1):
         pressure = 1e5 * shape * (1 + np.sin(2 * np.pi * n / steps))
@@ -322,8 +324,8 @@ def test_units_do_not_matter():
 
 def test_a_plastic_body_against_a_viscoelastic_one():
     """Plastic flow of one body and relaxation of the other are solved together."""
-    grid = sc.Grid(20, 20, 2.4 * RADII / 20, 2.4 * RADII / 20, dz=RADII / 10)
-    metal = sc.Material.perfect_plastic(3 * E, 0.3, 0.12 * E)
+    grid = sc.Grid(24, 24, 4 * RADII / 24, 4 * RADII / 24, dz=RADII / 10)
+    metal = sc.Material.perfect_plastic(3 * E, 0.3, 0.012 * E)
     sim = simulation(WIDE, metal, grid, tol=1e-7)
     states = [sim.step(load=0.35 * LOAD * n, duration=0.1) for n in (1, 2, 3)]
     assert states[-1].max_equivalent_plastic_strain(1) > 1e-3

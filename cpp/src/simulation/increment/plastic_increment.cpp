@@ -25,7 +25,7 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
                given_heat(task.setup(), task.target.heating, task.target.past, task.target.duration,
                           task.target.slip_power),
                task.from.eigenstrain, task.from.method, relaxing_.remembered()),
-      slip_(task),
+      slip_(task_, relaxing_),
       symmetry_(symmetry_of(task, tractions_, sources_)),
       mirror_images_(bodies_are_mirror_images(task, sources_)),
       guess_(task, symmetry_),

@@ -168,11 +168,16 @@ bool is_free_of_shear(const IncrementTask& task) {
                      is_zero);
 }
 
-SlipHistory::SlipHistory(const IncrementTask& task)
+SlipHistory::SlipHistory(const IncrementTask& task, const RelaxingBodies& relaxing)
     : task_(task), on_(task.setup().friction.sticks() && !task.target.is_prescribed()) {
   if (!on_) return;
+  contact_ = task.setup().slipping(relaxing.compliances());
   before_ = contact_before(task);
   travel_slip_ = before_.free_slip;
+  const Field of_memory = relaxing.slip();
+  if (of_memory.empty()) return;
+  travel_slip_.resize(of_memory.size(), 0.0);
+  contact::add_scaled(1.0, of_memory, travel_slip_);
 }
 
 Field& SlipHistory::begin_slip() {
@@ -216,8 +221,8 @@ contact::Solution SlipHistory::solve_cold(const Field& gap, const Field& start,
                                           const contact::ContactSettings& settings) {
   const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion,
                                         jointly_};
-  contact::PartialSlipSolution found = task_.setup().partial_slip->solve(
-      gap, task_.target.drive, tangential_drive(task_), before_, first, settings);
+  contact::PartialSlipSolution found =
+      contact_->solve(gap, task_.target.drive, tangential_drive(task_), before_, first, settings);
   shear_ = std::move(found.tangential);
   stall_warning_ = std::move(found.stall_warning);
   jointly_ = found.joint.steps > 0;

@@ -71,6 +71,18 @@ contact::ScaledContact OperatorCache::contact(const operators::HeatingPair& heat
   return {scaled_solver_};
 }
 
+std::shared_ptr<const contact::PartialSlipContact> OperatorCache::partial_slip(
+    const Compliances& compliances) const {
+  const std::lock_guard lock(mutex_);
+  if (!slipping_ || slipping_by_ != compliances) {
+    slipping_ = std::make_shared<const contact::PartialSlipContact>(
+        grid_, operators::scaled_medium(media_[0], compliances[0]),
+        operators::scaled_medium(media_[1], compliances[1]), friction_, contact_law_);
+    slipping_by_ = compliances;
+  }
+  return slipping_;
+}
+
 std::shared_ptr<const operators::BodyDisplacement> OperatorCache::displacement(int body) const {
   const std::lock_guard lock(mutex_);
   auto& own = displacements_[body];

@@ -13,6 +13,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/contact/scaled_contact.hpp"
 #include "samcontact/operators/heat/flux_heat.hpp"
 #include "samcontact/operators/heat/temperature.hpp"
@@ -56,6 +57,10 @@ class OperatorCache {
   /// serves, else one for these factors, which is kept until they change.
   contact::ScaledContact contact(const operators::HeatingPair& heating,
                                  const Compliances& compliances) const;
+
+  /// Partial slip of bodies whose compliances are multiplied by factors; kept until they change.
+  std::shared_ptr<const contact::PartialSlipContact> partial_slip(
+      const Compliances& compliances) const;
 
   /// Displacement of a body due to tractions; kept, bodies of one medium share it.
   std::shared_ptr<const operators::BodyDisplacement> displacement(int body) const;
@@ -133,6 +138,8 @@ class OperatorCache {
   mutable operators::HeatingPair scaled_heating_;
   mutable Compliances scaled_by_ = elastic_compliances;
   mutable std::shared_ptr<const contact::ContactSolver> scaled_solver_;
+  mutable Compliances slipping_by_ = elastic_compliances;
+  mutable std::shared_ptr<const contact::PartialSlipContact> slipping_;
   mutable std::array<std::shared_ptr<const operators::BodyDisplacement>, 2> displacements_;
 };
 
