@@ -11,7 +11,6 @@ from ..bodies.layered import Body
 from ..bodies.viscoelastic import relaxes, require_no_relaxation
 from ..heat import Heat
 from .contact_law import ContactLaw
-from .friction import FrictionLaw
 from .grid import Grid
 from .heating import checked_heat
 from .settings import Settings
@@ -23,20 +22,12 @@ def possible_heat(
     """Check the heat of a simulation against its bodies, grid and settings, and return it."""
     heat = checked_heat(given, bodies, grid, settings.law)
     if relaxes(*bodies):
-        _require_possible(bodies, settings.law, settings.contact_law, heat)
+        _require_possible(bodies, settings.contact_law, heat)
     return heat
 
 
-def _require_possible(
-    bodies: tuple[Body, Body], friction: FrictionLaw, contact_law: ContactLaw, heat: Heat
-) -> None:
+def _require_possible(bodies: tuple[Body, Body], contact_law: ContactLaw, heat: Heat) -> None:
     """Raise ValueError for settings that are not supported with viscoelastic bodies."""
-    if friction.sticks:
-        require_no_relaxation(
-            f"partial slip (friction = {friction!r}) of viscoelastic bodies is not supported; "
-            "give friction as a number",
-            *bodies,
-        )
     if contact_law.attracts:
         require_no_relaxation("attraction of viscoelastic bodies is not supported", *bodies)
     for name in ("history", "partition"):
