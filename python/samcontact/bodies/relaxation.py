@@ -74,7 +74,8 @@ def checked_relaxation(given: Any) -> RelaxationTerms:
 
 def _relaxation(terms: RelaxationTerms, t: FloatArray) -> FloatArray:
     decay = np.exp(-t[..., None] / np.asarray(terms[0]))
-    return long_time_share(terms) + decay @ np.asarray(terms[1])
+    ratio: FloatArray = long_time_share(terms) + decay @ np.asarray(terms[1])
+    return ratio
 
 
 def complex_ratio(terms: RelaxationTerms, omega: FloatArray) -> Any:

@@ -71,7 +71,8 @@ def _growing(name: str, first: float, total: float, count: int) -> list[float]:
             f"{name} must be < duration ({total!r} s) in at least 2 increments, got {start!r} s in "
             f"{count}"
         )
-    return growing_durations(total, start, count).tolist()
+    durations: list[float] = growing_durations(total, start, count).tolist()
+    return durations
 
 
 def growing_durations(total: float, first: float, count: int) -> FloatArray:

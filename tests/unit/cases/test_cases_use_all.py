@@ -224,7 +224,8 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
-        "contact_law capped_coulomb heat asperities output fatigue limit shakedown hardness exposure life"
+        "contact_law capped_coulomb heat asperities output fatigue limit shakedown hardness "
+        "exposure life"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -91,6 +91,22 @@ std::shared_ptr<const operators::BodyDisplacement> OperatorCache::displacement(i
   return own;
 }
 
+std::shared_ptr<const operators::BodyDisplacement> OperatorCache::displacement(int body, int nx,
+                                                                               int ny) const {
+  if (nx == grid_.nx && ny == grid_.ny) return displacement(body);
+  const std::lock_guard lock(mutex_);
+  const auto fits = [&](const auto& kept) {
+    return kept && kept->grid().nx == nx && kept->grid().ny == ny;
+  };
+  auto& own = small_displacements_[body];
+  const auto& other = small_displacements_[1 - body];
+  if (fits(own)) return own;
+  if (fits(other) && media_[0] == media_[1]) return own = other;
+  const Grid part = Box{0, 0, nx, ny, 0}.grid(grid_);
+  own = std::make_shared<const operators::BodyDisplacement>(part, media_[body]);
+  return own;
+}
+
 std::shared_ptr<const operators::Temperature> OperatorCache::temperature(
     const operators::Heating& heating, const Box& box) const {
   const std::lock_guard lock(mutex_);

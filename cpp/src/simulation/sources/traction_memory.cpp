@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/simulation/sources/traction_memory.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -43,19 +43,42 @@ void for_kinds(const TractionMemory& memory, std::size_t terms, const Use& use) 
   }
 }
 
-/// Tractions on the grid, as sums over the stored fields of the box; of(part, sum) adds them.
+/// Tractions on the cells of a larger box, as sums over the stored fields; of(part, sum) adds them.
 template <class Of>
-Tractions on_grid(const TractionMemory& memory, std::size_t terms, const Grid& grid, const Of& of) {
+Tractions over(const Box& whole, const TractionMemory& memory, std::size_t terms, const Of& of) {
   Tractions tractions;
   Field sum;
   for_kinds(memory, terms, [&](Traction kind, const Part& part) {
     sum.assign(memory.box.surface_size(), 0.0);
     of(part, sum);
     Field& field = field_of(tractions, kind);
-    field.assign(grid.surface_size(), 0.0);
-    insert(sum.data(), memory.box, field.data(), Box::surface(grid));
+    field.assign(whole.surface_size(), 0.0);
+    insert(sum.data(), memory.box, field.data(), whole);
   });
   return tractions;
+}
+
+/// Cells over which the work of tractions in a box is computed: few different sizes, so that their
+/// operators are seldom built; the whole grid if it is periodic.
+Box work_box(const Box& loaded, const Grid& grid) {
+  if (grid.period.is_on()) return Box::surface(grid);
+  const auto rounded = [](int cells, int all) {
+    const int unit = std::max(8, (all + 7) / 8);
+    return std::min(all, (cells + unit - 1) / unit * unit);
+  };
+  Box box = loaded;
+  box.nx = rounded(loaded.nx, grid.nx);
+  box.ny = rounded(loaded.ny, grid.ny);
+  box.i0 = std::min(loaded.i0, grid.nx - box.nx);
+  box.j0 = std::min(loaded.j0, grid.ny - box.ny);
+  return box;
+}
+
+/// Work of tractions on the displacement due to tractions [J], both on the cells of a work_box().
+double work(const RelaxingBody& body, const Box& box, const Tractions& force,
+            const Tractions& cause) {
+  return body.cache.displacement(body.body, box.nx, box.ny)
+      ->work(force, cause, operators::shear_sign(body.body));
 }
 
 void add(double factor, const double* part, Field& sum) {
@@ -149,22 +172,23 @@ RelaxationStep::RelaxationStep(const Relaxation& relaxation, double duration) {
 
 int TractionMemory::count() const { return std::popcount(static_cast<unsigned>(kinds)); }
 
-RelaxingBody::RelaxingBody(const Setup& setup, int body)
-    : grid(setup.grid),
-      relaxation(setup.bodies[body].relaxation()),
-      displacement(setup.cache.displacement(body)),
-      shear_sign(operators::shear_sign(body)) {}
+RelaxingBody::RelaxingBody(const Setup& setup, int body_)
+    : cache(setup.cache),
+      grid(setup.grid),
+      relaxation(setup.bodies[body_].relaxation()),
+      body(body_) {}
 
 Tractions equivalent(const TractionMemory& memory, const RelaxingBody& body) {
-  return on_grid(memory, body.relaxation.terms(), body.grid,
-                 [](const Part& part, Field& sum) { add(1.0, part.equivalent(), sum); });
+  return over(Box::surface(body.grid), memory, body.relaxation.terms(),
+              [](const Part& part, Field& sum) { add(1.0, part.equivalent(), sum); });
 }
 
 Tractions remembered(const TractionMemory& memory, const RelaxingBody& body,
                      const RelaxationStep& step) {
   const Relaxation& relaxation = body.relaxation;
   const double sum_of_means = mean_modulus(relaxation, step);
-  return on_grid(memory, relaxation.terms(), body.grid, [&](const Part& part, Field& sum) {
+  const Box whole = Box::surface(body.grid);
+  return over(whole, memory, relaxation.terms(), [&](const Part& part, Field& sum) {
     add(step.compliance * sum_of_means, part.equivalent(), sum);
     for (std::size_t i = 0; i < relaxation.terms(); ++i) {
       add(-step.compliance * relaxation.shares[i] * step.decay[i], part.fading(i), sum);
@@ -187,6 +211,7 @@ std::shared_ptr<const TractionMemory> after_step(const TractionMemory* before,
   TractionMemory memory = extended(before, relaxation.terms(), box, kinds);
   const std::size_t cells = box.surface_size();
   if (cells == 0) return std::make_shared<const TractionMemory>(std::move(memory));
+  const Box around = work_box(box, grid);
   Tractions change, mean;
   double* values = memory.values.data();
   Field own(cells);
@@ -199,26 +224,26 @@ std::shared_ptr<const TractionMemory> after_step(const TractionMemory* before,
     values += (relaxation.terms() + 1) * cells;
     for (auto [part, of] : {std::pair{&here.equivalent, &change}, std::pair{&here.mean, &mean}}) {
       Field& whole = field_of(*of, kind);
-      whole.assign(grid.surface_size(), 0.0);
-      insert(part->data(), box, whole.data(), Box::surface(grid));
+      whole.assign(around.surface_size(), 0.0);
+      insert(part->data(), box, whole.data(), around);
     }
   }
-  memory.supplied += body.displacement->work(mean, change, body.shear_sign);
+  memory.supplied += work(body, around, mean, change);
   return std::make_shared<const TractionMemory>(std::move(memory));
 }
 
 double stored_energy(const TractionMemory& memory, const RelaxingBody& body) {
   if (memory.box.empty()) return 0.0;
   const Relaxation& relaxation = body.relaxation;
-  const auto energy = [&](double share, const Tractions& tractions) {
-    return 0.5 * share * body.displacement->work(tractions, tractions, body.shear_sign);
+  const Box box = work_box(memory.box, body.grid);
+  const auto energy = [&](double share, const auto& field_of) {
+    const auto part = [&](const Part& of, Field& sum) { add(1.0, field_of(of), sum); };
+    const Tractions tractions = over(box, memory, relaxation.terms(), part);
+    return 0.5 * share * work(body, box, tractions, tractions);
   };
-  double sum = energy(relaxation.long_time_share(), equivalent(memory, body));
+  double sum = energy(relaxation.long_time_share(), [](const Part& of) { return of.equivalent(); });
   for (std::size_t i = 0; i < relaxation.terms(); ++i) {
-    sum +=
-        energy(relaxation.shares[i],
-               on_grid(memory, relaxation.terms(), body.grid,
-                       [i](const Part& part, Field& field) { add(1.0, part.fading(i), field); }));
+    sum += energy(relaxation.shares[i], [i](const Part& of) { return of.fading(i); });
   }
   return sum;
 }

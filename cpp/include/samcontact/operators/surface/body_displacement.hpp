@@ -24,6 +24,7 @@ class BodyDisplacement {
   /// `force` on the displacement due to tractions `cause`.
   double work(const Tractions& force, const Tractions& cause, double shear_sign) const;
 
+  const Grid& grid() const { return grid_; }
   std::size_t bytes() const;
 
  private:

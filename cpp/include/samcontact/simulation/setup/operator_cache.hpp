@@ -64,6 +64,8 @@ class OperatorCache {
 
   /// Displacement of a body due to tractions; kept, bodies of one medium share it.
   std::shared_ptr<const operators::BodyDisplacement> displacement(int body) const;
+  /// Likewise, on a rectangle of nx x ny cells; the last one of each body is kept.
+  std::shared_ptr<const operators::BodyDisplacement> displacement(int body, int nx, int ny) const;
 
   /// Operator over the surface cells of a box; the last two are kept.
   std::shared_ptr<const operators::Temperature> temperature(const operators::Heating& heating,
@@ -140,7 +142,8 @@ class OperatorCache {
   mutable std::shared_ptr<const contact::ContactSolver> scaled_solver_;
   mutable Compliances slipping_by_ = elastic_compliances;
   mutable std::shared_ptr<const contact::PartialSlipContact> slipping_;
-  mutable std::array<std::shared_ptr<const operators::BodyDisplacement>, 2> displacements_;
+  using Displacements = std::array<std::shared_ptr<const operators::BodyDisplacement>, 2>;
+  mutable Displacements displacements_, small_displacements_;
 };
 
 }  // namespace samcontact::simulation

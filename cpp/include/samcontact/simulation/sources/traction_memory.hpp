@@ -50,10 +50,10 @@ using TractionMemories = std::array<std::shared_ptr<const TractionMemory>, 2>;
 struct RelaxingBody {
   RelaxingBody(const Setup& setup, int body);
 
+  const OperatorCache& cache;
   const Grid& grid;
   const Relaxation& relaxation;
-  std::shared_ptr<const operators::BodyDisplacement> displacement;
-  double shear_sign;
+  int body;
 };
 
 /// Equivalent tractions [i][j] of the grid [Pa].
