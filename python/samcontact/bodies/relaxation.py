@@ -29,6 +29,8 @@ _ROUNDING = 1e-12
 """A long-time share below this value is rounding error of the sum of the shares."""
 _MAX_TIME = 1e15
 """Longest relaxation time [s]."""
+_NEGLIGIBLE = 1e-9
+"""Fitted share that counts as rounding error."""
 _POOR_FIT = 0.05
 """Largest relative difference of a fitted complex modulus without a warning."""
 
@@ -310,7 +312,7 @@ def _fitted(omega: FloatArray, measured: Any, count: int) -> tuple[float, FloatA
             UserWarning,
             stacklevel=3,
         )
-    used = found[1:] > 0
+    used = found[1:] > _NEGLIGIBLE * found.sum()
     if not used.any():
         raise ValueError("loss must be > 0 at some frequency: the fitted material is elastic")
     return float(found[0]), times[used], found[1:][used]
