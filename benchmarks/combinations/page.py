@@ -72,6 +72,15 @@ REASONS = (
         is_limit=True,
     ),
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
+    Reason(
+        "relaxation cannot be combined with a yield stress",
+        "A body that both relaxes and yields; the other body may yield.",
+    ),
+    Reason(
+        "viscoelastic",
+        "Motion of viscoelastic bodies, whose track recovers outside the grid, and heat in them, "
+        "whose thermal stress relaxes; also histories of heat and heat due to slip.",
+    ),
 )
 
 

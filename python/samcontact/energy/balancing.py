@@ -371,8 +371,8 @@ def _thermal_stress(simulation: Simulation, state: State, body: int) -> FloatArr
 
 
 def _elastic_solver(simulation: Simulation, state: State) -> ContactSolver:
-    bodies = map(instantaneous, (simulation.body1, simulation.body2))
-    return ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
+    body1, body2 = map(instantaneous, _bodies(simulation))
+    return ContactSolver(state.grid, body1, body2, simulation.friction, on_border="warn")
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:

@@ -148,6 +148,5 @@ def _material(name: str, part: Tree, law: Any) -> Material:
     thermal, profile, stress = map(part.get, ("thermal", "yield_profile", "residual_stress"))
     faces = part.get("free_faces")
     ends = None if faces is None else (*map(float, faces), part["face_method"])
-    terms = part.get("relaxation_terms")
     constants = part["law"], part["parameters"], kinematic, thermal, law, profile, stress, ends
-    return Material(*constants, None if terms is None else tuple(map(tuple, terms)))
+    return Material(*constants, part.get("relaxation_terms"))

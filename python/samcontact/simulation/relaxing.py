@@ -4,18 +4,21 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .._util.checks import choice
 from ..bodies.relaxation import long_time_share
 from ..bodies.viscoelastic import relaxation_of, relaxes
 from ..solutions.state import State
 
+if TYPE_CHECKING:
+    from .engine import Engine
+
 
 class HasLongTimeState:
     """Base class of `Simulation` with the relaxed state of viscoelastic bodies."""
 
-    engine: Any
+    engine: Engine
     step: Any
 
     def relax(self, hold: str | None = None) -> State:
