@@ -46,6 +46,10 @@ INTENDED = {
     ("Tresca", "limit", math.inf),
     ("CappedCoulomb", "limit", math.inf),
     # a steady state
+    ("Material.relaxation", "t", math.inf),
+    ("Material.creep", "t", math.inf),
+    ("Material.storage", "omega", math.inf),
+    ("Material.loss", "omega", math.inf),
     ("heat_kernels.temperature", "time", math.inf),
     ("heat_kernels.displacement", "time", math.inf),
     ("heat_kernels.stress", "time", math.inf),

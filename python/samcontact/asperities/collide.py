@@ -42,6 +42,11 @@ class CollisionResult(ShortRepr):
     """States of the unloaded bodies after each pass."""
 
 
+def _require_possible_bodies(*bodies: Any) -> None:
+    require_homogeneous("asperity collision does not support layered bodies", *bodies)
+    require_no_relaxation("asperity collisions have no duration", *bodies)
+
+
 def collide(
     collision: Collision,
     body1: Material,
@@ -114,8 +119,7 @@ def collide(
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)
     require_type("collision", collision, Collision)
-    require_homogeneous("asperity collision does not support layered bodies", body1, body2)
-    require_no_relaxation("asperity collisions have no duration", body1, body2)
+    _require_possible_bodies(body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if given := settings.get(name):

@@ -7,6 +7,7 @@ import math
 from typing import Any
 
 from .._util.checks import non_negative, number
+from .._util.short_text import in_short
 from ..bodies.layered import Body
 from ..bodies.viscoelastic import relaxes, require_no_relaxation
 from ..heat import Heat
@@ -57,8 +58,8 @@ def relaxing_duration(duration: Any, advance: tuple[float, float]) -> float:
         )
     if advance != (0.0, 0.0):
         raise ValueError(
-            f"advance cannot be combined with viscoelastic bodies, got {advance!r} cells: the "
-            "track behind the contact would have to recover outside the grid"
+            f"advance cannot be combined with viscoelastic bodies, got {in_short(advance)} cells: "
+            "the track behind the contact would have to recover outside the grid"
         )
     return (
         math.inf if number("duration", duration) == math.inf else non_negative("duration", duration)

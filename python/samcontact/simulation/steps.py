@@ -129,18 +129,9 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        if self._relaxes:
-            lasts: float | None = relaxing_duration(duration, travels)
-        else:
-            lasts = _duration(heat, duration, is_unloaded=is_unloaded)
-        if heat_factor is not None and heat.partition is not None:
-            raise ValueError(
-                f"heat_factor cannot be combined with heat.partition, "
-                f"got {in_short(heat_factor)}: the heat flux follows from the frictional power"
-            )
+        lasts = self._duration(heat, duration, travels, is_unloaded=is_unloaded)
         if heat_factor is not None:
-            heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
-            require_cold(heat, self.bodies)
+            heat = self._heat_with(heat, heat_factor)
         is_loaded = not is_unloaded
         if heat.history is not None and lasts is not None and travels != AT_REST:
             _require_motion_of_heat(heat, lasts, travels, grid.dx)
@@ -153,6 +144,25 @@ class StepArguments:
         if kind == "approach":
             require_reference(heat)
         return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
+
+    def _duration(
+        self, heat: Heat, given: float | None, travels: tuple[float, float], *, is_unloaded: bool
+    ) -> float | None:
+        """Check and return the duration of an increment [s]; None if none is required."""
+        if self._relaxes:
+            return relaxing_duration(given, travels)
+        return _duration(heat, given, is_unloaded=is_unloaded)
+
+    def _heat_with(self, heat: Heat, factor: float | Sequence[float]) -> Heat:
+        """Return the heat with another factor."""
+        if heat.partition is not None:
+            raise ValueError(
+                f"heat_factor cannot be combined with heat.partition, "
+                f"got {in_short(factor)}: the heat flux follows from the frictional power"
+            )
+        changed = replace(heat, factor=value_per_body("heat_factor", factor))
+        require_cold(changed, self.bodies)
+        return changed
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""

@@ -6,6 +6,22 @@ import pickle
 import numpy as np
 import pytest
 from scipy.optimize import brentq
+from viscoelastic_setups import (
+    GRID,
+    LOAD,
+    NU,
+    PLANE,
+    POLYMER,
+    RADII,
+    RADIUS,
+    RIGID,
+    SLS,
+    SOFT,
+    E,
+    ball,
+    scaled,
+    simulation,
+)
 
 import samcontact as sc
 
@@ -13,28 +29,6 @@ pytestmark = pytest.mark.filterwarnings(
     "ignore::samcontact.ResolutionWarning", "ignore::samcontact.IncrementWarning",
     "ignore::samcontact.UnitWarning", "ignore::samcontact.ElasticStrainWarning",
 )  # fmt: skip
-RIGID = sc.Material.rigid()
-E, NU, RADIUS = 10e6, 0.4, 10e-3
-SOFT = sc.Material.elastic(E, NU)
-PLANE = E / (1 - NU**2)
-SLS = SOFT.with_relaxation([1.0], [0.9])
-WIDE = SOFT.with_relaxation([1e-2, 1.0, 1e2], [0.3, 0.3, 0.3])
-RADII = np.sqrt(RADIUS * 2.5e-5)  # about the contact radius [m]
-GRID = sc.Grid(32, 30, 3.2 * RADII / 32, 3.2 * RADII / 30)
-LOAD = 4 / 3 * PLANE * RADII**3 / RADIUS
-
-
-def ball(grid):
-    return sc.surfaces.paraboloid(grid, RADIUS)
-
-
-def simulation(body2, body1=RIGID, grid=GRID, **settings):
-    settings = {"on_border": "warn", "tol": 1e-9} | settings
-    return sc.Simulation(grid, body1, body2, ball(grid), **settings)
-
-
-def scaled(material, factor):
-    return sc.Material.elastic(factor * material.E, material.nu)
 
 
 def triangle(until, steps, largest):
@@ -83,7 +77,7 @@ def test_the_error_is_of_second_order_in_the_steps():
     ends = []
     for steps in (8, 16, 128):
         path, _ = triangle(2.0, steps, largest)
-        ends.append(simulation(WIDE, grid=grid).run(path[: steps // 2], progress=False)[-1].load)
+        ends.append(simulation(POLYMER, grid=grid).run(path[: steps // 2], progress=False)[-1].load)
     coarse, fine = np.abs(np.array(ends[:2]) - ends[2])
     assert 3.2 < coarse / fine < 5.0
 
@@ -148,7 +142,7 @@ HISTORY = [
 
 @pytest.mark.parametrize("friction", [0.0, 0.4])
 def test_the_relaxed_state_is_elastic_with_long_time_moduli(friction):
-    bodies = SOFT.with_relaxation([0.5, 50.0], [0.3, 0.4]), WIDE
+    bodies = SOFT.with_relaxation([0.5, 50.0], [0.3, 0.4]), POLYMER
     sim = simulation(bodies[1], bodies[0], friction=friction)
     sim.run(HISTORY, progress=False)
     relaxed = sim.relax()
@@ -181,7 +175,7 @@ def test_layers_that_share_one_relaxation():
 
 
 def test_the_print_recovers_and_is_the_gap_of_equivalent_pressure():
-    sim = simulation(WIDE)
+    sim = simulation(POLYMER)
     sim.step(load=LOAD, duration=1.0)
     loaded = sim.step(load=LOAD, duration=1.0)
     free = sim.step(load=0.0, duration=0.0)
@@ -202,7 +196,7 @@ def test_the_print_recovers_and_is_the_gap_of_equivalent_pressure():
 
 def test_stress_follows_the_present_pressure():
     grid = sc.Grid(20, 18, 3.2 * RADII / 20, 3.2 * RADII / 18, dz=RADII / 10)
-    sim = simulation(WIDE, grid=grid)
+    sim = simulation(POLYMER, grid=grid)
     sim.step(load=LOAD, duration=1.0)
     state = sim.step(load=0.5 * LOAD, duration=5.0)
     solver = sc.ContactSolver(grid, RIGID, SOFT, on_border="warn")
@@ -229,7 +223,9 @@ def random_body(rng):
     return SOFT.with_relaxation(10.0 ** rng.uniform(-4, 4, terms), shares)
 
 
-@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+@pytest.mark.filterwarnings(
+    "ignore::samcontact.GridTooSmallWarning", "ignore::samcontact.SingularPressureWarning"
+)
 @pytest.mark.parametrize("seeds", [range(20), pytest.param(range(500), marks=pytest.mark.slow)])
 def test_random_histories(seeds):
     """No negative pressure, and viscous work that never decreases."""
@@ -238,15 +234,15 @@ def test_random_histories(seeds):
         rng = np.random.default_rng(1000 + seed)
         body1 = RIGID if rng.random() < 0.5 else random_body(rng)
         sim = simulation(random_body(rng), body1, grid, friction=0.3 * (rng.random() < 0.3))
-        before = [0.0, 0.0]
+        before, largest = [0.0, 0.0], 0.0
         for step in random_path(seed):
             state = sim.step(**step)
             assert np.isfinite(state.pressure).all()
             assert state.pressure.min() >= 0
             for body in (1, 2):
                 now = state.viscous_work(body)
-                scale = state.stored_energy(body) + now
-                assert now >= before[body - 1] - 1e-9 * scale
+                largest = max(largest, state.stored_energy(body) + now)
+                assert now >= before[body - 1] - 1e-9 * largest
                 before[body - 1] = now
 
 
@@ -256,7 +252,7 @@ def test_the_energy_balance_closes_with_viscous_work(friction):
     for steps in (20, 40):
         path, _ = triangle(2.0, steps, RADII**2 / RADIUS)
         other = sc.Material.elastic(2 * E, 0.2)
-        sim = simulation(WIDE, other, friction=friction, tol=1e-8)
+        sim = simulation(POLYMER, other, friction=friction, tol=1e-8)
         states = sim.run(path[:-1], progress=False)
         balance = sc.energy.balance(sim, states)
         assert balance.viscous_work > 0.1 * balance.work_input
@@ -287,7 +283,7 @@ def test_work_of_an_oscillation_follows_from_the_loss_modulus():
 
 
 def test_a_restart_is_bit_identical(tmp_path):
-    sim = simulation(WIDE, SLS, friction=0.2)
+    sim = simulation(POLYMER, SLS, friction=0.2)
     sim.run(HISTORY[:2], progress=False)
     sim.save(tmp_path / "sim.h5")
     copies = sc.Simulation.load(tmp_path / "sim.h5"), pickle.loads(pickle.dumps(sim))
@@ -297,12 +293,12 @@ def test_a_restart_is_bit_identical(tmp_path):
         assert np.array_equal(other.equivalent_pressure(1), ends[0].equivalent_pressure(1))
         assert other.time == ends[0].time
         assert other.viscous_work() == ends[0].viscous_work()
-    assert sc.Simulation.load(tmp_path / "sim.h5").body2 == WIDE
+    assert sc.Simulation.load(tmp_path / "sim.h5").body2 == POLYMER
 
 
 def test_an_enlarged_grid_keeps_the_memory():
-    wide = simulation(WIDE, grid=sc.Grid(48, 48, GRID.dx, GRID.dy), on_border="error")
-    small = sc.Simulation(sc.Grid(16, 16, GRID.dx, GRID.dy), RIGID, WIDE, ball, tol=1e-9)
+    wide = simulation(POLYMER, grid=sc.Grid(48, 48, GRID.dx, GRID.dy), on_border="error")
+    small = sc.Simulation(sc.Grid(16, 16, GRID.dx, GRID.dy), RIGID, POLYMER, ball, tol=1e-9)
     path = [{"load": 1e-3 * LOAD, "duration": 0.5}, {"load": 0.3 * LOAD, "duration": 0.5}]
     one, two = (sim.run(path, progress=False)[-1] for sim in (wide, small))
     assert small.grid.nx > 16
@@ -310,7 +306,7 @@ def test_an_enlarged_grid_keeps_the_memory():
 
 
 def test_units_do_not_matter():
-    """The same digits in metres and seconds as in millimetres (E in MPa) and milliseconds."""
+    """Millimetres, megapascals and milliseconds give the same digits as SI units."""
     fine = sc.Grid(GRID.nx, GRID.ny, 1e3 * GRID.dx, 1e3 * GRID.dy)
     body = sc.Material.elastic(1e-6 * E, NU).with_relaxation([1e3], [0.9])
     gap = sc.surfaces.paraboloid(fine, 1e3 * RADIUS)
@@ -326,7 +322,7 @@ def test_a_plastic_body_against_a_viscoelastic_one():
     """Plastic flow of one body and relaxation of the other are solved together."""
     grid = sc.Grid(24, 24, 4 * RADII / 24, 4 * RADII / 24, dz=RADII / 10)
     metal = sc.Material.perfect_plastic(3 * E, 0.3, 0.012 * E)
-    sim = simulation(WIDE, metal, grid, tol=1e-7)
+    sim = simulation(POLYMER, metal, grid, tol=1e-7)
     states = [sim.step(load=0.35 * LOAD * n, duration=0.1) for n in (1, 2, 3)]
     assert states[-1].max_equivalent_plastic_strain(1) > 1e-3
     balance = sc.energy.balance(sim, states)
@@ -334,52 +330,9 @@ def test_a_plastic_body_against_a_viscoelastic_one():
     assert balance.viscous_work > 0
     assert abs(balance.imbalance) < 0.02
     hard = sc.Material.perfect_plastic(3 * E, 0.3, 1e3 * E)
-    pair = [simulation(WIDE, body, grid) for body in (hard, sc.Material.elastic(3 * E, 0.3))]
+    pair = [simulation(POLYMER, body, grid) for body in (hard, sc.Material.elastic(3 * E, 0.3))]
     one, two = (sim.step(load=LOAD, duration=0.2) for sim in pair)
     np.testing.assert_allclose(one.pressure, two.pressure, atol=1e-8 * two.pressure.max())
-
-
-def test_slow_partial_slip_is_elastic_with_long_time_moduli():
-    """Dissimilar bodies of different relaxation, which couple pressure and shear."""
-    bodies = SLS, sc.Material.elastic(2 * E, 0.2).with_relaxation([5.0], [0.5])
-    others = scaled(SOFT, 0.1), sc.Material.elastic(E, 0.2)
-    path = [{"load": 0.05 * LOAD}, {"load": 0.05 * LOAD, "shift": (2e-7, 0.0)}]
-    path += [{"load": 0.06 * LOAD, "shift": (-1e-7, 1e-7)}]
-    found, elastic = (simulation(b, a, friction=sc.Coulomb(0.3)) for a, b in (bodies, others))
-    for step in path:
-        one, two = found.step(**step, duration=1e12), elastic.step(**step)
-    peak = two.pressure.max()
-    np.testing.assert_allclose(one.pressure, two.pressure, atol=1e-6 * peak)
-    np.testing.assert_allclose(one.shear, two.shear, atol=1e-6 * peak)
-    assert one.friction_work == pytest.approx(two.friction_work, rel=1e-5)
-
-
-def test_a_sticking_contact_creeps_tangentially():
-    """Relaxed under the normal load, the shift grows as the creep function."""
-    body = SOFT.with_relaxation([1.0], [0.7])
-    sim = simulation(body, body, friction=sc.Coulomb(0.3))
-    sim.step(load=0.1 * LOAD, duration=0.0)
-    sim.relax()
-    drive = {"load": 0.1 * LOAD, "tangential_load": (1e-3 * LOAD, 0.0)}
-    shifts = [sim.step(**drive, duration=0.0).shift[0]]
-    shifts += [sim.step(**drive, duration=0.25).shift[0] for _ in range(16)]
-    expected = body.creep(0.25 * np.arange(17))
-    np.testing.assert_allclose(np.array(shifts) / shifts[0], expected, rtol=6e-4)
-
-
-def test_the_energy_balance_of_partial_slip():
-    other = sc.Material.elastic(2 * E, 0.2).with_relaxation([5.0], [0.5])
-    sim = simulation(SLS, other, friction=sc.Coulomb(0.3))
-    parts = np.arange(1, 13) / 12
-    path = [{"load": 0.1 * LOAD * x, "tangential_load": (0.02 * LOAD * x, 0.0)} for x in parts]
-    path += [
-        {"load": 0.1 * LOAD, "tangential_load": (0.02 * LOAD * (1 - 2 * x), 0.0)} for x in parts
-    ]
-    states = sim.run([step | {"duration": 0.2} for step in path], progress=False)
-    balance = sc.energy.balance(sim, states)
-    assert balance.friction_work > 0
-    assert balance.viscous_work > 0.1 * balance.work_input
-    assert abs(balance.imbalance) < 1e-3
 
 
 def test_refusals():
