@@ -26,6 +26,12 @@ FACED = {
     "nu": 0.3,
     "free_faces": {"low": -24e-6, "high": 18e-6, "method": "exact"},
 }
+RELAXING = {
+    "law": "elastic",
+    "E": 3e9,
+    "nu": 0.4,
+    "relaxation": {"times": [1e-3, 0.1], "shares": [0.3, 0.2]},
+}
 COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
 HARDENED = {name: value for name, value in SWIFT.items() if name != "yield_profile"}
@@ -160,6 +166,11 @@ KINDS = {
                       "body2": FACED, "heat": None,
                       "contact": CONTACT | {"friction": 0.0},
                       "path": [{k: v for k, v in RAMP.items() if k != "heat_factor"}]},
+    "relaxing": BASE | {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "body1": RELAXING,
+                        "body2": RELAXING, "heat": None,
+                        "path": [{"load": 0.02, "increments": 2, "duration": 0.01},
+                                 {"load": 0.02, "increments": 4, "duration": 0.1,
+                                  "first_duration": 0.01}]},
     "Voce": BASE | {"body1": VOCE},
     "library": BASE | {"body2": {"material": "52100", "law": "swift"}},
     "tabulated": BASE | {"body2": TABULATED},

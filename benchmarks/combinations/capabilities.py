@@ -46,6 +46,10 @@ def _ends(contact: Contact) -> None:
     contact.ends = True
 
 
+def _relaxes(contact: Contact) -> None:
+    contact.relaxes = True
+
+
 def _both_yield(contact: Contact) -> None:
     contact.body1 = sc.Material.swift(210e9, 0.3, 700e6, 20.0, 0.1)
 
@@ -169,6 +173,7 @@ CAPABILITIES: dict[str, Change] = {
     "two plastic bodies": _both_yield,
     "profiles of hardness and initial stress": _graded,
     "free face": _ends,
+    "viscoelastic body": _relaxes,
     "elastic coating": _elastic_coating,
     "plastic coating and substrate": _yielding_coating,
     "full sliding": _full_sliding,

@@ -30,6 +30,8 @@ class Contact:
     coating: sc.Material | None = None
     ends: bool = False
     """Whether the upper body ends at a free face inside the contact."""
+    relaxes: bool = False
+    """Whether the upper body is viscoelastic."""
     periodic: str = ""
     heights: np.ndarray | None = None
     """Measured heights, which are added to the gap [m]."""
@@ -59,6 +61,8 @@ class Contact:
         if self.has_thermal_properties:
             body1, body2 = (body.with_thermal(50.2, 11.7e-6, 1.39e-5) for body in (body1, body2))
             coating = None if coating is None else coating.with_thermal(5.0, 8e-6, 2e-6)
+        if self.relaxes:
+            body1 = body1.with_relaxation(times=[1e-4, 1e-2], shares=[0.2, 0.1])
         if self.ends:
             body1 = body1.with_free_faces(high=4 * SIZE)
         if coating is None:
@@ -94,7 +98,7 @@ class Contact:
 
     def path(self) -> list[dict[str, Any]]:
         """Return the increments: loading in two steps, tangential drive, motion, unloading."""
-        lasting = {"duration": SIZE / SPEED} if self.lasts() else {}
+        lasting = {"duration": SIZE / SPEED} if self.lasts() or self.relaxes else {}
 
         def pressed(fraction: float) -> dict[str, Any]:
             name, most = ("approach", APPROACH) if self.prescribes_approach else ("load", LOAD)

@@ -77,6 +77,15 @@ REASONS = (
         "Motion along y of plastic strain and of surface heights, under partial slip, and of heat "
         "along a period.",
     ),
+    Reason(
+        "relaxation cannot be combined with a yield stress",
+        "A body that both relaxes and yields; the other body may yield.",
+    ),
+    Reason(
+        "viscoelastic",
+        "Motion of viscoelastic bodies, whose track recovers outside the grid, and heat in them, "
+        "whose thermal stress relaxes; also histories of heat and heat due to slip.",
+    ),
 )
 
 

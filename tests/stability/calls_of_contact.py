@@ -370,7 +370,10 @@ CALLS = [
      {"load": 10.0, "force": (1.0, 0.0), "start": (0.5, 0.0)}),
     ("paths.tangential", sc.paths.tangential, {"approach": 1e-7, "force": (1.0, 0.0)}),
     ("paths.fretting_loop", sc.paths.fretting_loop, {"approach": 1e-7, "force": (1.0, 0.0)}),
-    *(("paths.hold", sc.paths.hold, {**driver, "increments": 2, **PARTS}) for driver in DRIVERS),
+    *(
+        ("paths.hold", sc.paths.hold, {**driver, "increments": 2, **PARTS, "first_duration": 0.01})
+        for driver in DRIVERS
+    ),
     *(
         ("paths.ramp", sc.paths.ramp, {**driver, "start": 1e-7, **RAMP, **PARTS})
         for driver in DRIVERS

@@ -10,12 +10,15 @@ from calls_of_laws import CALLS as OF_LAWS
 from calls_of_materials import CALLS as OF_MATERIALS
 from calls_of_parts import CALLS as OF_PARTS
 from calls_of_shakedown import CALLS as OF_SHAKEDOWN
+from calls_of_viscoelasticity import CALLS as OF_VISCOELASTICITY
 from calls_of_wear import CALLS as OF_WEAR
 
 CALLS = FORMULAS + BEARINGS + ON_GRIDS + OF_LAWS + OF_MATERIALS + OF_PARTS + OF_SHAKEDOWN + OF_WEAR
+CALLS += OF_VISCOELASTICITY
 PARTS = {
     "kinematic": {"modulus", "recovery"},
     "thermal": {"conductivity", "expansion", "diffusivity"},
+    "relaxation_terms": {"times", "shares"},
 }
 """Names of the numbers of an argument that has several."""
 

@@ -47,6 +47,10 @@ INTENDED = {
     ("CappedCoulomb", "limit", math.inf),
     ("ThirdBody", "strength", math.inf),
     # a steady state
+    ("Material.relaxation", "t", math.inf),
+    ("Material.creep", "t", math.inf),
+    ("Material.storage", "omega", math.inf),
+    ("Material.loss", "omega", math.inf),
     ("heat_kernels.temperature", "time", math.inf),
     ("heat_kernels.displacement", "time", math.inf),
     ("heat_kernels.stress", "time", math.inf),

@@ -169,6 +169,9 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 
 void Simulation::check(const Target& target) const {
   if (!target.advance.is_along_x()) require_free_to_advance_along_y(state_);
+  if (setup_->is_viscoelastic() && target.advance != Travel{}) {
+    throw std::invalid_argument("viscoelastic bodies cannot travel through the contact");
+  }
   if (setup_->transient_heating.is_on() && target.duration == 0 && state_.load != 0) {
     throw std::invalid_argument(
         "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");

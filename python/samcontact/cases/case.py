@@ -21,7 +21,12 @@ from ..problem.heating import NO_HEAT, heating
 from ..simulation.given_strain import prepare
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
-from .cross_checks import path_with_loads, reason_for_grid, require_all_used
+from .cross_checks import (
+    path_with_loads,
+    reason_for_grid,
+    require_all_used,
+    require_durations,
+)
 from .dents import DentsSection
 from .fatigue import FatigueSection
 from .heat_checks import require_velocity_of_motion
@@ -126,15 +131,7 @@ class Case(CaseFile):
                     f"{name} is elastic-plastic (law {law}) and requires a "
                     "grid with layers: set grid.dz"
                 )
-        timed = self.friction.needs_duration or (self.heat is not None and self.heat.is_timed)
-        for index, segment in enumerate(self.path):
-            if segment.is_timed != timed:
-                name = "duration" if segment.passes is None else "speed"
-                raise ValueError(
-                    f"path[{index}]: {name} must be given if, and only if, heat.history, "
-                    "heat.partition or falling_coulomb is given: add the missing one, or remove "
-                    "the other"
-                )
+        require_durations(self)
         if self.has_volume and self.wear is None:
             self._show_a_body_with_stresses()
         require_all_used(self)

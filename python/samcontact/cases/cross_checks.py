@@ -111,6 +111,30 @@ def require_hardness_used(
                 )
 
 
+def require_durations(case: Any) -> None:
+    """Raise ValueError unless the path has durations where, and only where, they are required."""
+    relaxes = case.body1.relaxes or case.body2.relaxes
+    for section in ("wear", "accuracy"):
+        if relaxes and getattr(case, section) is not None:
+            raise ValueError(f"relaxation of a body cannot be combined with {section}: omit one")
+    heated = case.heat is not None and case.heat.is_timed
+    timed = relaxes or heated or case.friction.needs_duration
+    for index, segment in enumerate(case.path):
+        moving = segment.passes is not None or segment.advance is not None
+        if relaxes and moving:
+            raise ValueError(
+                f"path[{index}]: viscoelastic bodies must not move: remove roll, slide and "
+                "advance, or the relaxation of the bodies"
+            )
+        if segment.is_timed != timed:
+            name = "duration" if segment.passes is None else "speed"
+            raise ValueError(
+                f"path[{index}]: {name} must be given if, and only if, heat.history, "
+                "heat.partition or falling_coulomb is given, or a body has relaxation: add the "
+                "missing one, or remove the other"
+            )
+
+
 def _require_repeatable(case: Any) -> None:
     """Raise ValueError if [shakedown] lacks an elastic-plastic body or a closed path."""
     if case.shakedown is None:

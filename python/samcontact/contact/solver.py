@@ -17,6 +17,7 @@ from .._util.checks import FloatArray, exactly_one, finite_array, require_type
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import Body, require_bodies
+from ..bodies.viscoelastic import require_no_relaxation
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
 from ..problem.contact_law import ContactLaw
@@ -96,6 +97,11 @@ class ContactSolver(ContactFields):
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
+        require_no_relaxation(
+            "a single contact has no duration; use Simulation, or the body without relaxation",
+            body1,
+            body2,
+        )
         self.grid = grid
         self.body1 = body1
         self.body2 = body2

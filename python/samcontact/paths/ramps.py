@@ -15,6 +15,8 @@ from .._util.checks import (
     exactly_one,
     finite,
     load_or_approach,
+    non_negative,
+    number,
     positive,
     step_count,
     value_per_body,
@@ -44,18 +46,40 @@ def _with_parts(
     advance: ArrayLike | None,
     duration: float | None,
     heat_factor: float | Sequence[float] | None,
+    first_duration: float | None = None,
 ) -> Path:
-    """Divide travel and duration equally among steps, and add the heat factor to the first step."""
+    """Divide travel and duration among steps, and add the heat factor to the first step."""
     if advance is not None:
         each = plain(both_axes(advance) / len(steps))
         steps = [{**step, "advance": each} for step in steps]
-    if duration is not None:
-        part = positive("duration", duration) / len(steps)
+    if first_duration is not None:
+        total = positive("duration", number("duration", duration))
+        parts = _growing("first_duration", first_duration, total, len(steps))
+        steps = [{**step, "duration": part} for step, part in zip(steps, parts, strict=True)]
+    elif duration is not None:
+        part = non_negative("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
     if heat_factor is not None:
         value_per_body("heat_factor", heat_factor)
         steps[0] = {**steps[0], "heat_factor": heat_factor}
     return steps
+
+
+def _growing(name: str, first: float, total: float, count: int) -> list[float]:
+    start = positive(name, first)
+    if not (start < total and count > 1):
+        raise ValueError(
+            f"{name} must be < duration ({total!r} s) in at least 2 increments, got {start!r} s in "
+            f"{count}"
+        )
+    durations: list[float] = growing_durations(total, start, count).tolist()
+    return durations
+
+
+def growing_durations(total: float, first: float, count: int) -> FloatArray:
+    """Return durations whose sums form a geometric sequence from `first` to `total` [s]."""
+    times = np.geomspace(first, total, count)
+    return np.diff(times, prepend=0.0)
 
 
 def hold(
@@ -66,8 +90,9 @@ def hold(
     advance: ArrayLike | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
+    first_duration: float | None = None,
 ) -> Path:
-    """Hold load or approach constant while the bodies move or heat flows.
+    """Hold load or approach constant while the bodies move, creep or relax, or heat flows.
 
     Parameters
     ----------
@@ -79,9 +104,13 @@ def hold(
         Total displacement of the surfaces of bodies 1 and 2 along +x in all steps [m], or along x
         and y, see `Simulation.step`.
     duration : float, optional
-        Total duration of all steps [s], for a simulation with heat.history.
+        Total duration of all steps [s], for a simulation with heat.history or a viscoelastic body
+        (0: elastic steps).
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s]; 0 switches the source off.
+    first_duration : float, optional
+        Duration of the first step [s]; the times since the start of the path then form a geometric
+        sequence, as creep over several decades requires. Default: equal durations.
 
     Returns
     -------
@@ -95,7 +124,8 @@ def hold(
     """
     name, value = load_or_approach(load, approach)
     count = step_count("increments", increments)
-    return _with_parts([{name: value} for _ in range(count)], advance, duration, heat_factor)
+    steps: Path = [{name: value} for _ in range(count)]
+    return _with_parts(steps, advance, duration, heat_factor, first_duration)
 
 
 def ramp(

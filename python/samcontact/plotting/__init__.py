@@ -18,6 +18,7 @@ from .contact import (
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
 from .interface import interface_profile
 from .maps import surface_map, track_map
+from .over_time import over_time
 from .parts import journal_column
 from .section import section
 from .shakedown import shakedown_map, strain_per_cycle
@@ -41,6 +42,7 @@ __all__ = [
     "journal_column",
     "load_approach",
     "loaded_section",
+    "over_time",
     "partial_slip_animation",
     "partial_slip_map",
     "pressure_profile",

@@ -20,8 +20,8 @@ from ..problem.contact_law import ContactLaw
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
-from ..problem.heating import checked_heat
 from ..problem.moving_topography import Relief
+from ..problem.relaxing import possible_heat
 from ..problem.settings import Configured, Settings
 from ..problem.setup import SimulationSetup
 from ..solutions.state import State, on_common_grid
@@ -30,12 +30,13 @@ from .display import simulation_rows
 from .engine import Engine
 from .given_strain import Cells, add_eigenstrain, set_plastic_strain
 from .increment_errors import check_errors
+from .relaxing import HasLongTimeState
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
 from .steps import AT_REST, STEP_ARGUMENTS
 
 
-class Simulation(Configured, HtmlTable):
+class Simulation(Configured, HasLongTimeState, HtmlTable):
     """Incremental simulation of the elastic-plastic contact of two bodies.
 
     Each increment solves contact and plastic flow together, implicitly: the plastic strain
@@ -50,8 +51,8 @@ class Simulation(Configured, HtmlTable):
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
-        of a grid that returns this array, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. With
-        a function, the grid is enlarged automatically to contain the contact; see Notes.
+        of a grid, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``: the grid is then enlarged
+        automatically to contain the contact; see Notes.
     friction : float or Coulomb, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
@@ -106,7 +107,6 @@ class Simulation(Configured, HtmlTable):
     """
 
     _last = "engine"
-
     increment_tol: float | None
     residual_stress: str
     image_tol: float
@@ -147,7 +147,7 @@ class Simulation(Configured, HtmlTable):
         )  # fmt: skip
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
-        heat = checked_heat(heat, (body1, body2), grid, settings.law)
+        heat = possible_heat(heat, (body1, body2), grid, settings)
         self.monitor = Monitor()
         surfaces = SurfaceGeometry(gap, relief1, relief2)
         self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)
@@ -222,9 +222,9 @@ class Simulation(Configured, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s], > 0, with `heat.history` (the heat flux follows from the
-            final pressure; the duration may be 0 for unloaded bodies), `heat.partition` or
-            `FallingCoulomb`.
+            Duration of the increment [s]: of viscoelastic bodies, >= 0; with `heat.partition`,
+            `heat.history` (flux of the final pressure) or `FallingCoulomb`, > 0, or 0 to move
+            unloaded bodies.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 

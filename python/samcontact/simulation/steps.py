@@ -22,6 +22,7 @@ from .._util.checks import (
 )
 from .._util.short_text import in_short
 from .._util.travels import both_axes
+from ..bodies.viscoelastic import relaxes
 from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
@@ -35,6 +36,7 @@ from ..problem.heating import (
     require_reference,
     require_speeds,
 )
+from ..problem.relaxing import relaxing_duration, require_cold
 
 STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
@@ -92,6 +94,7 @@ class StepArguments:
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
+        self._relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
     def checked(
@@ -138,15 +141,11 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        slides_for, duration = _of_friction(friction, heat, duration)
-        lasts = _duration(heat, duration, is_unloaded=is_unloaded)
-        if heat_factor is not None and heat.partition is not None:
-            raise ValueError(
-                f"heat_factor cannot be combined with heat.partition, "
-                f"got {in_short(heat_factor)}: the heat flux follows from the frictional power"
-            )
+        slides_for, of_heat = _of_friction(friction, heat, duration)
+        given_time = duration if self._relaxes else of_heat
+        lasts = self._duration(heat, given_time, travels, is_unloaded=is_unloaded)
         if heat_factor is not None:
-            heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
+            heat = self._heat_with(heat, heat_factor)
         is_loaded = not is_unloaded
         if heat.history is not None and lasts is not None and travels != _STANDING:
             _require_motion_of_heat(heat, lasts, travels, grid)
@@ -163,6 +162,25 @@ class StepArguments:
         if kind == "approach":
             require_reference(heat)
         return Step(normal, heat, heated, lasts or 0.0, slides_for, travels, tangential, **given)
+
+    def _duration(
+        self, heat: Heat, given: float | None, travels: Travels, *, is_unloaded: bool
+    ) -> float | None:
+        """Check and return the duration of an increment [s]; None if none is required."""
+        if self._relaxes:
+            return relaxing_duration(given, travels)
+        return _duration(heat, given, is_unloaded=is_unloaded)
+
+    def _heat_with(self, heat: Heat, factor: float | Sequence[float]) -> Heat:
+        """Return the heat with another factor."""
+        if heat.partition is not None:
+            raise ValueError(
+                f"heat_factor cannot be combined with heat.partition, "
+                f"got {in_short(factor)}: the heat flux follows from the frictional power"
+            )
+        changed = replace(heat, factor=value_per_body("heat_factor", factor))
+        require_cold(changed, self.bodies)
+        return changed
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""
@@ -270,8 +288,8 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
     if heat.partition is None and heat.history is None:
         if duration is not None:
             raise ValueError(
-                "duration has no effect without heat.history or "
-                "heat.partition: omit duration, or set one of them"
+                "duration has no effect without heat.history, heat.partition or a viscoelastic "
+                "body: omit duration, or set one of them"
             )
         return None
     if duration is None:

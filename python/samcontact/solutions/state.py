@@ -100,7 +100,7 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
 
     @property
     def time(self) -> float:
-        """Time [s] since the start of a simulation with heat.history; 0 otherwise."""
+        """Time [s] since the start, with heat.history or viscoelastic bodies; 0 otherwise."""
         return float(self._core.time)
 
     @property
@@ -307,8 +307,9 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to plastic strain and `eigenstrain`; on a periodic grid, relative to great depth.
-        With axis="x" or "y", the tangential displacement is returned; both bodies share these axes.
+        It is due to plastic strain, `eigenstrain`, and what viscoelastic bodies still recover; on a
+        periodic grid, relative to great depth. axis="x" or "y": the tangential displacement, along
+        axes that both bodies share.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
@@ -377,8 +378,7 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
                 rows.append((name, f"{100 * strain:.4g} %"))
         rows += rows_along_surface(self)
         rows += rows_of_travel(self)
-        if self.time > 0:
-            rows.append(("time", quantity(self.time, "s")))
+        rows += [("time", quantity(self.time, "s"))] if self.time > 0 else []
         return [
             *rows,
             ("plastic iterations", str(self.iterations)),

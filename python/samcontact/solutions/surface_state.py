@@ -18,6 +18,7 @@ from .contact_area import contact_area
 from .contact_solution import both, rows_of_tilt
 from .outline import Outline, outline_of
 from .stress_at_points import require_closed_forms, stress_at_points
+from .viscous_state import ViscousState
 
 
 class RigidMotionState:
@@ -71,7 +72,7 @@ class SlipRateState(RigidMotionState):
         return float(self._core.falling_number)
 
 
-class SurfaceState(SlipRateState):
+class SurfaceState(SlipRateState, ViscousState):
     """Tractions, gap and rigid-body motion at the end of an increment."""
 
     setup: SimulationSetup

@@ -26,6 +26,7 @@ from .._util.short_text import in_short
 from .._util.travels import along_x
 from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, elastic, require_bodies
+from ..bodies.viscoelastic import require_no_relaxation
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..heat import Heat
@@ -107,6 +108,7 @@ def make_setup(
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
+    require_no_relaxation("wear does not support viscoelastic bodies", *bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)

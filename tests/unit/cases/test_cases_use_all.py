@@ -61,6 +61,7 @@ OTHER = {
     "tip_relief": [[3e-5, 2e-5]], "relief_length": [[6e-3, 5e-3]], "rail": ["other.npy"],
     "wheel": ["other.npy"], "smoothing": [0.0],
     "designation": ["6209"], "profile_y": [[0.0, 5e-5]], "profile_drop": [[0.0, 2e-8]],
+    "times": [[1e-3, 0.2]], "shares": [[0.3, 0.1]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -78,7 +79,8 @@ UNSET = {
     "tilt_y": 1e-6, "fret": {"shift_x": 1e-8},
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
-    "free_faces": {"low": -18e-6},
+    "free_faces": {"low": -18e-6}, "relaxation": {"times": [1.0], "shares": [0.5]},
+    "first_duration": 1e-5,
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
     "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
     "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
@@ -237,10 +239,9 @@ def test_every_field_of_every_section_is_tried():
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
-        "kinematic yield_profile free_faces layers surface path body1 body2 contact contact_law "
-        "capped_coulomb "
-        "anisotropic mapped_coulomb falling_coulomb third_body thermal_coulomb "
-        "heat asperities output fatigue limit shakedown hardness exposure life "
+        "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
+        "contact_law capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
+        "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
         "dents particles random"
     )
     given = (

@@ -195,6 +195,7 @@ NUMBERS = {
     *("tol", "increment_tol", "rate", "plastic_strain", "factor"),
     *("dang_van", "crossland", "findley", "fatemi_socie"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
+    "shares",
     *("HV", "surface", "core", "limit", "slope", "weibull", "depth_exponent"),
     *("inner_conformity", "outer_conformity", "profile_shift", "relief_exponent", "load_factor"),
     *("mu_x", "mu_y", "body", "kinetic", "drop"),

@@ -214,12 +214,17 @@ bool is_free_of_shear(const IncrementTask& task) {
                      is_zero);
 }
 
-SlipHistory::SlipHistory(const IncrementTask& task)
+SlipHistory::SlipHistory(const IncrementTask& task, const RelaxingBodies& relaxing)
     : task_(task), on_(task.setup().friction.sticks() && !task.target.is_prescribed()) {
   if (!on_) return;
+  contact_ = task.setup().slipping(relaxing.compliances());
   before_ = contact_before(task);
   conditions_ = conditions_of(task);
   travel_slip_ = before_.free_slip;
+  const Field of_memory = relaxing.slip();
+  if (of_memory.empty()) return;
+  travel_slip_.resize(of_memory.size(), 0.0);
+  contact::add_scaled(1.0, of_memory, travel_slip_);
 }
 
 Field& SlipHistory::begin_slip() {
@@ -263,7 +268,7 @@ contact::Solution SlipHistory::solve_cold(const Field& gap, const Field& start,
                                           const contact::ContactSettings& settings) {
   const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion,
                                         jointly_};
-  contact::PartialSlipSolution found = task_.setup().partial_slip->solve(
+  contact::PartialSlipSolution found = contact_->solve(
       gap, task_.target.drive, tangential_drive(task_), before_, first, settings, conditions_);
   shear_ = std::move(found.tangential);
   stall_warning_ = std::move(found.stall_warning);

@@ -67,7 +67,7 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       initial_gap(std::move(initial_gap_)),
       contact_law(std::move(contact_law_)),
       friction(friction_),
-      partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
+      partial_slip(friction.sticks() ? std::make_shared<const contact::PartialSlipContact>(
                                            grid_, media[0], media[1], friction, contact_law)
                                      : nullptr),
       transient_heating(transient_heating_),

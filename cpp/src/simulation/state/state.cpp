@@ -120,6 +120,35 @@ State State::moved(const Travel& to) const {
   return state;
 }
 
+std::array<operators::Tractions, 2> State::delayed() const {
+  std::array<operators::Tractions, 2> delayed;
+  for (int b = 0; b < 2; ++b) {
+    if (!memory[b]) continue;
+    delayed[b] = equivalent_tractions(b);
+    const auto subtract = [](const Field& present, Field& from) {
+      if (present.empty() || from.empty()) return;
+      contact::add_scaled(-1.0, present, from);
+    };
+    subtract(tractions.pressure, delayed[b].pressure);
+    subtract(tractions.shear_x, delayed[b].shear_x);
+    subtract(tractions.shear_y, delayed[b].shear_y);
+  }
+  return delayed;
+}
+
+operators::Tractions State::equivalent_tractions(int body) const {
+  if (!memory[body]) return tractions;
+  return equivalent(*memory[body], RelaxingBody(*setup_, body));
+}
+
+double State::viscous_work(int body) const {
+  if (!memory[body]) return 0.0;
+  const double stored = stored_energy(*memory[body], RelaxingBody(*setup_, body));
+  const double lost = memory[body]->supplied - stored;
+  // Rounding of the difference must not appear as a gain of energy.
+  return std::fabs(lost) <= 1e-12 * stored ? std::max(lost, 0.0) : lost;
+}
+
 operators::Tractions State::tractions_on(int body) const {
   return seen_from_body(tractions, setup_->grid, placement().offset[body]);
 }

@@ -41,6 +41,11 @@ State State::widened(std::shared_ptr<const Setup> to) const {
   for (int b = 0; b < 2; ++b) {
     const bool shared = b == 1 && plastic[0] == plastic[1];
     if (plastic[b]) state.plastic[b] = shared ? state.plastic[0] : plastic[b]->moved(i, j);
+    if (memory[b]) {
+      TractionMemory wider = *memory[b];
+      wider.box = wider.box.moved(i, j);
+      state.memory[b] = std::make_shared<const TractionMemory>(std::move(wider));
+    }
     if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(i, j);
     for (Box& box : state.flow_boxes[b]) box = box.moved(i, j);
   }

@@ -73,6 +73,14 @@ void describe(F& f, Visitor& visit) {
   visit("values", f.values);
 }
 
+template <Is<TractionMemory> M, class Visitor>
+void describe(M& m, Visitor& visit) {
+  visit("box", m.box);
+  visit("kinds", m.kinds);
+  visit("values", m.values);
+  visit("supplied", m.supplied);
+}
+
 template <Is<PlasticIncrementGuess> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);
@@ -131,6 +139,7 @@ void describe(S& s, Visitor& visit) {
     });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+    visit.made("traction_memory" + number, s.memory[b], as_it_is, copied);
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
         [&](const std::vector<double>& numbers) {
