@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/normal/monotone_contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+#include "samcontact/contact/iteration/gmres.hpp"
+#include "samcontact/contact/laws/contact_law.hpp"
+
+namespace samcontact::contact {
+namespace {
+
+/// Error reduction of a linear solve while cells change sides, and the maximum number of vectors it
+/// stores.
+constexpr double set_gain = 1e-2;
+constexpr int max_linear_steps = 60;
+/// Fraction of tol that a linear solve on the final cells aims at.
+constexpr double safety = 0.1;
+/// Steps without a smaller error before fewer cells change sides at once, and the factor.
+constexpr int patience = 6;
+constexpr double caution = 0.5, most_cautious = 1e-3;
+
+class MonotoneContact {
+ public:
+  MonotoneContact(const operators::CreepingDisplacement& displacement, const Grid& grid,
+                  const Field& initial_gap, const Given& normal, Field pressure, double rounding)
+      : displacement_(displacement),
+        grid_(grid),
+        initial_gap_(initial_gap),
+        normal_(normal),
+        n_(initial_gap.size()),
+        rounding_(rounding),
+        p_(std::move(pressure)),
+        u_(n_),
+        box_(n_),
+        touching_(n_, 0) {
+    start();
+  }
+
+  Solution run(double tol, int max_iterations);
+
+ private:
+  bool driven_by_load() const { return normal_.is_force(); }
+  double sum() const { return normal_.value / grid_.cell_area(); }
+  double gap(std::size_t i) const { return initial_gap_[i] + u_[i] - approach_; }
+  double largest_pressure() const {
+    return largest_of(n_, [this](std::size_t i) { return p_[i]; });
+  }
+  double largest_displacement() const {
+    return largest_of(n_, [this](std::size_t i) { return std::fabs(u_[i]); });
+  }
+
+  void start();
+  void settle() {
+    displacement_.apply(p_.data(), u_.data(), work_);
+    ++applications_;
+  }
+  std::size_t choose_cells(double share);
+  double set_error() const;
+  void solve_cells(double gain);
+  Field scattered(const Field& v);
+  void apply(const Field& v, Field& out);
+  void precondition(const Field& r, Field& z);
+  void prepare_border();
+  Solution solution();
+
+  const operators::CreepingDisplacement& displacement_;
+  const Grid& grid_;
+  const Field& initial_gap_;
+  const Given normal_;
+  const std::size_t n_;
+  const double rounding_;
+  Field p_, u_, box_;
+  std::vector<unsigned char> touching_;
+  std::vector<std::size_t> cells_;
+  Field border_;  // preconditioner applied to a uniform displacement of the cells
+  double border_mean_ = 0.0, approach_ = 0.0;
+  ComplexField work_;
+  int iterations_ = 0, applications_ = 0, filters_ = 0;
+};
+
+void MonotoneContact::start() {
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (std::isinf(initial_gap_[i])) p_[i] = 0.0;
+  }
+  const bool given = std::any_of(p_.begin(), p_.end(), in_contact);
+  if (driven_by_load()) {
+    if (!given) {
+      for (std::size_t i = 0; i < n_; ++i) p_[i] = std::isinf(initial_gap_[i]) ? 0.0 : 1.0;
+    }
+    scale_to_sum(p_, sum());
+  } else {
+    approach_ = normal_.value;
+    for (std::size_t i = 0; i < n_ && !given; ++i) {
+      p_[i] = std::max(0.0, approach_ - initial_gap_[i]) / displacement_.self_influence();
+      p_[i] /= std::sqrt(static_cast<double>(n_));
+    }
+  }
+  settle();
+  for (std::size_t i = 0; i < n_; ++i) {
+    touching_[i] = in_contact(p_[i]);
+    if (touching_[i]) cells_.push_back(i);
+  }
+  if (!driven_by_load() || cells_.empty()) return;
+  approach_ = 0.0;
+  approach_ = ordered_sum(cells_.size(), [this](std::size_t c) { return gap(cells_[c]); }) /
+              static_cast<double>(cells_.size());
+}
+
+/// Cells whose pressure, less the pressure that would open their gap, is positive; returns the
+/// number of cells that change sides. share < 1: only the cells furthest on the wrong side change.
+std::size_t MonotoneContact::choose_cells(double share) {
+  const double stiffness = 1 / displacement_.self_influence();
+  const auto excess = [&](std::size_t i) { return p_[i] - stiffness * gap(i); };
+  double least = 0.0;
+  if (share < 1) {
+    least = (1 - share) * largest_of(n_, [&](std::size_t i) {
+              return (excess(i) > 0) != (touching_[i] != 0) ? std::fabs(excess(i)) : 0.0;
+            });
+  }
+  std::size_t changed = 0;
+  cells_.clear();
+  for (std::size_t i = 0; i < n_; ++i) {
+    const double e = excess(i);
+    const bool touches =
+        (e > 0) != (touching_[i] != 0) && std::fabs(e) < least ? touching_[i] != 0 : e > 0;
+    changed += touches != (touching_[i] != 0);
+    touching_[i] = touches;
+    if (touches) {
+      cells_.push_back(i);
+    } else {
+      p_[i] = 0.0;
+    }
+  }
+  return changed;
+}
+
+/// Largest tension, gap of a touching cell and interpenetration of another one, each relative to
+/// its scale, and the relative error of the load.
+double MonotoneContact::set_error() const {
+  const double over_p = 1 / largest_pressure(), over_u = 1 / largest_displacement();
+  const double worst = largest_of(n_, [&](std::size_t i) {
+    const double g = std::fabs(gap(i)) > rounding_ ? gap(i) : 0.0;
+    return touching_[i] ? std::max(-p_[i] * over_p, std::fabs(g) * over_u) : -g * over_u;
+  });
+  if (!driven_by_load()) return worst;
+  const double total = ordered_sum(n_, [this](std::size_t i) { return p_[i]; });
+  return std::max(worst, std::fabs(total / sum() - 1));
+}
+
+Field MonotoneContact::scattered(const Field& v) {
+  Field box(n_, 0.0);
+  for_each_cell(std::ssize(cells_), [&](std::ptrdiff_t c) { box[cells_[c]] = v[c]; });
+  return box;
+}
+
+/// (K v - s b, mean of v): pressure v of the cells, change b of the approach over the scale s of
+/// displacement per pressure; all in units of pressure. Without a prescribed load b is absent.
+void MonotoneContact::apply(const Field& v, Field& out) {
+  const std::size_t m = cells_.size();
+  Field box = scattered(v);
+  displacement_.apply(box.data(), box.data(), work_);
+  ++applications_;
+  const double over = 1 / displacement_.self_influence();
+  out.resize(v.size());
+  for_each_cell(std::ssize(cells_), [&](std::ptrdiff_t c) { out[c] = over * box[cells_[c]]; });
+  if (!driven_by_load()) return;
+  for (std::size_t c = 0; c < m; ++c) out[c] -= v[m];
+  out[m] = ordered_sum(m, [&](std::size_t c) { return v[c]; }) / static_cast<double>(m);
+}
+
+/// Inverse of the bordered system with the inverse of each mode in place of K^-1.
+void MonotoneContact::precondition(const Field& r, Field& z) {
+  const std::size_t m = cells_.size();
+  Field box = scattered(r);
+  displacement_.precondition(box.data(), box.data(), work_);
+  ++filters_;
+  const double self = displacement_.self_influence();
+  z.resize(r.size());
+  for_each_cell(std::ssize(cells_), [&](std::ptrdiff_t c) { z[c] = self * box[cells_[c]]; });
+  if (!driven_by_load()) return;
+  const double mean = ordered_sum(m, [&](std::size_t c) { return z[c]; }) / static_cast<double>(m);
+  z[m] = (r[m] - mean) / border_mean_;
+  for (std::size_t c = 0; c < m; ++c) z[c] += z[m] * border_[c];
+}
+
+void MonotoneContact::prepare_border() {
+  if (!driven_by_load()) return;
+  const std::size_t m = cells_.size();
+  Field box = scattered(Field(m, displacement_.self_influence()));
+  displacement_.precondition(box.data(), box.data(), work_);
+  ++filters_;
+  border_.resize(m);
+  for (std::size_t c = 0; c < m; ++c) border_[c] = box[cells_[c]];
+  border_mean_ = ordered_sum(m, [&](std::size_t c) { return border_[c]; }) / static_cast<double>(m);
+}
+
+/// Closes the gap of the touching cells, under the prescribed load.
+void MonotoneContact::solve_cells(double gain) {
+  const std::size_t m = cells_.size();
+  const double self = displacement_.self_influence();
+  Field right(m + driven_by_load()), change;
+  for (std::size_t c = 0; c < m; ++c) right[c] = -gap(cells_[c]) / self;
+  if (driven_by_load()) {
+    const double total = ordered_sum(n_, [this](std::size_t i) { return p_[i]; });
+    right[m] = (sum() - total) / static_cast<double>(m);
+  }
+  prepare_border();
+  iterations_ += gmres([this](const Field& v, Field& out) { apply(v, out); },
+                       [this](const Field& r, Field& z) { precondition(r, z); }, right, gain,
+                       max_linear_steps, change);
+  for (std::size_t c = 0; c < m; ++c) p_[cells_[c]] += change[c];
+  if (driven_by_load()) approach_ += change[m] * self;
+  settle();
+}
+
+Solution MonotoneContact::solution() {
+  for (double& p : p_) p = std::max(p, 0.0);
+  if (driven_by_load()) scale_to_sum(p_, sum());
+  settle();
+  Solution found;
+  found.motion.approach = approach_;
+  found.gap.resize(n_);
+  for (std::size_t i = 0; i < n_; ++i) found.gap[i] = gap(i);
+  found.rounding = rounding_;
+  found.error = complementarity_error(p_, u_, found.gap, rounding_);
+  found.load = driven_by_load()
+                   ? normal_.value
+                   : grid_.cell_area() * ordered_sum(n_, [this](std::size_t i) { return p_[i]; });
+  found.moment = moments(grid_, p_);
+  found.iterations = iterations_;
+  found.operator_applications = applications_;
+  found.work = applications_ + filters_;
+  found.tractions.pressure = p_;
+  return found;
+}
+
+Solution MonotoneContact::run(double tol, int max_iterations) {
+  double lowest = INFINITY, share = 1.0;
+  int stalled = 0;
+  for (bool first = true;; first = false) {
+    check_interrupt();
+    const std::size_t changed = first ? n_ : choose_cells(share);
+    if (cells_.empty()) {  // separated, or a start far from the solution
+      std::fill(p_.begin(), p_.end(), 0.0);
+      settle();
+      if (driven_by_load()) {
+        cells_.push_back(std::min_element(initial_gap_.begin(), initial_gap_.end()) -
+                         initial_gap_.begin());
+        touching_[cells_[0]] = 1;
+      } else if (choose_cells(1.0) == 0) {
+        return solution();
+      }
+    } else if (changed > 0 && !first) {
+      settle();  // without the pressure of cells that were left
+    }
+    const double error = set_error();
+    stalled = error < 0.9 * lowest ? 0 : stalled + 1;
+    lowest = std::min(lowest, error);
+    if (changed == 0 && error <= tol) {
+      Solution found = solution();
+      found.converged = found.error <= tol;
+      if (found.converged || iterations_ >= max_iterations) return found;
+    }
+    if (iterations_ >= max_iterations) {
+      Solution found = solution();
+      found.converged = false;
+      return found;
+    }
+    if (stalled > patience) {
+      share = std::max(caution * share, most_cautious);
+      stalled = 0;
+      lowest = error;
+    }
+    const double gain = changed > 0 ? set_gain : std::clamp(safety * tol / error, 1e-4, set_gain);
+    solve_cells(gain);
+    ++iterations_;
+  }
+}
+
+}  // namespace
+
+Solution solve_monotone(const operators::CreepingDisplacement& displacement, const Grid& grid,
+                        const Field& initial_gap, const Given& normal, Field pressure,
+                        double rounding, double tol, int max_iterations) {
+  return MonotoneContact(displacement, grid, initial_gap, normal, std::move(pressure), rounding)
+      .run(tol, max_iterations);
+}
+
+}  // namespace samcontact::contact
