@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._util.checks import FloatArray, exactly_one, finite, require_type
+from ._util.checks import FloatArray, exactly_one, require_type
 from ._util.short_text import in_short
+from .bodies.layered import require_bodies
 from .bodies.material import Material
 from .contact.moving import (
     UNSHEARED,
@@ -20,6 +21,7 @@ from .contact.moving import (
     is_viscoelastic,
     pressure_of,
     require_moving,
+    speed_of,
 )
 from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
@@ -121,6 +123,7 @@ def steady(
     iteration.
     """
     require_type("grid", grid, Grid)
+    require_bodies(body1, body2)
     name = exactly_one(load=load, approach=approach)
     normal = NormalDrive.of(name, load if approach is None else approach)
     settings: dict[str, Any] = {
@@ -141,8 +144,8 @@ def steady(
         return rolled
     if speed is not None:
         raise ValueError(
-            f"speed must be None with elastic bodies, got {speed!r}: their steady rolling does not "
-            "depend on it"
+            f"speed must be None with elastic bodies, got {in_short(speed)}: their steady rolling "
+            "does not depend on it"
         )
     law = sticking_law(friction)
     if start is not None and not isinstance(start, RollingSolution):
@@ -160,16 +163,16 @@ def steady(
 
 def _require_free(friction: Any, tangential: dict[str, Any]) -> None:
     """Raise ValueError unless viscoelastic bodies roll without friction."""
-    if friction != 0.0 or isinstance(friction, bool):
+    if type(friction) not in (int, float) or friction != 0:
         raise ValueError(
-            f"friction must be 0.0 with viscoelastic bodies, got {friction!r}: their rolling with "
-            "friction is not available; sliding.steady gives the friction due to hysteresis"
+            f"friction must be 0.0 with viscoelastic bodies, got {in_short(friction)}: their "
+            "rolling with friction is not available"
         )
     for name, value in tangential.items():
         if value is not None:
             raise ValueError(
                 f"{name} must be None with viscoelastic bodies, which roll without friction, got "
-                f"{value!r}"
+                f"{in_short(value)}"
             )
 
 
@@ -180,7 +183,7 @@ def _free_solver(
         raise ValueError(
             "speed must be given with viscoelastic bodies [m/s]: their contact depends on it"
         )
-    rolls = finite("speed", speed)
+    rolls = speed_of("speed", speed)
     if rolls < 0:
         raise ValueError(f"speed must be >= 0 [m/s], got {speed!r}: the contact rolls towards +x")
 

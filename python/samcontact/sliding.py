@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._util.checks import FloatArray, exactly_one, finite, real_array, require_type
+from ._util.checks import FloatArray, exactly_one, finite_array, require_type
 from ._util.frozen import read_only
 from .bodies.material import Material
-from .contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving
+from .contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving, speed_of
 from .contact.normal_drive import NormalDrive
 from .contact.solver import solve_driven
 from .problem.grid import Grid
@@ -85,7 +85,7 @@ def steady(
     """
     require_type("grid", grid, Grid)
     bodies = require_moving(body1, body2)
-    moves = finite("velocity", velocity)
+    moves = speed_of("velocity", velocity)
     name = exactly_one(load=load, approach=approach)
     normal = NormalDrive.of(name, load if approach is None else approach)
 
@@ -164,23 +164,42 @@ def over_speed(
     *,
     load: float,
     velocities: Sequence[float],
-    **settings: Any,
+    tol: float = ContactSettings.tol,
+    on_border: str = ContactSettings.on_border,
+    max_iterations: int = ContactSettings.max_iterations,
 ) -> FrictionCurve:
     """Solve steady sliding at several velocities under one load.
 
-    Each velocity starts from the solution at the previous one. The parameters are those of
-    `steady`.
+    Each velocity starts from the solution at the previous one. `plotting.friction_curve` draws the
+    result.
 
     Parameters
     ----------
+    grid, body1, body2, gap, load, tol, on_border, max_iterations
+        As in `steady`.
     velocities : sequence of float
         Velocities of body 1 relative to body 2 along x [m/s].
+
+    Returns
+    -------
+    FrictionCurve
+
+    Raises
+    ------
+    ValueError, TypeError, ConvergenceError
+        As for `steady`.
     """
-    given = real_array("velocities", velocities)
+    given = finite_array("velocities", velocities)
     if given.ndim != 1 or given.size == 0:
         raise ValueError(f"velocities must be a list of numbers [m/s], got shape {given.shape}")
+    speeds = [speed_of("velocities", v) for v in given.tolist()]
+    settings: dict[str, Any] = {
+        "tol": tol,
+        "on_border": on_border,
+        "max_iterations": max_iterations,
+    }
     solutions: list[SlidingSolution] = []
-    for v in given.tolist():
+    for v in speeds:
         last = solutions[-1] if solutions and solutions[-1].grid == grid else None
         found = steady(grid, body1, body2, gap, load=load, velocity=v, start=last, **settings)
         solutions.append(found)

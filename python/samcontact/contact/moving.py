@@ -11,7 +11,7 @@ import numpy as np
 
 from .. import _core
 from .._util import memory
-from .._util.checks import FloatArray, require_type
+from .._util.checks import MAX_STRESS, FloatArray, finite, require_type
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..bodies.relaxation import creep_terms
@@ -24,8 +24,8 @@ UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
 """Tangential drive of a contact without shear."""
 
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
-"""Solution on a grid, from the displacement that closes the gap [m] and the fields of a
-ContactSolution."""
+"""Solution on a grid, from the part of the displacement that is not symmetric in motion [m] and the
+fields of a ContactSolution."""
 
 
 class MovingContactSolver(ContactSolver):
@@ -76,8 +76,25 @@ class MovingContactSolver(ContactSolver):
         settings = self.tol, self.max_iterations, self.on_border == "error"
         found = self._core.solve(*contact, start, *settings)
         complaint = found.pop("border_complaint")
-        displaced = self._core.displacement(found["pressure"])
-        return self._moving[2](self.grid, displaced, found), complaint
+        return self._moving[2](self.grid, self._delayed(found["pressure"]), found), complaint
+
+    def _delayed(self, pressure: FloatArray) -> FloatArray:
+        """Half of the displacement less the displacement in reversed motion [m].
+
+        The rest is due to a symmetric operator and has no force along x.
+        """
+        reversed_pressure = np.ascontiguousarray(pressure[::-1])
+        mirrored = self._core.displacement(reversed_pressure)[::-1]
+        delayed: FloatArray = 0.5 * (self._core.displacement(pressure) - mirrored)
+        return delayed
+
+
+def speed_of(name: str, value: Any) -> float:
+    """Return a velocity [m/s]; raise TypeError or ValueError unless it is a finite number."""
+    given = finite(name, value)
+    if abs(given) > MAX_STRESS:  # products with times and wavenumbers stay finite
+        raise ValueError(f"{name} must be a velocity <= {MAX_STRESS:g} m/s, got {given!r}")
+    return given
 
 
 def pressure_of(start: Any, kind: type[ContactSolution]) -> FloatArray:

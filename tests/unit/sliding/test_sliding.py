@@ -77,7 +77,6 @@ def test_fast_sliding_of_a_periodic_surface():
     assert np.abs(found.pressure - elastic.pressure).max() < 0.02 * elastic.pressure.max()
 
 
-@pytest.mark.slow
 def test_friction_of_a_rough_surface_over_four_decades():
     """Numbers of an independent program with a band-limited kernel; cost of the solution."""
     grid, gap = rough(64)
@@ -88,7 +87,10 @@ def test_friction_of_a_rough_surface_over_four_decades():
     assert curve.friction == pytest.approx(
         [0.0110, 0.0426, 0.0284, 0.0073, 0.0009], rel=0.03, abs=2e-4
     )
-    assert curve.contact_area == pytest.approx([0.953, 0.572, 0.303, 0.238, 0.236], rel=0.03)
+    cells = [s.in_contact.mean() for s in curve.solutions]
+    assert cells == pytest.approx([0.953, 0.572, 0.303, 0.238, 0.236], rel=0.03)
+    assert (np.diff(curve.contact_area) < 0).all()
+    assert (np.diff(curve.max_pressure) > 0).all()
     for v in curve.velocity:
         alone = sc.sliding.steady(grid, RIGID, body, gap, load=0.01, velocity=v)
         assert alone.error <= 1e-8

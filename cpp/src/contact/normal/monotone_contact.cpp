@@ -16,15 +16,20 @@
 namespace samcontact::contact {
 namespace {
 
-/// Error reduction of a linear solve while cells change sides, and the maximum number of vectors it
-/// stores.
+/// Error reduction of a linear solve while cells change sides, the maximum number of vectors it
+/// stores, and the number of times it starts again.
 constexpr double set_gain = 1e-2;
-constexpr int max_linear_steps = 60;
+constexpr int max_linear_steps = 60, max_restarts = 4;
 /// Fraction of tol that a linear solve on the final cells aims at.
 constexpr double safety = 0.1;
 /// Steps without a smaller error before fewer cells change sides at once, and the factor.
 constexpr int patience = 6;
 constexpr double caution = 0.5, most_cautious = 1e-3;
+/// If that does not help: stiffness of springs from the last pressure (proximal points), relative
+/// to the compliance of a cell, and the factor after each of their solutions.
+constexpr double springs_below = 0.2, first_spring = 4.0, slackening = 0.2, last_spring = 1e-3;
+/// Error at which a solution with springs becomes the next start.
+constexpr double spring_tol = 1e-3;
 
 class MonotoneContact {
  public:
@@ -48,7 +53,10 @@ class MonotoneContact {
  private:
   bool driven_by_load() const { return normal_.is_force(); }
   double sum() const { return normal_.value / grid_.cell_area(); }
-  double gap(std::size_t i) const { return initial_gap_[i] + u_[i] - approach_; }
+  double true_gap(std::size_t i) const { return initial_gap_[i] + u_[i] - approach_; }
+  double gap(std::size_t i) const {
+    return spring_ > 0 ? true_gap(i) + spring_ * (p_[i] - anchor_[i]) : true_gap(i);
+  }
   double largest_pressure() const {
     return largest_of(n_, [this](std::size_t i) { return p_[i]; });
   }
@@ -57,12 +65,16 @@ class MonotoneContact {
   }
 
   void start();
+  double local_compliance();
+  void attach_springs();
+  void slacken_springs();
   void settle() {
     displacement_.apply(p_.data(), u_.data(), work_);
     ++applications_;
   }
   std::size_t choose_cells(double share);
   double set_error() const;
+  Field residual() const;
   void solve_cells(double gain);
   Field scattered(const Field& v);
   void apply(const Field& v, Field& out);
@@ -81,11 +93,41 @@ class MonotoneContact {
   std::vector<std::size_t> cells_;
   Field border_;  // preconditioner applied to a uniform displacement of the cells
   double border_mean_ = 0.0, approach_ = 0.0;
+  double local_ = 0.0;   // displacement of a cell due to a unit pressure on it, with creep [m/Pa]
+  double spring_ = 0.0;  // [m/Pa]
+  Field anchor_;         // pressure at which the springs have no force
   ComplexField work_;
   int iterations_ = 0, applications_ = 0, filters_ = 0;
 };
 
+/// Relative to the cell that moves least.
+double MonotoneContact::local_compliance() {
+  Field unit(n_, 0.0);
+  const std::size_t middle = static_cast<std::size_t>(grid_.nx / 2) * grid_.ny + grid_.ny / 2;
+  unit[middle] = 1.0;
+  displacement_.apply(unit.data(), unit.data(), work_);
+  ++applications_;
+  const double least = *std::min_element(unit.begin(), unit.end());
+  return std::max(unit[middle] - least, displacement_.self_influence());
+}
+
+void MonotoneContact::attach_springs() {
+  for (double& p : p_) p = std::max(p, 0.0);
+  settle();
+  anchor_ = p_;
+  spring_ = first_spring * local_;
+}
+
+void MonotoneContact::slacken_springs() {
+  for (double& p : p_) p = std::max(p, 0.0);
+  settle();
+  anchor_ = p_;
+  spring_ *= slackening;
+  if (spring_ < last_spring * local_) spring_ = 0.0;
+}
+
 void MonotoneContact::start() {
+  local_ = local_compliance();
   for (std::size_t i = 0; i < n_; ++i) {
     if (std::isinf(initial_gap_[i])) p_[i] = 0.0;
   }
@@ -116,7 +158,7 @@ void MonotoneContact::start() {
 /// Cells whose pressure, less the pressure that would open their gap, is positive; returns the
 /// number of cells that change sides. share < 1: only the cells furthest on the wrong side change.
 std::size_t MonotoneContact::choose_cells(double share) {
-  const double stiffness = 1 / displacement_.self_influence();
+  const double stiffness = 1 / (local_ + spring_);
   const auto excess = [&](std::size_t i) { return p_[i] - stiffness * gap(i); };
   double least = 0.0;
   if (share < 1) {
@@ -169,7 +211,8 @@ void MonotoneContact::apply(const Field& v, Field& out) {
   ++applications_;
   const double over = 1 / displacement_.self_influence();
   out.resize(v.size());
-  for_each_cell(std::ssize(cells_), [&](std::ptrdiff_t c) { out[c] = over * box[cells_[c]]; });
+  for_each_cell(std::ssize(cells_),
+                [&](std::ptrdiff_t c) { out[c] = over * (box[cells_[c]] + spring_ * v[c]); });
   if (!driven_by_load()) return;
   for (std::size_t c = 0; c < m; ++c) out[c] -= v[m];
   out[m] = ordered_sum(m, [&](std::size_t c) { return v[c]; }) / static_cast<double>(m);
@@ -201,26 +244,46 @@ void MonotoneContact::prepare_border() {
   border_mean_ = ordered_sum(m, [&](std::size_t c) { return border_[c]; }) / static_cast<double>(m);
 }
 
-/// Closes the gap of the touching cells, under the prescribed load.
-void MonotoneContact::solve_cells(double gain) {
+/// Gaps of the touching cells over the scale of displacement, and the missing load.
+Field MonotoneContact::residual() const {
   const std::size_t m = cells_.size();
-  const double self = displacement_.self_influence();
-  Field right(m + driven_by_load()), change;
-  for (std::size_t c = 0; c < m; ++c) right[c] = -gap(cells_[c]) / self;
+  Field right(m + (driven_by_load() ? 1 : 0));
+  for (std::size_t c = 0; c < m; ++c) {
+    right[c] = -gap(cells_[c]) / displacement_.self_influence();
+  }
   if (driven_by_load()) {
     const double total = ordered_sum(n_, [this](std::size_t i) { return p_[i]; });
     right[m] = (sum() - total) / static_cast<double>(m);
   }
+  return right;
+}
+
+/// Closes the gap of the touching cells, under the prescribed load.
+void MonotoneContact::solve_cells(double gain) {
   prepare_border();
-  iterations_ += gmres([this](const Field& v, Field& out) { apply(v, out); },
-                       [this](const Field& r, Field& z) { precondition(r, z); }, right, gain,
-                       max_linear_steps, change);
-  for (std::size_t c = 0; c < m; ++c) p_[cells_[c]] += change[c];
-  if (driven_by_load()) approach_ += change[m] * self;
-  settle();
+  const std::size_t m = cells_.size();
+  const auto length = [](const Field& v) {
+    return std::sqrt(ordered_dot(v.data(), v.data(), v.size()));
+  };
+  Field right = residual(), change;
+  double left = length(right);
+  const double goal = gain * left;
+  for (int n = 0; n <= max_restarts && left > goal; ++n) {
+    const int steps = gmres([this](const Field& v, Field& out) { apply(v, out); },
+                            [this](const Field& r, Field& z) { precondition(r, z); }, right,
+                            goal / left, max_linear_steps, change);
+    iterations_ += steps;
+    for (std::size_t c = 0; c < m; ++c) p_[cells_[c]] += change[c];
+    if (driven_by_load()) approach_ += change[m] * displacement_.self_influence();
+    settle();
+    if (steps < max_linear_steps) break;
+    right = residual();
+    left = length(right);
+  }
 }
 
 Solution MonotoneContact::solution() {
+  spring_ = 0.0;
   for (double& p : p_) p = std::max(p, 0.0);
   if (driven_by_load()) scale_to_sum(p_, sum());
   settle();
@@ -263,7 +326,7 @@ Solution MonotoneContact::run(double tol, int max_iterations) {
     const double error = set_error();
     stalled = error < 0.9 * lowest ? 0 : stalled + 1;
     lowest = std::min(lowest, error);
-    if (changed == 0 && error <= tol) {
+    if (spring_ == 0 && changed == 0 && error <= tol) {
       Solution found = solution();
       found.converged = found.error <= tol;
       if (found.converged || iterations_ >= max_iterations) return found;
@@ -273,10 +336,22 @@ Solution MonotoneContact::run(double tol, int max_iterations) {
       found.converged = false;
       return found;
     }
+    if (spring_ > 0 && changed == 0 && error <= spring_tol) {
+      slacken_springs();
+      share = 1.0;
+      stalled = 0;
+      lowest = INFINITY;
+      continue;
+    }
     if (stalled > patience) {
       share = std::max(caution * share, most_cautious);
       stalled = 0;
       lowest = error;
+      if (share < springs_below && spring_ == 0) {
+        attach_springs();
+        share = 1.0;
+        lowest = INFINITY;
+      }
     }
     const double gain = changed > 0 ? set_gain : std::clamp(safety * tol / error, 1e-4, set_gain);
     solve_cells(gain);
