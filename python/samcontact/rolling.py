@@ -185,7 +185,7 @@ def _free_solver(
         )
     rolls = speed_of("speed", speed)
     if rolls < 0:
-        raise ValueError(f"speed must be >= 0 [m/s], got {speed!r}: the contact rolls towards +x")
+        raise ValueError(f"speed must be >= 0 [m/s], got {rolls!r}: the contact rolls towards +x")
 
     def finish(cells: Grid, _: FloatArray, found: dict[str, Any]) -> FreeRollingSolution:
         return FreeRollingSolution(grid=cells, speed=rolls, **found)

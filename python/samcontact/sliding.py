@@ -175,10 +175,17 @@ def over_speed(
 
     Parameters
     ----------
-    grid, body1, body2, gap, load, tol, on_border, max_iterations
-        As in `steady`.
+    grid : Grid
+    body1, body2 : Material
+        Upper and lower body; the gap is fixed to body 1.
+    gap : array_like, shape (nx, ny), or callable
+        Initial separation [m], or a function of a grid that returns this array.
+    load : float
+        Normal load [N], >= 0.
     velocities : sequence of float
         Velocities of body 1 relative to body 2 along x [m/s].
+    tol, on_border, max_iterations
+        As in `ContactSolver`.
 
     Returns
     -------

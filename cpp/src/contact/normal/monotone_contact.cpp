@@ -25,9 +25,10 @@ constexpr double safety = 0.1;
 /// Steps without a smaller error before fewer cells change sides at once, and the factor.
 constexpr int patience = 6;
 constexpr double caution = 0.5, most_cautious = 1e-3;
-/// If that does not help: stiffness of springs from the last pressure (proximal points), relative
-/// to the compliance of a cell, and the factor after each of their solutions.
-constexpr double springs_below = 0.2, first_spring = 4.0, slackening = 0.2, last_spring = 1e-3;
+/// If that does not help: compliance of springs from the last pressure (proximal points), relative
+/// to that of a cell, and its factors after each solution and if the cells do not settle.
+constexpr double springs_below = 0.2, first_spring = 1.0, slackening = 0.3, last_spring = 1e-4;
+constexpr double tightening = 10.0;
 /// Error at which a solution with springs becomes the next start.
 constexpr double spring_tol = 1e-3;
 
@@ -44,7 +45,8 @@ class MonotoneContact {
         p_(std::move(pressure)),
         u_(n_),
         box_(n_),
-        touching_(n_, 0) {
+        touching_(n_, 0),
+        inverse_(displacement.inverse(0.0)) {
     start();
   }
 
@@ -66,8 +68,7 @@ class MonotoneContact {
 
   void start();
   double local_compliance();
-  void attach_springs();
-  void slacken_springs();
+  void set_springs(double compliance);
   void settle() {
     displacement_.apply(p_.data(), u_.data(), work_);
     ++applications_;
@@ -96,6 +97,7 @@ class MonotoneContact {
   double local_ = 0.0;   // displacement of a cell due to a unit pressure on it, with creep [m/Pa]
   double spring_ = 0.0;  // [m/Pa]
   Field anchor_;         // pressure at which the springs have no force
+  std::vector<operators::ParityKernel> inverse_;
   ComplexField work_;
   int iterations_ = 0, applications_ = 0, filters_ = 0;
 };
@@ -111,19 +113,13 @@ double MonotoneContact::local_compliance() {
   return std::max(unit[middle] - least, displacement_.self_influence());
 }
 
-void MonotoneContact::attach_springs() {
+/// Springs of this compliance from the present pressure; 0: none.
+void MonotoneContact::set_springs(double compliance) {
   for (double& p : p_) p = std::max(p, 0.0);
   settle();
   anchor_ = p_;
-  spring_ = first_spring * local_;
-}
-
-void MonotoneContact::slacken_springs() {
-  for (double& p : p_) p = std::max(p, 0.0);
-  settle();
-  anchor_ = p_;
-  spring_ *= slackening;
-  if (spring_ < last_spring * local_) spring_ = 0.0;
+  spring_ = compliance < last_spring * local_ ? 0.0 : compliance;
+  inverse_ = displacement_.inverse(spring_);
 }
 
 void MonotoneContact::start() {
@@ -222,7 +218,7 @@ void MonotoneContact::apply(const Field& v, Field& out) {
 void MonotoneContact::precondition(const Field& r, Field& z) {
   const std::size_t m = cells_.size();
   Field box = scattered(r);
-  displacement_.precondition(box.data(), box.data(), work_);
+  displacement_.precondition(inverse_, box.data(), box.data(), work_);
   ++filters_;
   const double self = displacement_.self_influence();
   z.resize(r.size());
@@ -237,7 +233,7 @@ void MonotoneContact::prepare_border() {
   if (!driven_by_load()) return;
   const std::size_t m = cells_.size();
   Field box = scattered(Field(m, displacement_.self_influence()));
-  displacement_.precondition(box.data(), box.data(), work_);
+  displacement_.precondition(inverse_, box.data(), box.data(), work_);
   ++filters_;
   border_.resize(m);
   for (std::size_t c = 0; c < m; ++c) border_[c] = box[cells_[c]];
@@ -337,7 +333,7 @@ Solution MonotoneContact::run(double tol, int max_iterations) {
       return found;
     }
     if (spring_ > 0 && changed == 0 && error <= spring_tol) {
-      slacken_springs();
+      set_springs(slackening * spring_);
       share = 1.0;
       stalled = 0;
       lowest = INFINITY;
@@ -347,8 +343,8 @@ Solution MonotoneContact::run(double tol, int max_iterations) {
       share = std::max(caution * share, most_cautious);
       stalled = 0;
       lowest = error;
-      if (share < springs_below && spring_ == 0) {
-        attach_springs();
+      if (share < springs_below) {
+        set_springs(std::max(first_spring * local_, tightening * spring_));
         share = 1.0;
         lowest = INFINITY;
       }

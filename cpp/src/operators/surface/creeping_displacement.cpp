@@ -31,7 +31,7 @@ CreepingDisplacement::CreepingDisplacement(const Grid& grid,
   SurfaceInfluence elastic;
   for (const CreepingBody& body : bodies) elastic.add(body.medium);
   self_influence_ = elastic.elastic(grid, CellOffsets::lattice(1, 1))[0];
-  invert(grid, kernel_floor(grid, Elastic2{bodies}));
+  prepare_modes(grid, kernel_floor(grid, Elastic2{bodies}));
 }
 
 /// Smaller one of the displacements that the cells at both ends of x cause at each other.
@@ -45,11 +45,9 @@ double CreepingDisplacement::least_at_ends(const Grid& grid) const {
   return std::min(first[last], other[0]);
 }
 
-void CreepingDisplacement::invert(const Grid& grid, double floor) {
-  inverse_ = kernels_;
-  Field &even = inverse_[0].quarter, &odd = inverse_[1].quarter;
-  // The spectra contain 1/(mx my) of the two transforms; so must the inverse.
-  const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
+void CreepingDisplacement::prepare_modes(const Grid& grid, double floor) {
+  modes_ = kernels_;
+  Field& even = modes_[0].quarter;
   // Nothing resists a uniform pressure on whole periods: its mode counts like the next one.
   if (grid.period.x > 0 && grid.period.y > 0) {
     const std::size_t width = convolution_.mx() / 2 + 1;
@@ -64,12 +62,22 @@ void CreepingDisplacement::invert(const Grid& grid, double floor) {
     const double level = least_at_ends(grid);
     for (std::size_t n = 0; n < even.size(); ++n) even[n] -= level * uniform.quarter[n];
   }
+  // The spectra contain 1/(mx my) of the two transforms.
+  const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
+  for (double& value : even) value = std::max(value, floor / points);
+}
+
+std::vector<ParityKernel> CreepingDisplacement::inverse(double spring) const {
+  std::vector<ParityKernel> inverse = modes_;
+  Field &even = inverse[0].quarter, &odd = inverse[1].quarter;
+  const double points = static_cast<double>(convolution_.mx()) * convolution_.my();
   for (std::size_t n = 0; n < even.size(); ++n) {
-    const double real = std::max(even[n] * points, floor), across = odd[n] * points;
+    const double real = even[n] * points + spring, across = odd[n] * points;
     const double square = (real * real + across * across) * points;
     even[n] = real / square;
     odd[n] = -across / square;
   }
+  return inverse;
 }
 
 }  // namespace samcontact::operators

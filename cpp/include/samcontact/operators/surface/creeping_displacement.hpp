@@ -18,9 +18,12 @@ class CreepingDisplacement {
   void apply(const double* pressure, double* displacement, ComplexField& work) const {
     convolution_.apply(kernels_, pressure, displacement, work);
   }
-  /// The inverse of each Fourier mode of the padded grid.
-  void precondition(const double* displacement, double* pressure, ComplexField& work) const {
-    convolution_.apply(inverse_, displacement, pressure, work);
+  /// Spectra of the inverse of each Fourier mode of the padded grid, with springs of this
+  /// compliance [m/Pa] in series.
+  std::vector<ParityKernel> inverse(double spring) const;
+  void precondition(const std::vector<ParityKernel>& inverse, const double* displacement,
+                    double* pressure, ComplexField& work) const {
+    convolution_.apply(inverse, displacement, pressure, work);
   }
 
   /// Elastic displacement of a cell due to a unit pressure on it [m/Pa].
@@ -33,10 +36,11 @@ class CreepingDisplacement {
 
  private:
   double least_at_ends(const Grid& grid) const;
-  void invert(const Grid& grid, double floor);
+  void prepare_modes(const Grid& grid, double floor);
 
   SurfaceConvolution convolution_;
-  std::vector<ParityKernel> kernels_, inverse_;  // spectra: even and odd in x
+  std::vector<ParityKernel> kernels_;  // spectra: even and odd in x
+  std::vector<ParityKernel> modes_;    // those of a positive operator, for the inverse
   double self_influence_, longest_compliance_;
 };
 
