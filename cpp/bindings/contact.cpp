@@ -14,6 +14,7 @@
 #include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/creeping_contact.hpp"
 #include "samcontact/contact/outline.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/medium/finite_body.hpp"
@@ -50,7 +51,8 @@ Content to_python(contact::Solution solution, const Grid& grid, const contact::C
   return result;
 }
 
-Content solve(const ContactSolver& solver, const Array& gap, const Drive& drive,
+template <class Solver>
+Content solve(const Solver& solver, const Array& gap, const Drive& drive,
               const MaybeArray& initial_pressure, double tol, int max_iterations,
               bool error_on_border) {
   const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
@@ -191,6 +193,35 @@ void bind_friction(py::module_& m) {
           py::arg("pressure"));
 }
 
+void bind_creeping(py::module_& m) {
+  using operators::MovingCreep;
+  py::class_<MovingCreep>(m, "MovingCreep")
+      .def(py::init(
+               [](std::vector<double> amounts, std::vector<double> distances, bool towards_plus_x) {
+                 return MovingCreep{std::move(amounts), std::move(distances), towards_plus_x};
+               }),
+           py::arg("amounts"), py::arg("distances"), py::arg("towards_plus_x"));
+  py::class_<contact::CreepingContact>(m, "CreepingContact")
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const MovingCreep& creep1,
+                       const MovingCreep& creep2) {
+             std::vector<operators::CreepingBody> bodies{{operators::medium_of(body1), creep1},
+                                                         {operators::medium_of(body2), creep2}};
+             return std::make_unique<contact::CreepingContact>(grid, std::move(bodies));
+           }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("creep1"),
+           py::arg("creep2"))
+      .def(
+          "displacement",
+          [](const contact::CreepingContact& solver, const Array& pressure) {
+            return surface_array(solver.displacement(to_field(pressure)), solver.grid());
+          },
+          py::arg("pressure"))
+      .def("solve", &solve<contact::CreepingContact>, py::arg("gap"), py::arg("drive"),
+           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"));
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
@@ -228,9 +259,11 @@ void bind_contact(py::module_& m) {
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
            py::arg("heating"), py::arg("contact_law"))
-      .def("solve", &solve, py::arg("gap"), py::arg("drive"), py::arg("initial_pressure"),
-           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"))
+      .def("solve", &solve<ContactSolver>, py::arg("gap"), py::arg("drive"),
+           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
+  bind_creeping(m);
 
   m.attr("spin_lead") = contact::spin_lead;
   py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")

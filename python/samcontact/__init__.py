@@ -31,6 +31,7 @@ from . import (
     paths,
     rolling,
     shakedown,
+    sliding,
     softening,
     surfaces,
     units,
@@ -67,6 +68,7 @@ from .restart.file import CheckpointError
 from .simulation.increment_errors import IncrementErrors
 from .simulation.simulation import Simulation
 from .solutions.contact_solution import ContactSolution, PartialSlipSolution, RollingSolution
+from .solutions.moving_solution import FreeRollingSolution, SlidingSolution
 from .solutions.state import State
 from .solutions.track import Track
 from .solutions.zone import Zone
@@ -82,6 +84,7 @@ __all__ = [
     "ConvergenceWarning",
     "ElasticStrainWarning",
     "FoundLoad",
+    "FreeRollingSolution",
     "Grid",
     "GridErrors",
     "GridTooSmallError",
@@ -99,6 +102,7 @@ __all__ = [
     "RollingSolution",
     "Simulation",
     "SingularPressureWarning",
+    "SlidingSolution",
     "State",
     "SweepInterrupted",
     "TensileLimit",
@@ -129,6 +133,7 @@ __all__ = [
     "paths",
     "rolling",
     "shakedown",
+    "sliding",
     "softening",
     "surfaces",
     "sweep",

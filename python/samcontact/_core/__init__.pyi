@@ -19,6 +19,7 @@ __all__: list[str] = [
     "ContactLaw",
     "ContactSolver",
     "ConvergenceError",
+    "CreepingContact",
     "Drive",
     "Elastic",
     "FrictionLaw",
@@ -28,6 +29,7 @@ __all__: list[str] = [
     "LawDescription",
     "LawParameter",
     "Material",
+    "MovingCreep",
     "PartialSlipContact",
     "Settings",
     "Simulation",
@@ -255,6 +257,31 @@ class ContactSolver:
     def shear(
         self, pressure: numpy.typing.NDArray[numpy.float64]
     ) -> numpy.typing.NDArray[numpy.float64] | None: ...
+    def solve(
+        self,
+        gap: numpy.typing.NDArray[numpy.float64],
+        drive: Drive,
+        initial_pressure: numpy.typing.NDArray[numpy.float64] | None,
+        tol: float,
+        max_iterations: int,
+        error_on_border: bool,
+    ) -> dict[str, typing.Any]: ...
+
+class MovingCreep:
+    def __init__(
+        self,
+        amounts: collections.abc.Sequence[float],
+        distances: collections.abc.Sequence[float],
+        towards_plus_x: bool,
+    ) -> None: ...
+
+class CreepingContact:
+    def __init__(
+        self, grid: Grid, body1: Body, body2: Body, creep1: MovingCreep, creep2: MovingCreep
+    ) -> None: ...
+    def displacement(
+        self, pressure: numpy.typing.NDArray[numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
     def solve(
         self,
         gap: numpy.typing.NDArray[numpy.float64],

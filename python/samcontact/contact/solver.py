@@ -127,12 +127,15 @@ class ContactSolver(ContactFields):
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
-        setup = grid._core, body1._core, body2._core
+        self._core = self._new_core()
+
+    def _new_core(self) -> Any:
+        """Return the solver of the core."""
+        setup = self.grid._core, self.body1._core, self.body2._core
         law, contact = self._law.to_core(), self.contact_law.to_core()
         if self._law.sticks:
-            self._core = _core.PartialSlipContact(*setup, law, contact)
-        else:
-            self._core = _core.ContactSolver(*setup, law, self._heating, contact)
+            return _core.PartialSlipContact(*setup, law, contact)
+        return _core.ContactSolver(*setup, law, self._heating, contact)
 
     def __repr__(self) -> str:
         return (

@@ -22,6 +22,7 @@ from .over_time import over_time
 from .parts import journal_column
 from .section import section
 from .shakedown import shakedown_map, strain_per_cycle
+from .sliding import friction_curve
 from .slip_animation import partial_slip_animation
 from .slipping import creep_curve, fretting_loop, partial_slip_map, rolling_force, shear_profile
 from .summary import summary_figures
@@ -37,6 +38,7 @@ __all__ = [
     "fatigue_map",
     "fatigue_section",
     "fretting_loop",
+    "friction_curve",
     "imprint_profile",
     "interface_profile",
     "journal_column",
