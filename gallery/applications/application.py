@@ -46,9 +46,11 @@ class Work:
         path = self.folder / "results" / self.name / file
         if file == "results.nc":
             with open_results(path) as opened:
-                return opened.load()
-        with xr.open_dataset(path) as opened:
-            return opened.load()
+                found: xr.Dataset = opened.load()
+        else:
+            with xr.open_dataset(path) as opened:
+                found = opened.load()
+        return found
 
     def row(self, label: str, command: int = 0) -> list[tuple[float, float]]:
         """Return the values with errors, in SI units, in the row of a printed table."""

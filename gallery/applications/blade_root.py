@@ -28,7 +28,9 @@ def tension(x: np.ndarray, z: float) -> np.ndarray:
     inner = sc.hertz.line(0.1, LINE.E_star, STICK**2 * P / 1e-3)
     nu = TITANIUM.nu
     sheared: np.ndarray = LINE.stress(x, z, nu, MU)[0]
-    return sheared - (inner.stress(x, z, nu, MU) - inner.stress(x, z, nu))[0]
+    inside: np.ndarray = (inner.stress(x, z, nu, MU) - inner.stress(x, z, nu))[0]
+    total: np.ndarray = sheared - inside
+    return total
 
 
 def answers(work: Work) -> list[Answer]:

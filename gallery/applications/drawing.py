@@ -13,7 +13,9 @@ SIZE = (8.0, 4.6)
 """Width and height of a picture [inch]; wider pictures would scroll on a phone."""
 
 
-def panels(rows: int = 1, columns: int = 1, size: tuple[float, float] = SIZE, **more: Any) -> Any:
+def panels(
+    rows: int = 1, columns: int = 1, size: tuple[float, float] = SIZE, **more: Any
+) -> tuple[Figure, Any]:
     """Return a figure and its panels."""
     figure = Figure(figsize=size, layout="constrained")
     return figure, figure.subplots(rows, columns, **more)

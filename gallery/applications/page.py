@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -50,7 +51,8 @@ def answers(record: dict[str, Any]) -> str:
             off = 100 * (one["value"] / one["expected"] - 1)
             difference = f"{off:+.2f} %" if abs(off) >= 0.005 else "0.00 %"
         value = shown(one["value"], one["unit"])
-        cells = [one["quantity"], value, error, expected, difference, one["check"]]
+        check = re.sub(r"\bsc\.[\w.]*\w", r"`\g<0>`", one["check"])
+        cells = [one["quantity"], value, error, expected, difference, check]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
 

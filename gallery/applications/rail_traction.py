@@ -15,7 +15,7 @@ STEEL = sc.Material.elastic(E=210e9, nu=0.3)
 LOAD = 80e3
 
 
-def steady() -> sc.rolling.RollingSolution:
+def steady() -> sc.RollingSolution:
     """Steady rolling of elastic bodies with the same creepage."""
     grid = sc.Grid(nx=27, ny=21, dx=0.65e-3, dy=0.65e-3)
     gap = sc.surfaces.paraboloid(grid, 0.46, 0.30)
