@@ -222,9 +222,8 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s]: of viscoelastic bodies, >= 0; with `heat.partition`,
-            `heat.history` (flux of the final pressure) or `FallingCoulomb`, > 0, or 0 to move
-            unloaded bodies.
+            Duration of the increment [s]: >= 0 with viscoelastic bodies; > 0 with `heat.partition`,
+            `heat.history` or `FallingCoulomb`, or 0 for unloaded bodies that move.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 

@@ -146,22 +146,28 @@ class StepArguments:
         lasts = self._duration(heat, given_time, travels, is_unloaded=is_unloaded)
         if heat_factor is not None:
             heat = self._heat_with(heat, heat_factor)
-        is_loaded = not is_unloaded
-        if heat.history is not None and lasts is not None and travels != _STANDING:
-            _require_motion_of_heat(heat, lasts, travels, grid)
-            if heat.track is not None and is_loaded:
-                along, across = (
-                    [n * size / lasts for n in cells]
-                    for cells, size in zip(travels, (grid.dx, grid.dy), strict=True)
-                )
-                require_speeds(heat, self.bodies, grid, list(map(math.hypot, along, across)))
-        slips = heat.history is None and heat.partition is not None
-        if slips and lasts is not None and is_loaded and travels != _STANDING:
-            _require_velocity_of_heat(heat, lasts, travels, grid)
+        if lasts is not None and travels != _STANDING:
+            self._require_heat_of_motion(heat, lasts, travels, is_loaded=not is_unloaded)
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
         return Step(normal, heat, heated, lasts or 0.0, slides_for, travels, tangential, **given)
+
+    def _require_heat_of_motion(
+        self, heat: Heat, duration: float, travels: Travels, *, is_loaded: bool
+    ) -> None:
+        """Raise ValueError unless the heat follows bodies that move in an increment."""
+        grid = self.grid
+        if heat.history is not None:
+            _require_motion_of_heat(heat, duration, travels, grid)
+            if heat.track is not None and is_loaded:
+                along, across = (
+                    [n * size / duration for n in cells]
+                    for cells, size in zip(travels, (grid.dx, grid.dy), strict=True)
+                )
+                require_speeds(heat, self.bodies, grid, list(map(math.hypot, along, across)))
+        elif heat.partition is not None and is_loaded:
+            _require_velocity_of_heat(heat, duration, travels, grid)
 
     def _duration(
         self, heat: Heat, given: float | None, travels: Travels, *, is_unloaded: bool
