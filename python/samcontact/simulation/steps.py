@@ -144,22 +144,29 @@ class StepArguments:
             )
         if heat_factor is not None:
             heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
-        is_loaded = not is_unloaded
-        if heat.history is not None and lasts is not None and travels != _STANDING:
+        if lasts is not None and travels != _STANDING:
+            self._require_motion(heat, lasts, travels, is_loaded=not is_unloaded)
+        heated = self._heating_of(heat, None if heat.history is None else lasts)
+        if kind == "approach":
+            require_reference(heat)
+        return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
+
+    def _require_motion(
+        self, heat: Heat, lasts: float, travels: Travels, *, is_loaded: bool
+    ) -> None:
+        """Raise ValueError for motion in a time [s] that the heat excludes."""
+        grid = self.grid
+        if heat.history is not None:
             _require_motion_of_heat(heat, lasts, travels, grid)
             if heat.track is not None and is_loaded:
                 along, across = (
                     [n * size / lasts for n in cells]
                     for cells, size in zip(travels, (grid.dx, grid.dy), strict=True)
                 )
-                require_speeds(heat, self.bodies, grid, list(map(math.hypot, along, across)))
-        slips = heat.history is None and heat.partition is not None
-        if slips and lasts is not None and is_loaded and travels != _STANDING:
+                speeds = list(map(math.hypot, along, across))
+                require_speeds(heat, self.bodies, grid, speeds)
+        elif heat.partition is not None and is_loaded:
             _require_velocity_of_heat(heat, lasts, travels, grid)
-        heated = self._heating_of(heat, None if heat.history is None else lasts)
-        if kind == "approach":
-            require_reference(heat)
-        return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""
