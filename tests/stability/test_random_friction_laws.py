@@ -66,7 +66,7 @@ def run(number):
             if draw.random() < 0.3 and states:
                 step["advance"] = (-GRID.dx, -GRID.dx)
             if law.needs_duration:
-                step["duration"] = 10 ** draw.uniform(-4, 2)
+                step["duration"] = 10 ** draw.uniform(-8, 0)
             state = simulation.step(**step)
             states += 1
             assert np.isfinite(state.shear).all()

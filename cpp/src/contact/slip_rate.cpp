@@ -92,7 +92,8 @@ void require_single(double number, const SlipRateLaw& law, const FrictionConditi
   if (rolls || law.memory > 0 || given.selects || number <= 1) return;
   throw std::invalid_argument(
       "the falling number must be at most 1, got " + to_short_text(number, 4) +
-      ": in such a short time cells may be able to stick as well as to slip; use a longer duration, a "
+      ": in such a short time cells may be able to stick as well as to slip; use a longer "
+      "duration, a "
       "memory of the law, or choose the solution by the slip rate from which the iteration starts");
 }
 
