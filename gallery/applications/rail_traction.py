@@ -19,9 +19,11 @@ def steady() -> sc.RollingSolution:
     """Steady rolling of elastic bodies with the same creepage."""
     grid = sc.Grid(nx=27, ny=21, dx=0.65e-3, dy=0.65e-3)
     gap = sc.surfaces.paraboloid(grid, 0.46, 0.30)
-    return sc.rolling.steady(
+    solution = sc.rolling.steady(
         grid, STEEL, STEEL, gap, load=LOAD, friction=sc.Coulomb(0.35), creepage=(-1e-3, 0.0)
     )
+    assert isinstance(solution, sc.RollingSolution)
+    return solution
 
 
 def answers(work: Work) -> list[Answer]:

@@ -12,6 +12,8 @@ from .short_text import in_short
 
 Advance = Any
 """Pair of floats (along x), or pair of pairs (x, y), for bodies 1 and 2 [m]."""
+AT_REST = 0.0, 0.0
+"""Bodies that do not move; the default of an increment."""
 
 
 def both_axes(advance: Advance) -> FloatArray:
@@ -22,7 +24,7 @@ def both_axes(advance: Advance) -> FloatArray:
             "advance must be a pair (body 1, body 2) of displacements along x, or of pairs (x, y), "
             f"got {in_short(advance)}"
         )
-    found = finite_array("advance", advance)
+    found = finite_array("advance", given)
     return found if found.ndim == 2 else np.stack([found, np.zeros(2)], axis=1)
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from .._util.travels import both_axes, plain
+from .._util.travels import AT_REST, both_axes, plain
 
 if TYPE_CHECKING:
     from ..heat import Heat
@@ -28,9 +28,9 @@ def cleaned(step: Step) -> dict[str, Any]:
     """Return the arguments of a step; those that are None, and an advance of zero, are omitted."""
     kept = dict(step)
     for name, value in step.items():
-        if name == "advance" and value is not None:
+        if name == "advance" and value is not None and value is not AT_REST:
             kept[name] = plain(both_axes(value))
-        if value is None or (name == "advance" and kept[name] == (0.0, 0.0)):
+        if value is None or (name == "advance" and kept[name] == AT_REST):
             del kept[name]
     return kept
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
 from .._util.display import HtmlTable
 from .._util.errors import attach
+from .._util.travels import AT_REST
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
@@ -33,7 +34,7 @@ from .increment_errors import check_errors
 from .relaxing import HasLongTimeState
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import AT_REST, STEP_ARGUMENTS
+from .steps import STEP_ARGUMENTS
 
 
 class Simulation(Configured, HasLongTimeState, HtmlTable):

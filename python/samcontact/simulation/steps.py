@@ -21,7 +21,7 @@ from .._util.checks import (
     value_per_body,
 )
 from .._util.short_text import in_short
-from .._util.travels import both_axes
+from .._util.travels import AT_REST, both_axes
 from ..bodies.viscoelastic import relaxes
 from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
@@ -82,8 +82,6 @@ class Step:
         }
 
 
-AT_REST = 0.0, 0.0
-"""Default of `advance`."""
 _STANDING: Travels = AT_REST, AT_REST
 _NO_LOAD = NormalDrive("load", 0.0)
 _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))

@@ -201,7 +201,7 @@ class PartialSlipSolution(ShearedSolution):
     slip_rate : ndarray, shape (nx, ny), or None
         With `FallingCoulomb`: slip rate that the friction of each cell follows [m/s].
     falling_number : float
-        With `FallingCoulomb`: largest |dmu/dv| p C/t of a cell, with the displacement C of a cell
+        With `FallingCoulomb`: largest -dmu/dv p C/t of a cell, with the displacement C of a cell
         under its own unit shear and the duration t. Solutions of an increment are unique for values
         below 1 at all slip rates.
     """

@@ -65,7 +65,7 @@ class SlipRateState(RigidMotionState):
 
     @property
     def falling_number(self) -> float:
-        """Largest |dmu/dv| p C/t of a cell in the last increment [-], with `FallingCoulomb`.
+        """Largest -dmu/dv p C/t of a cell in the last increment [-], with `FallingCoulomb`.
 
         C is the displacement of a cell under its own unit shear, t the duration of the increment.
         """

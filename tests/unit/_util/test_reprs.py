@@ -319,8 +319,17 @@ def public_objects():
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(asperities=CONTACT, **fields)),
-        parse_case(CASE.format(asperities=ASPERITIES, **fields)),
+        parse_case(CASE.format(asperities=ASPERITIES, **fields)), *viscoelastic_motion(),
     ]  # fmt: skip
+
+
+def viscoelastic_motion():
+    """Return solutions of a polymer that slides and rolls over a rigid body."""
+    grid = sc.Grid(9, 9, 5e-5, 5e-5)
+    polymer = sc.Material.elastic(2e9, 0.4).with_relaxation(times=[1e-3], shares=[1 / 3])
+    given = (grid, sc.Material.rigid(), polymer, sc.surfaces.paraboloid(grid, 7.5e-3))
+    curve = sc.sliding.over_speed(*given, load=1.0, velocities=[0.1, 1 / 3])
+    return curve, curve.solutions[0], sc.rolling.steady(*given, load=1.0, friction=0.0, speed=0.1)
 
 
 def hardened_flank():

@@ -113,8 +113,8 @@ def test_a_contact_solver_refuses_to_move_a_map_along_x():
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"coefficient": [0.3, 0.2]}, "coefficient must have one value for each point"),
-        ({"coefficient": []}, "coefficient must have one value for each point"),
+        ({"coefficient": [0.3, 0.2]}, "x, y must define as many points"),
+        ({"coefficient": []}, "x, y must define as many points"),
         (
             {"coefficient": [0.3, -0.2], "x": [0, 1]},
             r"coefficient\[1\] must be a finite number >= 0",

@@ -36,9 +36,9 @@ void MappedCoulomb::check() const {
   require_increasing("y", y);
   const std::size_t count = std::max<std::size_t>(x.size(), 1) * std::max<std::size_t>(y.size(), 1);
   if (coefficient.size() != count) {
-    throw std::invalid_argument("coefficient must have one value for each point (x, y), " +
-                                std::to_string(count) + ", got " +
-                                std::to_string(coefficient.size()));
+    throw std::invalid_argument("x, y must define as many points as coefficient has values, " +
+                                std::to_string(coefficient.size()) + ", got " +
+                                std::to_string(count));
   }
   require(body == 1 || body == 2, "body", "1 or 2", body);
 }
