@@ -52,8 +52,7 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
-        of a grid, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``: the grid is then enlarged
-        automatically to contain the contact; see Notes.
+        of a grid, ``lambda grid: surfaces.paraboloid(grid, R)``: the grid then grows; see Notes.
     friction : float or Coulomb, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.

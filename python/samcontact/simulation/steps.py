@@ -92,6 +92,7 @@ class StepArguments:
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
+        self._slips_by_rate = friction.needs_duration
         self._relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
@@ -139,9 +140,13 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        slides_for, of_heat = _of_friction(friction, heat, duration)
-        given_time = duration if self._relaxes else of_heat
-        lasts = self._duration(heat, given_time, travels, is_unloaded=is_unloaded)
+        slides_for, of_heat = 0.0, duration
+        if self._slips_by_rate:
+            slides_for, of_heat = _of_friction(friction, heat, duration)
+        if self._relaxes:
+            lasts: float | None = relaxing_duration(duration, travels)
+        else:
+            lasts = _duration(heat, of_heat, is_unloaded=is_unloaded)
         if heat_factor is not None:
             heat = self._heat_with(heat, heat_factor)
         if lasts is not None and travels != _STANDING:
@@ -166,14 +171,6 @@ class StepArguments:
                 require_speeds(heat, self.bodies, grid, list(map(math.hypot, along, across)))
         elif heat.partition is not None and is_loaded:
             _require_velocity_of_heat(heat, duration, travels, grid)
-
-    def _duration(
-        self, heat: Heat, given: float | None, travels: Travels, *, is_unloaded: bool
-    ) -> float | None:
-        """Check and return the duration of an increment [s]; None if none is required."""
-        if self._relaxes:
-            return relaxing_duration(given, travels)
-        return _duration(heat, given, is_unloaded=is_unloaded)
 
     def _heat_with(self, heat: Heat, factor: float | Sequence[float]) -> Heat:
         """Return the heat with another factor."""
@@ -319,9 +316,7 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
 def _of_friction(
     friction: FrictionLaw, heat: Heat, duration: float | None
 ) -> tuple[float, float | None]:
-    """Return the duration for the friction (0: not needed), and that for the heat (None: none)."""
-    if not friction.needs_duration:
-        return 0.0, duration
+    """Return the duration for friction that depends on the slip rate, and that for the heat."""
     heated = heat.partition is not None or heat.history is not None
     return lasting(friction, duration), duration if heated else None
 

@@ -83,7 +83,11 @@ def test_equal_bodies_share_the_displacement():
         ({"speed": -1.0}, ValueError, "speed must be >= 0"),
         ({"friction": sc.Coulomb(0.3)}, ValueError, "friction must be 0.0"),
         ({"creepage": (1e-3, 0.0)}, ValueError, "creepage must be None"),
-        ({"body2": GLASS, "body1": GLASS}, ValueError, "speed has no effect"),
+        (
+            {"body2": GLASS, "body1": GLASS, "friction": sc.Coulomb(0.3)},
+            ValueError,
+            "speed has no effect",
+        ),
         ({"body2": RUBBER.with_relaxation([1.0], [1.0])}, ValueError, "body2 must be a solid"),
         ({"body1": GLASS.with_free_faces(-1.0, 1.0)}, ValueError, "ends of bodies"),
     ],
