@@ -31,7 +31,7 @@ class SlidingSolution(ContactSolution):
 
     @property
     def friction(self) -> float:
-        """Hysteretic friction coefficient [-]: force against the velocity over the load."""
+        """Hysteretic friction coefficient [-], the force against the velocity over the load."""
         along = float(np.sign(self.velocity) * self.tangential_load[0]) + 0.0  # -0.0 becomes 0.0
         return along / self.load if self.load > 0 else 0.0
 
@@ -62,11 +62,11 @@ class FreeRollingSolution(ContactSolution):
 
     @property
     def rolling_resistance(self) -> float:
-        """Moment that resists the rolling [N m]: sum of pressure times x over the area.
+        """Moment that resists the rolling [N m], the integral of pressure times x.
 
-        Positive: the pressure is ahead of the centre of the gap, and work has to be done. Divided
-        by the rolling radius R it is the force that keeps a wheel rolling; for two rollers, the
-        work per distance rolled is the moment times 1/R1 + 1/R2.
+        If it is positive, the pressure is ahead of the centre of the gap, and work has to be done.
+        Divided by the rolling radius R, it is the force that keeps a wheel rolling; for two
+        rollers, the work per distance rolled is the moment times 1/R1 + 1/R2.
         """
         return -float(self.moment[1])
 
