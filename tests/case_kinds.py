@@ -26,6 +26,12 @@ FACED = {
     "nu": 0.3,
     "free_faces": {"low": -24e-6, "high": 18e-6, "method": "exact"},
 }
+RELAXING = {
+    "law": "elastic",
+    "E": 3e9,
+    "nu": 0.4,
+    "relaxation": {"times": [1e-3, 0.1], "shares": [0.3, 0.2]},
+}
 COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
 HARDENED = {name: value for name, value in SWIFT.items() if name != "yield_profile"}
@@ -84,6 +90,7 @@ GEAR = {
     "relief_length": [5e-3, 6e-3], "relief_exponent": 1.5, "position": -6e-3, "torque": 0.1,
     "sharing": "linear",
 }  # fmt: skip
+CAM = {"shape": "cam", "base_radius": 18e-3, "cam_angle": 0.3, "crown_radius": 1e-2}
 PROFILES = {
     "shape": "wheel_rail", "rail": "rail.npy", "wheel": "wheel.npy", "wheel_radius": 0.46,
     "unit": "mm", "shift": 1e-3, "yaw": 1e-2, "roll": 1e-3, "smoothing": 1e-6,
@@ -136,6 +143,11 @@ KINDS = {
                    "outside_diameter": 0.08},
        "path": [{"load_factor": 0.5}]},
     "roller bearing": BASE | PRESSED | {"surface": ROLLERS, "path": [{"load_factor": 0.5}]},
+    "cam": BASE | PRESSED | {"surface": CAM | {"max_lift": 6e-3, "event_angle": 2.4}},
+    "eccentric cam": BASE | PRESSED | {"surface": CAM | {"eccentricity": 2e-3}},
+    "cam by its lifts": BASE | PRESSED
+    | {"surface": CAM | {"lift_angle": [-1.2, -0.6, 0.0, 0.6, 1.2],
+                         "lift": [0.0, 2e-3, 4e-3, 2e-3, 0.0]}},
     "wheel and rail": BASE | PRESSED | {"surface": PROFILES},
     "sphere": BASE | {"surface": {"shape": "sphere", "R": 1e-3}, "relief1": DENT,
                       "relief2": FURROW},
@@ -154,6 +166,11 @@ KINDS = {
                       "body2": FACED, "heat": None,
                       "contact": CONTACT | {"friction": 0.0},
                       "path": [{k: v for k, v in RAMP.items() if k != "heat_factor"}]},
+    "relaxing": BASE | {"grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}, "body1": RELAXING,
+                        "body2": RELAXING, "heat": None,
+                        "path": [{"load": 0.02, "increments": 2, "duration": 0.01},
+                                 {"load": 0.02, "increments": 4, "duration": 0.1,
+                                  "first_duration": 0.01}]},
     "Voce": BASE | {"body1": VOCE},
     "library": BASE | {"body2": {"material": "52100", "law": "swift"}},
     "tabulated": BASE | {"body2": TABULATED},
@@ -178,6 +195,14 @@ KINDS = {
     | {"path": [{k: v for k, v in RAMP.items() if k != "advance"}],
        "shakedown": {"cycles": 7, "tol": 2e-3, "accelerate": False}},
     "approach": BASE | {"path": [{"approach": 1e-7, "start": 1e-8}]},
+    "dented": BASE | PRESSED
+    | {"surface": FLAT, "dents": {"increments": 2, "E": 300e9, "nu": 0.2, "particles": [
+        {"radius": 2e-4, "approach": 1e-6, "x": 5e-6, "y": 1e-6},
+        {"radius": 1e-4, "load": 1.0, "x": 3e-6, "y": 2e-6}]}},
+    "dented at random": BASE | PRESSED
+    | {"surface": FLAT, "dents": {"random": {
+        "length": 1e-4, "width": 4e-5, "density": 2e9, "radius": 1e-4, "spread": 0.1,
+        "depth_ratio": 0.02, "x": 1e-5, "y": 1e-6, "seed": 3}}},
     "marched": BASE
     | {"heat": MARCHED, "path": [{"load": 1.0, "duration": 1e-4},
                                  {"load": 1.0, "duration": 1e-4}]},
@@ -203,6 +228,21 @@ KINDS = {
     "capped friction": STICKS
     | {"contact": {"friction": {"capped_coulomb": {"coefficient": 0.3, "limit": 1e8}}},
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "friction in an ellipse": STICKS
+    | {"contact": {"friction": {"anisotropic": {"mu_x": 0.3, "mu_y": 0.2, "angle": 0.5}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "friction of the place": STICKS
+    | {"contact": {"friction": {"mapped_coulomb": {
+        "coefficient": [0.2, 0.3, 0.3, 0.4], "x": [0.0, 1e-5], "y": [0.0, 1e-5], "body": 1}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "layer of particles": STICKS
+    | {"contact": {"friction": {"third_body": {
+        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8}]},
+    "falling friction": STICKS
+    | {"contact": {"friction": {"falling_coulomb": {
+        "kinetic": 0.2, "drop": 0.1, "half_speed": 1.0, "memory": 1e-6}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "shear strength": STICKS
     | {"contact": {"friction": {"tresca": 1e8}}, "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "hard": STICKS
@@ -220,6 +260,11 @@ KINDS = {
     | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
        "path": [{"load": 2.0, "increments": 2, "duration": 1e-3},
                 {"load": 2.0, "duration": 1e-2, "fret": {"shift_x": 1e-8}}]},
+    "friction of the temperature": STICKS
+    | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
+       "contact": {"friction": {"thermal_coulomb": {
+           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2]}}},
+       "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "fretting by motion": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"shift_x": 1e-8, "shift_y": 1e-9}}]},

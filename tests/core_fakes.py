@@ -25,6 +25,7 @@ class FakeState:
     def __init__(self, grid, load):
         self.grid, self.load, self.time = grid, load, 0.0
         self.travel, self.heat_factor = (0.0, 0.0), (0.0, 0.0)
+        self.lateral_travel = (0.0, 0.0)
         self.tilt = self.moment = (0.0, 0.0)
         shape = (grid.nx, grid.ny)
         self.shear, self.gap = np.zeros((2, *shape)), np.zeros(shape)

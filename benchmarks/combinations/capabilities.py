@@ -46,6 +46,10 @@ def _ends(contact: Contact) -> None:
     contact.ends = True
 
 
+def _relaxes(contact: Contact) -> None:
+    contact.relaxes = True
+
+
 def _both_yield(contact: Contact) -> None:
     contact.body1 = sc.Material.swift(210e9, 0.3, 700e6, 20.0, 0.1)
 
@@ -124,6 +128,10 @@ def _slides(contact: Contact) -> None:
     contact.travels = (0.0, -SIZE)
 
 
+def _rolls_across(contact: Contact) -> None:
+    contact.travels = ((0.0, -0.5 * SIZE), (0.0, -0.5 * SIZE))
+
+
 def _measured(contact: Contact) -> None:
     x = np.arange(-20, 21) * SIZE
     along, across = (np.cos(2 * np.pi * x / length) for length in (5e-4, 4e-4))
@@ -165,6 +173,7 @@ CAPABILITIES: dict[str, Change] = {
     "two plastic bodies": _both_yield,
     "profiles of hardness and initial stress": _graded,
     "free face": _ends,
+    "viscoelastic body": _relaxes,
     "elastic coating": _elastic_coating,
     "plastic coating and substrate": _yielding_coating,
     "full sliding": _full_sliding,
@@ -182,6 +191,7 @@ CAPABILITIES: dict[str, Change] = {
     "periodic in both directions": _periodic("xy"),
     "rolling": _rolls,
     "sliding": _slides,
+    "motion along y": _rolls_across,
     "measured surface": _measured,
     "dent": _dented,
     "enlarged grid": _enlarged,
@@ -197,7 +207,7 @@ ALTERNATIVES = (
     {"full sliding", "partial slip", "no slip"},
     {"steady heat", "heat for a given time", "heat history", "heat of slip"},
     {"periodic along x", "periodic along y", "periodic in both directions"},
-    {"rolling", "sliding"},
+    {"rolling", "sliding", "motion along y"},
 )
 """Capabilities of which a contact has only one."""
 PAIRS = [

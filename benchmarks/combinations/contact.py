@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -29,6 +30,8 @@ class Contact:
     coating: sc.Material | None = None
     ends: bool = False
     """Whether the upper body ends at a free face inside the contact."""
+    relaxes: bool = False
+    """Whether the upper body is viscoelastic."""
     periodic: str = ""
     heights: np.ndarray | None = None
     """Measured heights, which are added to the gap [m]."""
@@ -36,8 +39,8 @@ class Contact:
     """Whether the grid is enlarged when the contact reaches its edge."""
     law: float | sc.Coulomb = 0.0
     heat: dict[str, Any] = field(default_factory=dict)
-    travels: tuple[float, float] | None = None
-    """Distances by which the surfaces travel in each of three increments [m]."""
+    travels: Sequence[Any] | None = None
+    """Distances by which the surfaces travel in each of three increments [m]: along x, or pairs."""
     drive: dict[str, Any] = field(default_factory=dict)
     """Tangential motions or forces in one increment at the full load."""
     pulls: float | None = None
@@ -58,6 +61,8 @@ class Contact:
         if self.has_thermal_properties:
             body1, body2 = (body.with_thermal(50.2, 11.7e-6, 1.39e-5) for body in (body1, body2))
             coating = None if coating is None else coating.with_thermal(5.0, 8e-6, 2e-6)
+        if self.relaxes:
+            body1 = body1.with_relaxation(times=[1e-4, 1e-2], shares=[0.2, 0.1])
         if self.ends:
             body1 = body1.with_free_faces(high=4 * SIZE)
         if coating is None:
@@ -79,7 +84,8 @@ class Contact:
         if self.prescribes_approach:
             heat["reference"] = 1e-2
         if self.lasts() and self.travels:
-            heat["velocity"] = [(travel / SIZE * SPEED, 0.0) for travel in self.travels]
+            pairs = [travel if np.ndim(travel) else (travel, 0.0) for travel in self.travels]
+            heat["velocity"] = [(x / SIZE * SPEED, y / SIZE * SPEED) for x, y in pairs]
         return sc.Heat(**heat)
 
     def gap(self, grid: sc.Grid) -> np.ndarray:
@@ -92,7 +98,7 @@ class Contact:
 
     def path(self) -> list[dict[str, Any]]:
         """Return the increments: loading in two steps, tangential drive, motion, unloading."""
-        lasting = {"duration": SIZE / SPEED} if self.lasts() else {}
+        lasting = {"duration": SIZE / SPEED} if self.lasts() or self.relaxes else {}
 
         def pressed(fraction: float) -> dict[str, Any]:
             name, most = ("approach", APPROACH) if self.prescribes_approach else ("load", LOAD)

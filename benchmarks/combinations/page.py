@@ -72,6 +72,20 @@ REASONS = (
         is_limit=True,
     ),
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
+    Reason(
+        "advance along y is not supported|heat.velocity of body . along y must be 0",
+        "Motion along y of plastic strain and of surface heights, under partial slip, and of heat "
+        "along a period.",
+    ),
+    Reason(
+        "relaxation cannot be combined with a yield stress",
+        "A body that both relaxes and yields; the other body may yield.",
+    ),
+    Reason(
+        "viscoelastic",
+        "Motion of viscoelastic bodies, whose track recovers outside the grid, and heat in them, "
+        "whose thermal stress relaxes; also histories of heat and heat due to slip.",
+    ),
 )
 
 

@@ -14,6 +14,7 @@
 #include "long_work.hpp"
 #include "rooms.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/creeping_contact.hpp"
 #include "samcontact/contact/outline.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/medium/finite_body.hpp"
@@ -50,7 +51,8 @@ Content to_python(contact::Solution solution, const Grid& grid, const contact::C
   return result;
 }
 
-Content solve(const ContactSolver& solver, const Array& gap, const Drive& drive,
+template <class Solver>
+Content solve(const Solver& solver, const Array& gap, const Drive& drive,
               const MaybeArray& initial_pressure, double tol, int max_iterations,
               bool error_on_border) {
   const Field h = to_field(gap), start = to_field_or_empty(initial_pressure);
@@ -91,6 +93,10 @@ Content to_python(contact::PartialSlipSolution solution,
   result["fallbacks"] = tangential.fallbacks;
   result["sweeps"] = solution.sweeps;
   result["joint_steps"] = solution.joint.steps;
+  if (!solution.slip_rate.empty()) {
+    result["slip_rate"] = surface_array(std::move(solution.slip_rate), grid);
+    result["falling_number"] = solution.falling_number;
+  }
   return result;
 }
 
@@ -106,7 +112,8 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                        const MaybeArray& shear, const MaybeArray& gap_before,
                        double approach_before, const contact::AboutAxes& tilt_before,
                        bool has_moved, const MaybeArray& initial_pressure, double tol,
-                       int max_iterations, bool error_on_border, bool accept_stall) {
+                       int max_iterations, bool error_on_border, bool accept_stall, double duration,
+                       const MaybeArray& slip_rate, bool selects) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure),
@@ -115,11 +122,12 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                                        {approach_before, tilt_before},
                                        has_moved};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
+  const contact::FrictionConditions conditions{{}, duration, to_field_or_empty(slip_rate), selects};
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
     solution = contact.solve(h, drive, contact::tangential_drive(is_force, tangential), before,
-                             start, settings);
+                             start, settings, conditions);
   }
   return to_python(std::move(solution), contact);
 }
@@ -128,16 +136,17 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, const
              const std::array<bool, 3>& is_force, const std::array<double, 3>& tangential,
              const MaybeArray& pressure, const MaybeArray& shear,
              const std::array<double, 3>& creepage, double tol, int max_iterations,
-             bool error_on_border, bool accept_stall) {
+             bool error_on_border, bool accept_stall, double duration) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
+  const contact::FrictionConditions conditions{{}, duration, {}, false};
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
-    solution =
-        contact.roll(h, drive, contact::tangential_drive(is_force, tangential), start, settings);
+    solution = contact.roll(h, drive, contact::tangential_drive(is_force, tangential), start,
+                            settings, conditions);
   }
   return to_python(std::move(solution), contact);
 }
@@ -184,6 +193,35 @@ void bind_friction(py::module_& m) {
           py::arg("pressure"));
 }
 
+void bind_creeping(py::module_& m) {
+  using operators::MovingCreep;
+  py::class_<MovingCreep>(m, "MovingCreep")
+      .def(py::init(
+               [](std::vector<double> amounts, std::vector<double> distances, bool towards_plus_x) {
+                 return MovingCreep{std::move(amounts), std::move(distances), towards_plus_x};
+               }),
+           py::arg("amounts"), py::arg("distances"), py::arg("towards_plus_x"));
+  py::class_<contact::CreepingContact>(m, "CreepingContact")
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const MovingCreep& creep1,
+                       const MovingCreep& creep2) {
+             std::vector<operators::CreepingBody> bodies{{operators::medium_of(body1), creep1},
+                                                         {operators::medium_of(body2), creep2}};
+             return std::make_unique<contact::CreepingContact>(grid, std::move(bodies));
+           }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("creep1"),
+           py::arg("creep2"))
+      .def(
+          "displacement",
+          [](const contact::CreepingContact& solver, const Array& pressure) {
+            return surface_array(solver.displacement(to_field(pressure)), solver.grid());
+          },
+          py::arg("pressure"))
+      .def("solve", &solve<contact::CreepingContact>, py::arg("gap"), py::arg("drive"),
+           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"));
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
@@ -221,9 +259,11 @@ void bind_contact(py::module_& m) {
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
            py::arg("heating"), py::arg("contact_law"))
-      .def("solve", &solve, py::arg("gap"), py::arg("drive"), py::arg("initial_pressure"),
-           py::arg("tol"), py::arg("max_iterations"), py::arg("error_on_border"))
+      .def("solve", &solve<ContactSolver>, py::arg("gap"), py::arg("drive"),
+           py::arg("initial_pressure"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
+  bind_creeping(m);
 
   m.attr("spin_lead") = contact::spin_lead;
   py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")
@@ -240,11 +280,12 @@ void bind_contact(py::module_& m) {
            py::arg("tangential"), py::arg("previous_pressure"), py::arg("previous_shear"),
            py::arg("previous_gap"), py::arg("previous_approach"), py::arg("previous_tilt"),
            py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"))
+           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"),
+           py::arg("duration") = 0.0, py::arg("slip_rate") = py::none(), py::arg("selects") = false)
       .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
            py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
            py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"), py::arg("accept_stall"));
+           py::arg("error_on_border"), py::arg("accept_stall"), py::arg("duration") = 0.0);
 }
 
 }  // namespace samcontact::bindings

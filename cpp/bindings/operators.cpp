@@ -215,22 +215,29 @@ struct BoundHistory {
 void bind_heat_history(py::module_& m) {
   py::class_<BoundHistory>(m, "HeatHistory")
       .def(py::init([](const Grid& grid, const operators::Heating& heating, const Stack& elastic,
-                       double shortest, double longest, double tolerance, bool in_depth) {
+                       double shortest, double longest, double tolerance, bool in_depth,
+                       const operators::PlaneVector& track) {
              const LongWork work;
-             return BoundHistory{grid,
-                                 operators::heated_body(elastic)->history(
-                                     grid, heating, {shortest, longest, tolerance, in_depth})};
+             return BoundHistory{
+                 grid, operators::heated_body(elastic)->history(
+                           grid, heating, {shortest, longest, tolerance, in_depth, track})};
            }),
            py::arg("grid"), py::arg("heating"), py::arg("elastic"), py::arg("shortest"),
-           py::arg("longest"), py::arg("tolerance"), py::arg("in_depth"))
+           py::arg("longest"), py::arg("tolerance"), py::arg("in_depth"),
+           py::arg("track") = operators::PlaneVector{})
       .def(
           "add",
-          [](BoundHistory& self, const Array& flux, double dt) {
+          [](BoundHistory& self, const Array& flux, double dt,
+             const operators::PlaneVector& speed) {
             const Field q = to_field(flux);
             const LongWork work;
-            self.history.add(q.data(), dt);
+            self.history.add(q.data(), dt, speed);
           },
-          py::arg("flux"), py::arg("dt"))
+          py::arg("flux"), py::arg("dt"), py::arg("speed") = operators::PlaneVector{})
+      .def(
+          "move",
+          [](BoundHistory& self, const operators::PlaneVector& by) { self.history.move(by); },
+          py::arg("by"))
       .def("temperature", &BoundHistory::temperature, py::arg("ahead"), py::arg("z"))
       .def("displacement", &BoundHistory::displacement, py::arg("ahead"))
       .def("stress", &BoundHistory::stress, py::arg("ahead"), py::arg("z"))

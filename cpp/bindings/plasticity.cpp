@@ -112,6 +112,11 @@ void bind_material(py::module_& m) {
             return s.with_free_faces({low, high, exact ? FaceMethod::exact : FaceMethod::factor});
           },
           py::arg("low"), py::arg("high"), py::arg("exact"))
+      .def(
+          "with_relaxation",
+          [](const Material& s, const std::vector<double>& times,
+             const std::vector<double>& shares) { return s.with_relaxation({times, shares}); },
+          py::arg("times"), py::arg("shares"))
       .def_property_readonly("stack", [](const Material& s) { return Stack{{}, s.elastic}; })
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)

@@ -43,15 +43,16 @@ simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& 
 State step(Simulation& simulation, const contact::Drive& drive, const MaybeArray& pressure,
            const MaybeArray& shear_x, const MaybeArray& shear_y,
            const operators::HeatingPair& heating, double duration,
-           const simulation::Travel& advance, const std::array<bool, 3>& is_force,
-           const std::array<double, 3>& tangential) {
+           const std::array<std::array<double, 2>, 2>& advance, const std::array<bool, 3>& is_force,
+           const std::array<double, 3>& tangential, double lasts) {
   const Target target{.drive = drive,
                       .tangential = contact::tangential_drive(is_force, tangential),
                       .tractions = {to_field_or_empty(pressure), to_field_or_empty(shear_x),
                                     to_field_or_empty(shear_y)},
-                      .advance = advance,
+                      .advance = {advance[0], advance[1]},
                       .heating = heating,
-                      .duration = duration};
+                      .duration = duration,
+                      .lasts = lasts};
   const LongWork work;
   return simulation.step(target);
 }
@@ -114,7 +115,7 @@ void bind_simulation(py::module_& m) {
       .def(py::init([](const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, const Array& gap,
                        const contact::FrictionLaw& friction, Settings settings,
-                       const std::array<double, 3>& march,
+                       const std::array<double, 4>& march,
                        const std::array<std::optional<SofteningFunction>, 2>& softening,
                        const std::array<std::optional<ReliefTuple>, 2>& reliefs,
                        const std::shared_ptr<contact::ContactLaw>& contact_law) {
@@ -124,15 +125,15 @@ void bind_simulation(py::module_& m) {
              const Team team;
              return std::make_unique<Simulation>(
                  grid, body1, body2, to_field(gap), friction, settings,
-                 simulation::TransientHeating{march[0], march[1], march[2]}, to_reliefs(reliefs),
-                 contact_law);
+                 simulation::TransientHeating{march[0], march[1], {march[2], march[3]}},
+                 to_reliefs(reliefs), contact_law);
            }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
            py::arg("reliefs"), py::arg("contact_law"))
       .def("step", &step, py::arg("drive"), py::arg("pressure"), py::arg("shear_x"),
            py::arg("shear_y"), py::arg("heating"), py::arg("duration"), py::arg("advance"),
-           py::arg("is_force"), py::arg("tangential"))
+           py::arg("is_force"), py::arg("tangential"), py::arg("lasts"))
       .def(
           "set_plastic_state",
           [](Simulation& s, int body, int first_row, const Array& strain,

@@ -202,6 +202,21 @@ void bind_fields(py::class_<State>& bound) {
       },
       py::arg("body"), py::arg("axis"));
   bind_surface("surface_displacement", &simulation::surface_displacement);
+  bound.def(
+      "equivalent_pressure",
+      [](const State& s, int body) {
+        Field pressure = s.equivalent_tractions(body).pressure;
+        pressure.resize(s.setup().grid.surface_size(), 0.0);
+        return surface_array(std::move(pressure), s.setup().grid);
+      },
+      py::arg("body"));
+  bound.def(
+      "viscous_work",
+      [](const State& s, int body) {
+        const LongWork work;
+        return s.viscous_work(body);
+      },
+      py::arg("body"));
 }
 
 /// Binds a property for each visited part; its value is None if the state has no such part.

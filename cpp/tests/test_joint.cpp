@@ -93,6 +93,48 @@ TEST_CASE("Newton steps on pressure and shear end at their maximum number") {
   CHECK(cut.state.error() > whole.state.error());
 }
 
+TEST_CASE("pressure and shear together slip along the normal of the ellipse of each cell") {
+  const contact::JointSolver solver(grid, influence);
+  contact::JointProblem problem = shifted_contact(solver);
+  const contact::FrictionLaw law(contact::Anisotropic{0.4, 0.2, 0.5});
+  problem.cone = contact::FrictionCone(law);
+  contact::CircleCoordinates circle{law.stretch(), Field(n)};
+  for (std::size_t i = 0; i < n; ++i) circle.factor[i] = 0.5 + 0.005 * static_cast<double>(i);
+  const Field& factor = circle.factor;
+  problem.use(circle);
+  const contact::JointSolution found =
+      contact::JointSolver::solve(problem, start_of(problem), 1e-9, 1000);
+  REQUIRE(found.converged);
+  Field tractions = found.state.tractions;
+  circle.apply(&tractions[n], n);
+  // The displacement without the change of coordinates.
+  Field displacement(3 * n);
+  ComplexField work;
+  problem.operators->displacement.apply(tractions.data(), displacement.data(), work);
+  const contact::Stretch inverse = law.stretch().inverse();
+  int sticking = 0, slipping = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double p = tractions[i], x = tractions[n + i], y = tractions[2 * n + i];
+    if (!(p > 0)) continue;
+    const double wx = 0.1 - displacement[n + i], wy = -displacement[2 * n + i];
+    const double level = inverse.length(x, y) / (0.4 * factor[i] * p);
+    CHECK(level <= 1 + 1e-8);
+    if (found.state.states[i] == contact::JointCellState::stick) {
+      ++sticking;
+      CHECK(std::hypot(wx, wy) < 1e-7);
+      continue;
+    }
+    ++slipping;
+    CHECK(level == doctest::Approx(1).epsilon(1e-8));
+    const double nx = inverse.x(inverse.x(x, y), inverse.y(x, y)),
+                 ny = inverse.y(inverse.x(x, y), inverse.y(x, y));
+    CHECK(std::fabs(nx * wy - ny * wx) < 1e-7 * std::hypot(nx, ny));
+    CHECK(nx * wx + ny * wy > 0);
+  }
+  CHECK(sticking > 0);
+  CHECK(slipping > 0);
+}
+
 TEST_CASE("an interrupt stops Newton steps on pressure and shear") {
   const contact::JointSolver solver(grid, influence);
   const contact::JointProblem problem = shifted_contact(solver);

@@ -31,6 +31,7 @@ from . import (
     paths,
     rolling,
     shakedown,
+    sliding,
     softening,
     surfaces,
     units,
@@ -57,14 +58,17 @@ from .bodies.material import Material
 from .contact.solver import ContactSolver
 from .heat import Heat
 from .problem import friction as _friction
+from .problem import local_friction as _local_friction
 from .problem.contact_law import HardContact, TensileLimit
 from .problem.friction import *  # noqa: F403  (all laws)
 from .problem.grid import Grid
+from .problem.local_friction import *  # noqa: F403  (all laws)
 from .problem.moving_topography import Relief
 from .restart.file import CheckpointError
 from .simulation.increment_errors import IncrementErrors
 from .simulation.simulation import Simulation
 from .solutions.contact_solution import ContactSolution, PartialSlipSolution, RollingSolution
+from .solutions.moving_solution import FreeRollingSolution, SlidingSolution
 from .solutions.state import State
 from .solutions.track import Track
 from .solutions.zone import Zone
@@ -80,6 +84,7 @@ __all__ = [
     "ConvergenceWarning",
     "ElasticStrainWarning",
     "FoundLoad",
+    "FreeRollingSolution",
     "Grid",
     "GridErrors",
     "GridTooSmallError",
@@ -97,6 +102,7 @@ __all__ = [
     "RollingSolution",
     "Simulation",
     "SingularPressureWarning",
+    "SlidingSolution",
     "State",
     "SweepInterrupted",
     "TensileLimit",
@@ -127,6 +133,7 @@ __all__ = [
     "paths",
     "rolling",
     "shakedown",
+    "sliding",
     "softening",
     "surfaces",
     "sweep",
@@ -135,6 +142,7 @@ __all__ = [
     "wear",
 ]
 __all__ += _friction.__all__
+__all__ += _local_friction.__all__
 
 if TYPE_CHECKING:
     from . import cases as cases

@@ -68,11 +68,13 @@ class Heat:
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
         `factor`. Each step then requires a `duration`; the heat flux is the mean over this
         duration.
-    track : float, optional
-        Longest distance along x between two positions of a body [m], > 0, only with `history` and
-        instead of `velocity`. The heat then follows the travel of the bodies, which may stop, turn
-        and return unloaded, as in several passes. The memory grows with this distance. Default:
-        each body has the constant velocity `velocity`, and does not return.
+    track : float or pair of floats, optional
+        Longest distance along x between two positions of a body [m], > 0, or a pair of such
+        distances along x and y; only with `history` and instead of `velocity`. The heat then
+        follows the travel of the bodies, which may stop, turn and return unloaded, as in several
+        passes. The memory grows with these distances. Motion along y requires elastic bodies
+        without reliefs in full sliding. Default: each body has the constant velocity
+        `velocity`, and does not return.
 
     Raises
     ------
@@ -86,7 +88,7 @@ class Heat:
     history: Pair | None
     reference: float | None
     partition: float | None
-    track: float | None
+    track: float | Pair | None
 
     def __init__(
         self,
@@ -96,7 +98,7 @@ class Heat:
         history: Sequence[float] | None = None,
         reference: float | None = None,
         partition: float | None = None,
-        track: float | None = None,
+        track: float | Sequence[float] | None = None,
     ) -> None:
         if history is not None and time is not None:
             raise ValueError("history and time cannot be combined: set one of them to None")
@@ -108,7 +110,7 @@ class Heat:
             "history": None if history is None else _history(history),
             "reference": None if reference is None else positive("reference", reference),
             "partition": None if partition is None else _share("partition", partition),
-            "track": None if track is None else positive("track", track),
+            "track": None if track is None else _track(track),
         }
         if track is not None and history is None:
             raise ValueError(
@@ -133,9 +135,16 @@ class Heat:
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     @property
-    def march(self) -> tuple[float, float, float]:
-        """Shortest and longest time of the history [s], and track [m]; zeros if not given."""
-        return (*(self.history or (0.0, 0.0)), self.track or 0.0)
+    def tracks(self) -> Pair:
+        """Lengths of the track along x and y [m]; zeros without a track."""
+        if self.track is None:
+            return 0.0, 0.0
+        return self.track if isinstance(self.track, tuple) else (self.track, 0.0)
+
+    @property
+    def march(self) -> tuple[float, float, float, float]:
+        """Shortest and longest time of the history [s], and tracks [m]; zeros if not given."""
+        return (*(self.history or (0.0, 0.0)), *self.tracks)
 
     def __repr__(self) -> str:
         """Constructor call with all arguments that differ from their defaults."""
@@ -152,6 +161,17 @@ def _share(name: str, value: float) -> float:
     if not 0.0 <= share <= 1.0:
         raise ValueError(f"{name} must be in [0, 1], got {share!r}")
     return share
+
+
+def _track(track: float | Sequence[float]) -> float | Pair:
+    """Return the track along x, or the tracks along x and y [m]."""
+    if real_array("track", track).ndim == 0:
+        return positive("track", track)
+    along_x, along_y = finite_array("track", track, (2,)).tolist()
+    pair = non_negative("track", along_x), non_negative("track", along_y)
+    if not any(pair):
+        raise ValueError(f"track must be > 0 along x or y [m], got {in_short(track)}")
+    return pair
 
 
 def _velocities(velocity: ArrayLike | None) -> tuple[Pair, Pair]:

@@ -28,7 +28,8 @@ from ._util.checks import (
     require_list,
     require_type,
 )
-from .bodies.layered import Body, backstresses_of
+from ._util.short_text import in_short
+from .bodies.layered import Body, backstresses_of, require_bodies
 from .bodies.material import Material
 from .problem.grid import Grid
 from .simulation.simulation import Simulation
@@ -169,7 +170,7 @@ def indent(
     grid : Grid
         Grid with layers (dz) that contains the particles' contacts.
     body2 : Material or Layered
-        Elastic-plastic body.
+        Elastic-plastic body; an elastic one keeps no dent.
     particles : sequence of Particle
         At least one.
     increments : int, optional
@@ -190,12 +191,20 @@ def indent(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range, or a `Simulation` raises an error.
+        An argument is outside its range, the body is not elastic-plastic, the centre of a particle
+        is outside the grid, or a `Simulation` raises an error.
     """
     require_type("grid", grid, Grid)
     require_list("particles", particles, Particle)
     if not particles:
         raise ValueError("particles must contain at least one Particle, got an empty list")
+    require_bodies(body2 if body1 is None else body1, body2)
+    if not body2.is_plastic:
+        raise ValueError(
+            f"body2 must be elastic-plastic, got {in_short(body2)}: no dent remains in an elastic "
+            "body"
+        )
+    _require_inside(grid, particles)
     count = integer("increments", increments, 1)
     upper = Material.rigid() if body1 is None else body1
     dented: Track | None = None
@@ -206,6 +215,28 @@ def indent(
         dented = simulation.run(one.path(count), progress=progress)[-1].track(2)
     assert dented is not None
     return dented
+
+
+def _require_inside(grid: Grid, particles: Sequence[Particle]) -> None:
+    """Raise ValueError for a particle whose centre is outside the grid."""
+    for number, one in enumerate(particles):
+        for axis, place, half in (
+            ("x", one.x, 0.5 * grid.nx * grid.dx), ("y", one.y, 0.5 * grid.ny * grid.dy),
+        ):  # fmt: skip
+            if not abs(place) < half:
+                raise ValueError(
+                    f"{axis} of particles[{number}] must be between {-half:.6g} and {half:.6g} m, "
+                    f"on the grid, got {place!r} m: enlarge n{axis}, or move the particle"
+                )
+
+
+def _require_same_material(dented: Track, body2: Body) -> None:
+    """Raise ValueError if the dents are in a body of another material."""
+    if dented.material != body2:
+        raise ValueError(
+            f"body2 must be the body with the dents, {in_short(dented.material)}, whose plastic "
+            f"strain and hardening are carried over, got {in_short(body2)}"
+        )
 
 
 def start_from(simulation: Simulation, dented: Track) -> None:
@@ -321,11 +352,13 @@ def roll_over(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range, the cells of `dented` differ from those of the grid, or
-        `Simulation` raises an error.
+        An argument is outside its range, body 2 or the cells of the grid differ from those of
+        `dented`, or `Simulation` raises an error.
     """
     require_type("grid", grid, Grid)
     require_type("dented", dented, Track)
+    require_bodies(body1, body2)
+    _require_same_material(dented, body2)
     cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
     if cells[0] != cells[1]:
         raise ValueError(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Steady rolling of elastic bodies with creepage."""
+"""Steady rolling: elastic bodies with creepage, and viscoelastic bodies."""
 
 from __future__ import annotations
 
@@ -12,14 +12,25 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._util.checks import FloatArray, exactly_one, require_type
+from ._util.short_text import in_short
+from .bodies.layered import require_bodies
 from .bodies.material import Material
+from .contact.moving import (
+    UNSHEARED,
+    MovingContactSolver,
+    is_viscoelastic,
+    pressure_of,
+    require_moving,
+    speed_of,
+)
 from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
 from .contact.tangential_drive import Pressing, Settings, TangentialInput
-from .problem.friction import FrictionLaw, sticking_law
+from .problem.friction import FrictionLaw, lasting, sticking_law
 from .problem.grid import Grid
 from .problem.settings import ContactSettings
 from .solutions.contact_solution import ContactSolution, RollingSolution, before_on
+from .solutions.moving_solution import FreeRollingSolution
 
 __all__ = ["steady"]
 
@@ -32,17 +43,18 @@ def steady(
     *,
     load: float | None = None,
     approach: float | None = None,
-    friction: FrictionLaw,
+    friction: FrictionLaw | float,
     creepage: Sequence[float | None] | None = None,
     spin: float | None = None,
     tangential_load: Sequence[float | None] | None = None,
     torque: float | None = None,
-    start: RollingSolution | None = None,
+    speed: float | None = None,
+    start: RollingSolution | FreeRollingSolution | None = None,
     tol: float = ContactSettings.tol,
     on_border: str = ContactSettings.on_border,
     on_stall: str = ContactSettings.on_stall,
     max_iterations: int = ContactSettings.max_iterations,
-) -> RollingSolution:
+) -> RollingSolution | FreeRollingSolution:
     """Solve the contact in steady rolling towards +x.
 
     To within the tolerance, the solution is the limit of a sequence of `ContactSolver.solve` calls.
@@ -63,8 +75,9 @@ def steady(
         Normal load [N], >= 0.
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
-    friction : Coulomb
-        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory.
+    friction : friction law, or 0.0
+        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0 with
+        viscoelastic bodies.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
         `None` for a component, or for both, leaves that direction to `tangential_load`.
@@ -76,20 +89,26 @@ def steady(
     torque : float, optional
         Moment about z on body 2 [N m]. A direction without a prescribed creepage, spin, force or
         torque has zero creepage.
-    start : RollingSolution, optional
-        Solution for similar creepages or forces, used as initial guess of the iteration.
+    speed : float, optional
+        Speed of the surfaces through the contact [m/s]: with viscoelastic bodies, >= 0 (0: both
+        have their long-time moduli); with friction that depends on the slip rate
+        (`FallingCoulomb`), > 0. Otherwise the solution does not depend on the speed.
+    start : RollingSolution or FreeRollingSolution, optional
+        Solution for similar creepages, forces or speed, used as initial guess of the iteration.
     tol, on_border, on_stall, max_iterations
         As in `ContactSolver`; `tol` is also a bound of the error of the shear traction, and of the
         error of prescribed forces relative to their maximum possible values.
 
     Returns
     -------
-    RollingSolution
+    RollingSolution, or FreeRollingSolution with viscoelastic bodies
 
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`.
+        Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`. With
+        viscoelastic bodies: friction, creepage or tangential forces, a fluid, layers, or free
+        faces.
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
@@ -105,29 +124,75 @@ def steady(
     iteration.
     """
     require_type("grid", grid, Grid)
-    sticking_law(friction)
-    if start is not None:
-        require_type("start", start, RollingSolution)
+    require_bodies(body1, body2)
+    name = exactly_one(load=load, approach=approach)
+    normal = NormalDrive.of(name, load if approach is None else approach)
+    settings: dict[str, Any] = {
+        "tol": tol,
+        "on_border": on_border,
+        "max_iterations": max_iterations,
+    }
+    if is_viscoelastic(body1, body2):
+        tangential = {
+            "creepage": creepage, "spin": spin, "tangential_load": tangential_load, "torque": torque
+        }  # fmt: skip
+        _require_free(friction, tangential)
+        _require_rolling(grid, None, None)
+        free = _free_solver(grid, require_moving(body1, body2), speed, settings)
+        pressed = None if start is None else pressure_of(start, FreeRollingSolution)
+        rolled = solve_driven(free, gap, normal, UNSHEARED, pressed)
+        assert isinstance(rolled, FreeRollingSolution)
+        return rolled
+    law = sticking_law(friction)
+    pace = lasting(law, speed, "speed")
+    if law.varies_along_x:
+        raise ValueError(
+            f"friction must not vary along x in steady rolling, got {in_short(law)}: such "
+            "friction has no steady state; use Simulation"
+        )
+    if start is not None and not isinstance(start, RollingSolution):
+        raise TypeError(f"start must be a samcontact.RollingSolution, got {in_short(start)}")
     given = TangentialInput.of(
         {"creepage": creepage, "spin": spin},
         {"tangential_load": tangential_load, "torque": torque},
     )
     _require_rolling(grid, spin, torque)
-    solver = ContactSolver(
-        grid,
-        body1,
-        body2,
-        friction,
-        tol=tol,
-        on_border=on_border,
-        on_stall=on_stall,
-        max_iterations=max_iterations,
-    )
-    name = exactly_one(load=load, approach=approach)
-    normal = NormalDrive.of(name, load if approach is None else approach)
-    solution = solve_driven(solver, gap, normal, _Rolling(given, friction, start))
+    solver = ContactSolver(grid, body1, body2, law, on_stall=on_stall, **settings)
+    solution = solve_driven(solver, gap, normal, _Rolling(given, law, start, pace))
     assert isinstance(solution, RollingSolution)
     return solution
+
+
+def _require_free(friction: Any, tangential: dict[str, Any]) -> None:
+    """Raise ValueError unless viscoelastic bodies roll without friction."""
+    if type(friction) not in (int, float) or friction != 0:
+        raise ValueError(
+            f"friction must be 0.0 with viscoelastic bodies, got {in_short(friction)}: their "
+            "rolling with friction is not available"
+        )
+    for name, value in tangential.items():
+        if value is not None:
+            raise ValueError(
+                f"{name} must be None with viscoelastic bodies, which roll without friction, got "
+                f"{in_short(value)}"
+            )
+
+
+def _free_solver(
+    grid: Grid, bodies: tuple[Material, Material], speed: float | None, settings: dict[str, Any]
+) -> MovingContactSolver:
+    if speed is None:
+        raise ValueError(
+            "speed must be given with viscoelastic bodies [m/s]: their contact depends on it"
+        )
+    rolls = speed_of("speed", speed)
+    if rolls < 0:
+        raise ValueError(f"speed must be >= 0 [m/s], got {rolls!r}: the contact rolls towards +x")
+
+    def finish(cells: Grid, _: FloatArray, found: dict[str, Any]) -> FreeRollingSolution:
+        return FreeRollingSolution(grid=cells, speed=rolls, **found)
+
+    return MovingContactSolver(grid, bodies, (-rolls, -rolls), finish, **settings)
 
 
 def _require_rolling(grid: Grid, spin: float | None, torque: float | None) -> None:
@@ -152,6 +217,8 @@ class _Rolling:
     given: TangentialInput
     friction: FrictionLaw
     previous: RollingSolution | None
+    speed: float = 0.0
+    """Rolling speed [m/s]; 0 for friction that does not depend on the slip rate."""
 
     def solved(
         self,
@@ -168,7 +235,10 @@ class _Rolling:
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
         tol, most, refuse, accept = settings
-        found = core.roll(*contact, *drive, start, shear, creepage, tol, most, refuse, accept)
+        lasts = 1 / self.speed if self.speed else 0.0
+        found = core.roll(
+            *contact, *drive, start, shear, creepage, tol, most, refuse, accept, lasts
+        )
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

@@ -33,6 +33,7 @@ SOLVER = sc.ContactSolver(GRID, HOT, HOT, heat=sc.Heat((0.0, 0.01), time=1.0, re
 FRETTING = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 PULLED = sc.Simulation(GRID, STEEL, STEEL, GAP, sc.Coulomb(0.3))
 STICKING = sc.ContactSolver(GRID, STEEL, STEEL, sc.Coulomb(0.3))
+FALLING = sc.ContactSolver(GRID, STEEL, STEEL, sc.FallingCoulomb(0.2, 0.1, 1.0))
 STUCK = STICKING.solve(GAP, load=LOAD)
 SIMULATION = sc.Simulation(**BODIES, gap=GAP, tol=1e-4)
 STATE = SIMULATION.step(load=LOAD)
@@ -89,12 +90,6 @@ SETTINGS = {
 }  # fmt: skip
 DRIVERS = ({"load": 10.0}, {"approach": 1e-6})
 STEP = {"heat_factor": (0.0, 0.0), "advance": (0.0, 0.0)}
-PASSES = {
-    "distance": 1e-4, "step": 5e-5, "passes": 1, "increments": 2, "unload_increments": 2,
-    "back_and_forth": False, "speed": 1.0, "heat_factor": (0.0, 0.01), "return_time": 0.1,
-}  # fmt: skip
-RAMP = {"increments": 3, "spacing": "power", "exponent": 2.0}
-PARTS = {"advance": (1e-5, 2e-5), "duration": 0.1, "heat_factor": 0.01}
 BODY_FIELDS = (
     "offset", "stress", "residual_stress", "initial_stress", "von_mises", "hydrostatic",
     "plastic_strain", "equivalent_plastic_strain", "backstress", "max_equivalent_plastic_strain",
@@ -135,6 +130,14 @@ CALLS = [
             {"tangential_load": (1.0, 2.0), "torque": 1e-6, "moment": (1e-6, 0.0)},
             {"advance": (GRID.dx, GRID.dx), "shift": (0.0, 1e-8)},
         )
+    ),
+    ("ContactSolver.solve", FALLING.solve,
+     {"gap": GAP, "load": LOAD, "shift": (1e-8, 0.0), "duration": 1.0, "slip_rate": 1e-3}),
+    (
+        "rolling.steady",
+        sc.rolling.steady,
+        {"grid": GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "load": LOAD, "speed": 1.0,
+         "friction": sc.FallingCoulomb(0.2, 0.1, 1.0), "creepage": (1e-3, 0.0)},
     ),
     *(
         (
@@ -336,37 +339,6 @@ CALLS = [
         "operators.residual_displacement",
         sc.operators.residual_displacement,
         {"grid": GRID, "strain": STRAIN, "nu": NU, "axis": "y"},
-    ),
-    *(
-        (f"paths.{name}", getattr(sc.paths, name), {**driver, **PASSES, **rest})
-        for name, rest in (
-            ("rolling", {"slide_to_roll": -0.1, "lateral_creepage": 1e-3, "spin": 1.0}),
-            ("rolling", {"tangential_load_x": 1.0}),
-            ("sliding", {"slider": 1}),
-        )
-        for driver in DRIVERS
-    ),
-    *(
-        (f"paths.{name}", getattr(sc.paths, name), {**DRIVERS[0], **drive, **rest, "increments": 2})
-        for name, rest in (("tangential", {}), ("fretting_loop", {"cycles": 1}))
-        for drive in ({"force": (1.0, 0.0)}, {"shift": (1e-7, 0.0)})
-    ),
-    ("paths.tangential", sc.paths.tangential,
-     {"load": 10.0, "force": (1.0, 0.0), "start": (0.5, 0.0)}),
-    ("paths.tangential", sc.paths.tangential, {"approach": 1e-7, "force": (1.0, 0.0)}),
-    ("paths.fretting_loop", sc.paths.fretting_loop, {"approach": 1e-7, "force": (1.0, 0.0)}),
-    *(("paths.hold", sc.paths.hold, {**driver, "increments": 2, **PARTS}) for driver in DRIVERS),
-    *(
-        ("paths.ramp", sc.paths.ramp, {**driver, "start": 1e-7, **RAMP, **PARTS})
-        for driver in DRIVERS
-    ),
-    *(
-        (
-            "paths.load_unload",
-            sc.paths.load_unload,
-            {**driver, **RAMP, "unload_increments": 2, "end": 0.0},
-        )
-        for driver in DRIVERS
     ),
     (
         "sweep",

@@ -75,7 +75,7 @@ CALLS = [
             "softening": sc.softening.JohnsonCook(1800.0, 1.0),
             "yield_profile": ((0.0, 1e-3), (2.0, 1.0)),
             "residual_stress": ((0.0, 1e-3), (-1e8, 0.0), (-2e8, 0.0), (0.0, 0.0)),
-            "free_faces": None,
+            "free_faces": None, "relaxation_terms": None,
         },
     ),
     ("Material.elastic", sc.Material.elastic, ELASTIC),

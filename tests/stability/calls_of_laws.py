@@ -10,7 +10,16 @@ import samcontact as sc
 CALLS = [
     *(
         (f"{type(law).__name__}{call}", function, arguments)
-        for law in (sc.Coulomb(0.3), sc.Tresca(1e8), sc.CappedCoulomb(0.3, 1e8))
+        for law in (
+            sc.Coulomb(0.3),
+            sc.Tresca(1e8),
+            sc.CappedCoulomb(0.3, 1e8),
+            sc.Anisotropic(0.3, 0.2, 0.5),
+            sc.FallingCoulomb(0.2, 0.1, 1.0, 1e-6),
+            sc.ThirdBody(0.3, 1e8, 1e9, 1e-6),
+            sc.ThermalCoulomb([0.0, 100.0], [0.3, 0.2]),
+            sc.MappedCoulomb([0.3, 0.2], y=[0.0, 1e-3]),
+        )
         for call, function, arguments in (
             ("", type(law), asdict(law)),
             (".bound", law.bound, {"pressure": np.full((3, 3), 1e8)}),

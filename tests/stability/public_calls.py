@@ -8,14 +8,21 @@ from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
 from calls_of_laws import CALLS as OF_LAWS
 from calls_of_materials import CALLS as OF_MATERIALS
+from calls_of_motion import CALLS as OF_MOTION
 from calls_of_parts import CALLS as OF_PARTS
+from calls_of_paths import CALLS as OF_PATHS
 from calls_of_shakedown import CALLS as OF_SHAKEDOWN
+from calls_of_viscoelasticity import CALLS as OF_VISCOELASTICITY
 from calls_of_wear import CALLS as OF_WEAR
 
-CALLS = FORMULAS + BEARINGS + ON_GRIDS + OF_LAWS + OF_MATERIALS + OF_PARTS + OF_SHAKEDOWN + OF_WEAR
+CALLS = [
+    *FORMULAS, *BEARINGS, *ON_GRIDS, *OF_LAWS, *OF_MATERIALS, *OF_MOTION, *OF_PARTS,
+    *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY, *OF_WEAR,
+]  # fmt: skip
 PARTS = {
     "kinematic": {"modulus", "recovery"},
     "thermal": {"conductivity", "expansion", "diffusivity"},
+    "relaxation_terms": {"times", "shares"},
 }
 """Names of the numbers of an argument that has several."""
 

@@ -29,7 +29,8 @@ MADE_BY_THE_PACKAGE = {
     "materials.MaterialData", "materials.SourcedValue",
     "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult",
     "parts.Cam", "parts.FlankContact", "parts.TappetContact", "overrolling.Overrolling",
-    "PartialSlipSolution", "wear.Cycle",
+    "FreeRollingSolution", "PartialSlipSolution", "SlidingSolution", "sliding.FrictionCurve",
+    "wear.Cycle",
     "wear.FrettingCycle", "wear.FrettingResult", "wear.WearResult", "Zone",
 }  # fmt: skip
 """Results: only their methods take arguments of the user."""
@@ -45,7 +46,12 @@ INTENDED = {
     ("Coulomb", "coefficient", math.inf),
     ("Tresca", "limit", math.inf),
     ("CappedCoulomb", "limit", math.inf),
+    ("ThirdBody", "strength", math.inf),
     # a steady state
+    ("Material.relaxation", "t", math.inf),
+    ("Material.creep", "t", math.inf),
+    ("Material.storage", "omega", math.inf),
+    ("Material.loss", "omega", math.inf),
     ("heat_kernels.temperature", "time", math.inf),
     ("heat_kernels.displacement", "time", math.inf),
     ("heat_kernels.stress", "time", math.inf),
@@ -57,6 +63,8 @@ INTENDED = {
     ("ContactSolver.solve", "gap", math.inf),
     ("Simulation", "gap", math.inf),
     ("rolling.steady", "gap", math.inf),
+    ("sliding.steady", "gap", math.inf),
+    ("sliding.over_speed", "gap", math.inf),
     ("overrolling.roll_over", "gap", math.inf),
     ("surfaces.from_heights", "heights_lower", -math.inf),
     ("surfaces.from_heights", "heights_upper", math.inf),

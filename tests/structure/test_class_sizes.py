@@ -11,7 +11,6 @@ ROOT = Path(__file__).parents[2]
 MAX_METHODS = 20
 # Larger limits for classes used directly by users, whose methods are a line or two.
 FACADES = {
-    "python/samcontact/bodies/material.py: Material": 21,  # makers of each hardening law, E, nu
     "python/samcontact/solutions/state.py: State": 43,  # one for each quantity of a moment
 }
 NO_METHOD = r"(?:using|friend|struct|class|enum|typedef|static_assert)\b"

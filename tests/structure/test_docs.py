@@ -28,7 +28,10 @@ EXAMPLES = [
 ]
 
 
-INDEXES = [f"docs/{folder}/index.md" for folder in ("guides", "theory", "developer", "decisions")]
+INDEXES = [
+    f"docs/{folder}/index.md"
+    for folder in ("applications", "guides", "theory", "developer", "decisions")
+]
 
 
 def prose(page):

@@ -53,7 +53,7 @@ DIVIDED = {
     "contact": {
         "laws": set(),
         "iteration": set(),
-        "normal": {"laws"},
+        "normal": {"laws", "iteration"},
         "tangential": {"laws", "iteration", "normal"},
         "joint": {"laws", "iteration", "normal", "tangential"},
         "": {"laws", "iteration", "normal", "tangential", "joint"},

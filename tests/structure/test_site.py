@@ -86,7 +86,9 @@ def test_functions_on_the_questions_page_are_links(site):
 
 def test_the_first_page_has_a_picture_for_each_kind_of_user(site):
     text = (site / "index.html").read_text()
-    card = r'href="(?:guides|theory)/(\w+)\.html"><img alt="([^"]+)" src="data:image/png'
+    card = (
+        r'href="(?:applications|guides|theory)/(\w+)\.html"><img alt="([^"]+)" src="data:image/png'
+    )
     assert len(dict(re.findall(card, text))) == 9
 
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "samcontact/contact/normal/first_contact.hpp"
+#include "samcontact/contact/slip_rate.hpp"
 #include "samcontact/contact/sweeps.hpp"
 #include "samcontact/contact/tangential/held_forces.hpp"
 
@@ -44,9 +45,9 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
       law_(std::move(law)),
       crosswise_(crosswise_compliance(grid, {body1, body2})),
       normal_(grid, frictionless(body1, body2)),
-      shear_(grid, {body1, body2}),
+      shear_(grid, {body1, body2, friction.compliance()}),
       coupling_(grid, {body1, body2}),
-      joint_(grid, {body1, body2}) {
+      joint_(grid, {body1, body2, friction.compliance()}) {
   assert(friction.sticks());
 }
 
@@ -124,11 +125,36 @@ PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, c
   return solution;
 }
 
+/// Solution with the friction of the place and of the slip rate.
+PartialSlipSolution PartialSlipContact::with_conditions(const SolveUnder& solve, Field pressure,
+                                                        const PartialSlipStart& start,
+                                                        const FrictionConditions& given,
+                                                        const RateSettings& settings) const {
+  if (friction_.map() == nullptr && !friction_.rates().is_on()) {
+    return solve(std::move(pressure), start, given);
+  }
+  FrictionConditions conditions = given;
+  if (friction_.map() != nullptr && settings.rolls && friction_.map()->x.size() > 1) {
+    throw std::invalid_argument(
+        "x of the friction law must be empty in steady rolling: with friction that varies along "
+        "the "
+        "direction of rolling no state is steady; use a Simulation");
+  }
+  if (friction_.map() != nullptr && conditions.factor.empty()) {
+    conditions.factor = factor_on(*friction_.map(), grid_, 0.0);
+  }
+  if (!friction_.rates().is_on()) return solve(std::move(pressure), start, conditions);
+  return solve_with_slip_rate(friction_.rates(), grid_, solve, std::move(pressure), start,
+                              conditions, settings,
+                              [&](bool rolls) { return self_influence(rolls); });
+}
+
 PartialSlipSolution PartialSlipContact::solve(const Field& gap, const Drive& drive,
                                               const TangentialDrive& tangential,
                                               const ContactHistory& before,
                                               const PartialSlipStart& start,
-                                              const ContactSettings& settings) const {
+                                              const ContactSettings& settings,
+                                              const FrictionConditions& conditions) const {
   require_contact(gap, drive, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
@@ -147,14 +173,19 @@ PartialSlipSolution PartialSlipContact::solve(const Field& gap, const Drive& dri
       start.pressure.empty() ? history.pressure : attraction.repulsion(start.pressure);
   repulsion.resize(gap.size(), 0.0);
   for (double& r : repulsion) r = std::max(r, 0.0);
-  Sweeps sweeps(*this, attraction.gap(), repelling, tangential, history, settings);
-  return finished(sweeps.run(std::move(repulsion), start), drive, attraction, settings);
+  const auto run = [&](Field pressure, const PartialSlipStart& from,
+                       const FrictionConditions& local) {
+    Sweeps sweeps(*this, attraction.gap(), repelling, tangential, history, local, settings);
+    return finished(sweeps.run(std::move(pressure), from), drive, attraction, settings);
+  };
+  return with_conditions(run, std::move(repulsion), start, conditions, {false, settings.tol});
 }
 
 PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& drive,
                                              const TangentialDrive& creepage,
                                              const PartialSlipStart& start,
-                                             const ContactSettings& settings) const {
+                                             const ContactSettings& settings,
+                                             const FrictionConditions& conditions) const {
   require_contact(gap, drive, {start.pressure, start.shear, {}});
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
   const Drive repelling = attraction.repelling(drive);
@@ -168,8 +199,12 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& driv
   begin.pressure.resize(gap.size(), 0.0);
   // Without an initial shear, start from coarser boxes.
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
-  Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, settings, true);
-  return finished(sweeps.run(begin.pressure, begin), drive, attraction, settings);
+  const auto run = [&](Field pressure, const PartialSlipStart& from,
+                       const FrictionConditions& local) {
+    Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, local, settings, true);
+    return finished(sweeps.run(std::move(pressure), from), drive, attraction, settings);
+  };
+  return with_conditions(run, begin.pressure, begin, conditions, {true, settings.tol});
 }
 
 }  // namespace samcontact::contact

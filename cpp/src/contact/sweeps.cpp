@@ -31,14 +31,15 @@ constexpr double shear_tol_ratio = 0.5, fine = 1e-6, rounding = 1e-12;
 
 PartialSlipContact::Sweeps::Sweeps(const PartialSlipContact& contact, const Field& gap,
                                    const Drive& drive, const TangentialDrive& tangential,
-                                   const ContactHistory& before, const ContactSettings& settings,
-                                   bool rolls)
+                                   const ContactHistory& before, const FrictionConditions& friction,
+                                   const ContactSettings& settings, bool rolls)
     : contact_(contact),
       gap_(gap),
       drive_(drive),
       modes_(drive, contact.grid_),
       tangential_(tangential),
       before_(before),
+      friction_(friction),
       settings_(settings),
       rolls_(rolls),
       n_(gap.size()),
@@ -102,7 +103,7 @@ void PartialSlipContact::Sweeps::solve_pressure(Field pressure, double tol) {
   s_.normal.operator_applications += before.operator_applications;
   s_.normal.work += before.work;
   require_held(contact_.grid_, tangential_, s_.normal.tractions.pressure, contact_.friction_,
-               rolls_ ? rolling_motions : increment_motions);
+               friction_.factor, rolls_ ? rolling_motions : increment_motions);
 }
 
 void PartialSlipContact::Sweeps::difference_per_distance(Field& displacement) const {
@@ -141,7 +142,8 @@ void PartialSlipContact::Sweeps::solve_shear(double tol) {
                        &slid_by_shear_,
                        touching.empty() ? nullptr : &touching,
                        has_sticking ? &sticking : nullptr,
-                       rolls_};
+                       rolls_,
+                       friction_.factor};
   s_.tangential = contact_.shear_.solve(task, start, before.motion, tol, max_steps);
   s_.tangential.steps += before.steps;
   s_.tangential.iterations += before.iterations;
@@ -154,11 +156,13 @@ Field PartialSlipContact::Sweeps::shear_before() const {
   if (before_.pressure.empty() || !(longest(before_.shear) > 0)) return {};
   Field shear = before_.shear;
   const FrictionLaw& law = contact_.friction_;
-  if (law.prevents_slip()) return shear;
+  // The bound of the previous increment is not known.
+  if (law.prevents_slip() || !friction_.factor.empty()) return shear;
+  const Stretch to_circle = law.stretch().inverse();
   for (std::size_t i = 0; i < n_; ++i) {
     const double p = before_.pressure[i], now = s_.normal.tractions.pressure[i];
     const double bound = law.bound(p);
-    if (!(bound > 0) || std::hypot(shear[i], shear[n_ + i]) < bound * on_circle) continue;
+    if (!(bound > 0) || to_circle.length(shear[i], shear[n_ + i]) < bound * on_circle) continue;
     const double grown = in_contact(now) ? law.ratio(now) / law.ratio(p) * (now / p) : 0.0;
     shear[i] *= grown;
     shear[n_ + i] *= grown;

@@ -21,6 +21,12 @@ Field joined(const Field& pressure, const Field& shear, std::size_t n) {
   return tractions;
 }
 
+/// Factors of the bounds of the cells that leave some friction in each of them.
+Field positive(Field factor) {
+  for (double& value : factor) value = std::max(value, smallest_factor);
+  return factor;
+}
+
 /// Lowering of body 1 due to a unit tilt about x (k = 0) or y [m].
 Field lever_arms(const Grid& grid, int k) {
   RigidMotion turn;
@@ -82,13 +88,16 @@ JointProblem PartialSlipContact::Sweeps::joint_problem() {
   displacement.apply(u.data(), u.data(), work_);
   const double slid = longest(Field(u.begin() + static_cast<std::ptrdiff_t>(n_), u.end()));
   problem.stiffness = 1 / (slid > 0 ? slid : displacement.tangential_self_influence());
+  problem.use({contact_.friction_.stretch(), positive(friction_.factor)});
   return problem;
 }
 
 JointState PartialSlipContact::Sweeps::joint_start(const JointProblem& problem,
                                                    const Field& pressure,
                                                    const Field& shear) const {
-  JointState state = start_from(problem, joined(pressure, shear, n_));
+  Field tractions = joined(pressure, shear, n_);
+  problem.circle.undo(tractions.data() + n_, n_);
+  JointState state = start_from(problem, std::move(tractions));
   const Given& normal = drive_.normal;
   state.approach = normal.is_force() ? s_.normal.motion.approach : normal.value;
   std::size_t mode = 0;
@@ -154,6 +163,8 @@ void PartialSlipContact::Sweeps::take_shear(const JointProblem& problem, const J
     shear.slip[i] = state.slip[i];
     shear.slip[n_ + i] = state.slip[n_ + i];
   }
+  problem.circle.apply(shear.shear.data(), n_);
+  problem.circle.undo(shear.slip.data(), n_);
   const double cell = contact_.grid_.cell_area();
   std::size_t mode = 0;
   for (int k = 0; k < 3; ++k) {
@@ -163,7 +174,9 @@ void PartialSlipContact::Sweeps::take_shear(const JointProblem& problem, const J
   shear.friction_work = cell * dot(shear.shear, shear.slip);
   shear.error = state.shear_error;
   const double power = ordered_sum(n_, [&](std::size_t i) {
-    const double w = length_of(shear.slip[i], shear.slip[n_ + i]);
+    const JointCellState cell_state = state.states[i];
+    const bool slips = cell_state >= JointCellState::slide;
+    const double w = slips ? length_of(state.slip[i], state.slip[n_ + i]) : 0.0;
     return w > 0 ? problem.cone.radius(state.tractions[i], state.shear(i)) * w : 0.0;
   });
   shear.energy_gap = contact_.friction_.prevents_slip() ? std::numeric_limits<double>::quiet_NaN()

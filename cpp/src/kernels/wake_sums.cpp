@@ -6,45 +6,14 @@
 #include <cmath>
 #include <cstddef>
 
-#include "samcontact/kernels/gauss.hpp"
 #include "samcontact/kernels/ring_axis.hpp"
+#include "samcontact/kernels/wake_nodes.hpp"
 
 namespace samcontact::kernels {
 namespace {
 
 using WakeMatrix = Eigen::MatrixXd;
 using WakeValue = std::complex<double>;
-
-/// Width of a panel of quadrature over the distance from the largest offset: that of many nodes
-/// and of few.
-constexpr double long_phase = 20.0, short_phase = 4.0;
-constexpr int many_nodes = 16, few_nodes = 8;
-/// Width of a panel over the wavenumber of a window: that of many nodes and of few.
-constexpr double wide_panel = 0.5, narrow_panel = 0.2;
-/// Smallest wavenumber times the longest length.
-constexpr double smallest_wave = 1e-10;
-/// Powers of x and y in the field of the disc of small wavenumbers.
-constexpr int power_count = 14;
-
-struct Node {
-  double k, weight;
-};
-
-/// Gauss panels on 0 < k < highest, at most `widest` wide and halved towards zero down to `finest`;
-/// few nodes in panels narrower than `narrow`.
-std::vector<Node> graded_nodes(double highest, double widest, double narrow, double finest) {
-  static const auto many = gauss_legendre(many_nodes), few = gauss_legendre(few_nodes);
-  std::vector<Node> nodes;
-  for (double top = highest; top > 0;) {
-    const double bottom = std::max(top > finest ? 0.5 * top : 0.0, top - widest);
-    const double width = top - bottom;
-    for (const auto& [at, weight] : width > narrow ? many : few) {
-      nodes.push_back({bottom + width * at, width * weight});
-    }
-    top = bottom;
-  }
-  return nodes;
-}
 
 class WakeSum {
  public:
@@ -76,21 +45,23 @@ class WakeSum {
     if (along < 0.5 * std::min(dx_, dy_)) return;
     const ring::Axis across(y_, dy_, support, outer, false);
     const double reached = std::min(std::ranges::max(x_), along) + 0.5 * dx_;
-    const auto nodes = graded_nodes(
-        (1 + 5 * ring::edge) * outer, std::min(wide_panel * outer, long_phase / reached),
-        std::min(narrow_panel * outer, short_phase / reached), 0.25 * scale);
+    const auto along_motion = wake::octaves(
+        (1 + 5 * ring::edge) * outer,
+        std::min(wake::wide_panel * outer, wake::long_phase / reached),
+        std::min(wake::narrow_panel * outer, wake::short_phase / reached), 0.25 * scale);
+    std::vector<wake::Node> nodes;
+    for (const auto& octave : along_motion) {
+      nodes.insert(nodes.end(), octave.nodes.begin(), octave.nodes.end());
+    }
     const auto rows = static_cast<Eigen::Index>(nodes.size());
     const Eigen::Index columns = across.k.size();
     std::vector<WakeMatrix> real(count(), WakeMatrix::Zero(rows, columns)), imaginary = real;
     const auto evaluate = [&](const auto& at, std::vector<WakeValue>& values, Eigen::Index n) {
-      for (Eigen::Index m = 0; m < rows; ++m) {
-        const double share = ring::share(std::hypot(nodes[m].k, across.k[n]), inner, outer);
-        if (std::fabs(share) < ring::negligible) continue;
-        at(nodes[m].k, across.k[n], values.data());
-        for (std::size_t c = 0; c < count(); ++c) {
-          real[c](m, n) = share * values[c].real();
-          imaginary[c](m, n) = share * values[c].imag();
-        }
+      Eigen::Index first = 0;
+      for (const auto& octave : along_motion) {
+        add_octave(octave, first, across.k[n], inner, outer, at, values,
+                   [&](std::size_t c) { return std::pair{real[c].col(n), imaginary[c].col(n)}; });
+        first += static_cast<Eigen::Index>(octave.nodes.size());
       }
     };
 #pragma omp parallel
@@ -123,6 +94,38 @@ class WakeSum {
     }
   }
 
+  /// Sets the modes at the nodes of an octave, with their window; into(c): columns of real and
+  /// imaginary parts, which begin at `first`.
+  template <class At, class Into>
+  void add_octave(const wake::Octave& octave, Eigen::Index first, double across, double inner,
+                  double outer, const At& at, std::vector<WakeValue>& values,
+                  const Into& into) const {
+    const auto size = static_cast<Eigen::Index>(octave.nodes.size());
+    Eigen::VectorXd shares(size);
+    for (Eigen::Index m = 0; m < size; ++m) {
+      shares[m] = ring::share(std::hypot(octave.nodes[m].k, across), inner, outer);
+      if (std::fabs(shares[m]) < ring::negligible) shares[m] = 0.0;
+    }
+    if ((shares.array() == 0.0).all()) return;
+    const bool is_exact = octave.basis.size() == 0;
+    const auto points = static_cast<Eigen::Index>(octave.points.size());
+    Eigen::MatrixXcd found = Eigen::MatrixXcd::Zero(points, static_cast<Eigen::Index>(count()));
+    for (Eigen::Index p = 0; p < points; ++p) {
+      if (is_exact && shares[p] == 0.0) continue;
+      at(octave.points[p], across, values.data());
+      for (std::size_t c = 0; c < count(); ++c) found(p, static_cast<Eigen::Index>(c)) = values[c];
+    }
+    for (std::size_t c = 0; c < count(); ++c) {
+      auto [real, imaginary] = into(c);
+      const auto own = found.col(static_cast<Eigen::Index>(c));
+      const Eigen::VectorXd re = own.real(), im = own.imag();
+      real.segment(first, size) =
+          shares.cwiseProduct(is_exact ? re : Eigen::VectorXd(octave.basis * re));
+      imaginary.segment(first, size) =
+          shares.cwiseProduct(is_exact ? im : Eigen::VectorXd(octave.basis * im));
+    }
+  }
+
   /// Adds a table [i][j] at the first offsets along x and given ones along y.
   void add(std::size_t component, int part, const WakeMatrix& table,
            const std::vector<int>& places) {
@@ -137,6 +140,7 @@ class WakeSum {
 
   /// Disc of wavenumbers so small that the field is a polynomial in x and y.
   void add_disc(double outer) {
+    constexpr int power_count = wake::power_count;
     using Powers = std::array<double, power_count>;
     std::vector<WakeMatrix> real(count(), WakeMatrix::Zero(power_count, power_count));
     std::vector<WakeMatrix> imaginary = real;
@@ -146,13 +150,14 @@ class WakeSum {
       for (int n = 1; n < power_count; ++n) all[n] = all[n - 1] * x / n;
       return all;
     };
-    const auto radii = graded_nodes((1 + 5 * ring::edge) * outer, wide_panel * outer,
-                                    narrow_panel * outer, smallest_wave / extent_);
+    const auto radii =
+        wake::graded_nodes((1 + 5 * ring::edge) * outer, wake::wide_panel * outer,
+                           wake::narrow_panel * outer, wake::smallest_wave / extent_);
     for (const auto& [q, width] : radii) {
       // The angle from the direction across the motion, graded like kx.
       const double right = 0.5 * std::numbers::pi;
       const double finest = std::min(0.25, 0.25 * ring::wake_scale(waves_.speed, q) / q);
-      for (const auto& [angle, turn] : graded_nodes(right, right, right / 8, finest)) {
+      for (const auto& [angle, turn] : wake::graded_nodes(right, right, right / 8, finest)) {
         const double kx = q * std::sin(angle), ky = q * std::cos(angle);
         waves_.at(kx, ky, values.data());
         const double weight = ring::share(q, 0.0, outer) * q * width * turn * dx_ * dy_ /
@@ -174,16 +179,8 @@ class WakeSum {
 
   void add_polynomials(const std::vector<WakeMatrix>& real,
                        const std::vector<WakeMatrix>& imaginary) {
-    // Real parts of i^n (cosine, sine) times powers: signs alternate in pairs.
     const auto powers = [&](std::span<const double> offsets, int first) {
-      WakeMatrix all = WakeMatrix::Zero(static_cast<Eigen::Index>(offsets.size()), power_count);
-      for (std::size_t i = 0; i < offsets.size(); ++i) {
-        for (int n = first; n < power_count; n += 2) {
-          const double sign = n % 4 < 2 ? 1.0 : -1.0;
-          all(static_cast<Eigen::Index>(i), n) = sign * std::pow(offsets[i] / extent_, n);
-        }
-      }
-      return all;
+      return wake::power_table({offsets.begin(), offsets.end()}, extent_, first);
     };
     std::vector<int> places(y_.size());
     for (std::size_t n = 0; n < places.size(); ++n) places[n] = static_cast<int>(n);

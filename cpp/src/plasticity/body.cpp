@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
@@ -12,6 +13,20 @@ namespace {
 
 constexpr double max_layers = 1000;
 
+void require_one_relaxation(const Body& body) {
+  bool relaxes = false;
+  for (int n = 0; n < body.count(); ++n) relaxes |= body.material(n).is_viscoelastic();
+  if (!relaxes) return;
+  for (int n = 0; n < body.count(); ++n) {
+    const Material& own = body.material(n);
+    if (own.elastic.is_rigid() || own.relaxation == body.relaxation()) continue;
+    throw std::invalid_argument(
+        "layers and substrate must have one relaxation (equal times and shares; a rigid substrate "
+        "has none): with different ones the rates of the displacement depend on the wavelength, "
+        "and the elastic operators of the body do not suffice");
+  }
+}
+
 }  // namespace
 
 Body::Body(Material substrate, std::vector<MaterialLayer> layers)
@@ -19,6 +34,7 @@ Body::Body(Material substrate, std::vector<MaterialLayer> layers)
   Stack::of(stack().layers, substrate_.elastic);
   const auto layers_count = static_cast<double>(layers_.size());
   require(layers_count <= max_layers, "number of layers", "at most 1000", layers_count);
+  require_one_relaxation(*this);
 }
 
 int Body::number_at(double z) const {

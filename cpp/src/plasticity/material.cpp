@@ -143,4 +143,25 @@ Material Material::with_free_faces(const FreeFaces& faces) const {
   return faced;
 }
 
+Material Material::with_relaxation(const Relaxation& terms) const {
+  if (elastic.is_rigid()) {
+    throw std::invalid_argument("relaxation requires a deformable material, got a rigid one");
+  }
+  if (is_plastic()) {
+    throw std::invalid_argument(
+        "relaxation cannot be combined with a yield stress in one body: choose a viscoelastic or "
+        "an elastic-plastic material");
+  }
+  if (free_faces.any()) {
+    throw std::invalid_argument("relaxation cannot be combined with free_faces");
+  }
+  if (initial_stress) {
+    throw std::invalid_argument(
+        "relaxation cannot be combined with residual_stress, which would relax");
+  }
+  Material relaxing = *this;
+  relaxing.relaxation = terms;
+  return relaxing;
+}
+
 }  // namespace samcontact::plasticity

@@ -100,6 +100,24 @@ constexpr int max_heat_solves = 20, heat_anderson_depth = 4;
 /// and power that counts as zero [W/m^2].
 constexpr double power_tol_ratio = 10.0, smallest_power = 1e-200;
 
+/// Throws std::invalid_argument for motion along y that a part of the simulation excludes.
+void require_free_to_advance_along_y(const State& state) {
+  const Setup& setup = state.setup();
+  const char* reason = "";
+  if (setup.friction.sticks()) {
+    reason = "with partial slip: use full sliding";
+  } else if (setup.bodies[0].is_plastic() || setup.bodies[1].is_plastic()) {
+    reason = "of elastic-plastic bodies, whose strain moves along x only: use elastic bodies";
+  } else if (setup.followed() >= 0) {
+    reason = "with relief1 or relief2, which move along x only: omit the relief";
+  } else if (state.eigenstrain[0] || state.eigenstrain[1]) {
+    reason = "with an eigenstrain, which moves along x only: omit the eigenstrain";
+  } else {
+    return;
+  }
+  throw std::invalid_argument(std::string("advance along y is not supported ") + reason);
+}
+
 /// Friction power per area from the work per area in a time [i][j] [W/m^2].
 Field power_of(const Field& work, double duration, std::size_t cells) {
   Field power(cells, 0.0);
@@ -150,6 +168,10 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 }
 
 void Simulation::check(const Target& target) const {
+  if (!target.advance.is_along_x()) require_free_to_advance_along_y(state_);
+  if (setup_->is_viscoelastic() && target.advance != Travel{}) {
+    throw std::invalid_argument("viscoelastic bodies cannot travel through the contact");
+  }
   if (setup_->transient_heating.is_on() && target.duration == 0 && state_.load != 0) {
     throw std::invalid_argument(
         "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");
@@ -273,7 +295,10 @@ void Simulation::set_plastic_state(int body, const Box& whole, const Field& stra
   const auto record = record_of({whole, strain, equivalent, backstress, terms}, box, tensor);
   state_.plastic[body] = from_record(record, setup_->grid, terms);
   const Grid& window = setup_->grid;
-  state_.flow_boxes[body] = {box.intersected({0, 0, window.nx, window.ny, box.nz})};
+  const Box inside = box.intersected({0, 0, window.nx, window.ny, box.nz});
+  // An increment begins with a zone on the grid; strain outside the grid has none.
+  const Box middle{window.nx / 2, window.ny / 2, 1, 1, 1};
+  state_.flow_boxes[body] = {inside.empty() ? middle : inside};
 }
 
 void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& strain) {
@@ -287,6 +312,11 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
     throw std::invalid_argument("the box of an eigenstrain must lie inside the grid");
   }
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
+  if (!state_.travel.is_along_x()) {
+    throw std::invalid_argument(
+        "an eigenstrain cannot be added after the bodies have moved along y: it moves along x "
+        "only; add it before, or omit the motion");
+  }
   Eigenstrains sum = state_.eigenstrain;
   sum[body] = sum_of(sum[body], box, k0, strain, grid);
   require_followed(sum, *setup_, state_.travel);

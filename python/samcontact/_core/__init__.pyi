@@ -19,6 +19,7 @@ __all__: list[str] = [
     "ContactLaw",
     "ContactSolver",
     "ConvergenceError",
+    "CreepingContact",
     "Drive",
     "Elastic",
     "FrictionLaw",
@@ -28,6 +29,7 @@ __all__: list[str] = [
     "LawDescription",
     "LawParameter",
     "Material",
+    "MovingCreep",
     "PartialSlipContact",
     "Settings",
     "Simulation",
@@ -166,6 +168,9 @@ class Material:
         syy: collections.abc.Sequence[float],
         sxy: collections.abc.Sequence[float],
     ) -> Material: ...
+    def with_relaxation(
+        self, times: collections.abc.Sequence[float], shares: collections.abc.Sequence[float]
+    ) -> Material: ...
     def with_thermal(
         self, conductivity: float, expansion: float, diffusivity: float
     ) -> Material: ...
@@ -217,7 +222,9 @@ class Heating:
     def factor(self) -> float: ...
 
 class FrictionLaw:
-    def __init__(self, name: str, values: collections.abc.Mapping[str, float]) -> None: ...
+    def __init__(
+        self, name: str, values: collections.abc.Mapping[str, collections.abc.Sequence[float]]
+    ) -> None: ...
     def bound(
         self, pressure: numpy.typing.NDArray[numpy.float64]
     ) -> numpy.typing.NDArray[numpy.float64]: ...
@@ -260,6 +267,31 @@ class ContactSolver:
         error_on_border: bool,
     ) -> dict[str, typing.Any]: ...
 
+class MovingCreep:
+    def __init__(
+        self,
+        amounts: collections.abc.Sequence[float],
+        distances: collections.abc.Sequence[float],
+        towards_plus_x: bool,
+    ) -> None: ...
+
+class CreepingContact:
+    def __init__(
+        self, grid: Grid, body1: Body, body2: Body, creep1: MovingCreep, creep2: MovingCreep
+    ) -> None: ...
+    def displacement(
+        self, pressure: numpy.typing.NDArray[numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def solve(
+        self,
+        gap: numpy.typing.NDArray[numpy.float64],
+        drive: Drive,
+        initial_pressure: numpy.typing.NDArray[numpy.float64] | None,
+        tol: float,
+        max_iterations: int,
+        error_on_border: bool,
+    ) -> dict[str, typing.Any]: ...
+
 class PartialSlipContact:
     def __init__(
         self, grid: Grid, body1: Body, body2: Body, friction: FrictionLaw, contact_law: ContactLaw
@@ -277,6 +309,7 @@ class PartialSlipContact:
         max_iterations: int,
         error_on_border: bool,
         accept_stall: bool,
+        duration: float = 0.0,
     ) -> dict[str, typing.Any]: ...
     def solve(
         self,
@@ -295,6 +328,9 @@ class PartialSlipContact:
         max_iterations: int,
         error_on_border: bool,
         accept_stall: bool,
+        duration: float = 0.0,
+        slip_rate: numpy.typing.NDArray[numpy.float64] | None = None,
+        selects: bool = False,
     ) -> dict[str, typing.Any]: ...
     @property
     def is_coupled(self) -> bool: ...
@@ -323,6 +359,7 @@ class State:
     def equivalent_plastic_strain_in(
         self, body: int, box: typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
     ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def equivalent_pressure(self, body: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def gap(self) -> numpy.typing.NDArray[numpy.float64]: ...
     def has_eigenstrain(self, body: int) -> bool: ...
     def history_rows(self, body: int) -> tuple[int, int] | None: ...
@@ -363,6 +400,7 @@ class State:
     def surface_temperature(self, body: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def tangential_force(self) -> typing.Annotated[list[float], "FixedSize(3)"]: ...
     def temperature(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
+    def viscous_work(self, body: int) -> float: ...
     def widened(self, like: State) -> State: ...
     def yield_factor_in(
         self, body: int, box: typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
@@ -382,6 +420,8 @@ class State:
     def eigenstrain1(self) -> dict[str, typing.Any] | None: ...
     @property
     def eigenstrain2(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def falling_number(self) -> float: ...
     @property
     def first_cell(self) -> typing.Annotated[list[int], "FixedSize(2)"]: ...
     @property
@@ -408,6 +448,12 @@ class State:
     def joint_steps(self) -> int: ...
     @property
     def last_flow(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def lateral_heat_speed1(self) -> float: ...
+    @property
+    def lateral_heat_speed2(self) -> float: ...
+    @property
+    def lateral_travel(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
     @property
     def load(self) -> float: ...
     @property
@@ -439,6 +485,8 @@ class State:
     @property
     def slip_power(self) -> numpy.typing.NDArray[numpy.float64] | None: ...
     @property
+    def slip_rate(self) -> numpy.typing.NDArray[numpy.float64] | None: ...
+    @property
     def softening1(self) -> dict[str, typing.Any] | None: ...
     @property
     def softening2(self) -> dict[str, typing.Any] | None: ...
@@ -450,6 +498,10 @@ class State:
     def tilt(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
     @property
     def time(self) -> float: ...
+    @property
+    def traction_memory1(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def traction_memory2(self) -> dict[str, typing.Any] | None: ...
     @property
     def travel(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
     @property
@@ -482,7 +534,7 @@ class Simulation:
         gap: numpy.typing.NDArray[numpy.float64],
         friction: FrictionLaw,
         settings: Settings,
-        march: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
+        march: typing.Annotated[collections.abc.Sequence[float], "FixedSize(4)"],
         softening: typing.Annotated[
             collections.abc.Sequence[
                 collections.abc.Callable[
@@ -535,9 +587,15 @@ class Simulation:
         shear_y: numpy.typing.NDArray[numpy.float64] | None,
         heating: typing.Annotated[collections.abc.Sequence[Heating], "FixedSize(2)"],
         duration: float,
-        advance: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
+        advance: typing.Annotated[
+            collections.abc.Sequence[
+                typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"]
+            ],
+            "FixedSize(2)",
+        ],
         is_force: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(3)"],
         tangential: typing.Annotated[collections.abc.Sequence[float], "FixedSize(3)"],
+        lasts: float,
     ) -> State: ...
     def take_over(self, smaller: Simulation) -> None: ...
     @property

@@ -15,6 +15,8 @@ from typing import Protocol
 CACHE_RELEASERS: list[Callable[[], bool]] = []
 """Functions that release cached data, and return whether any memory was released."""
 _MAX_UNCHECKED_BYTES = 64e6  # memory [bytes] below which no check is made
+MOVING_CONTACT_BYTES = 650.0
+"""Memory of a steady viscoelastic contact per surface cell, at most [bytes]."""
 CONTACT_BYTES, COUPLED_CONTACT_BYTES, COUPLED_PARTIAL_SLIP_BYTES, HEATED_CONTACT_BYTES = (
     125.0,
     215.0,

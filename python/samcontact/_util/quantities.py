@@ -196,11 +196,19 @@ CONTACT = {
         "m", "travel of the surface of body {body} through the contact, positive along +x", "µm",
         "travel", "travel", 6,
     ),
+    "lateral_travel": Q(
+        "m", "travel of the surface of body {body} through the contact, positive along +y", "µm",
+        "travel along y", "travel along y", 6,
+    ),
     "contact_origin": Q("m", "x position of the contact origin relative to the grid centre"),
     "offset": Q(
         "m", "offset of the volume fields of body {body} from the cells of the grid, along x"
     ),
     "time": Q("s", "time since the start", "s", "time"),
+    "viscous_work": Q(
+        "J", "energy dissipated by the viscosity since the start", "µJ", "viscous work",
+        "viscous work",
+    ),
     "heat_factor": Q("m/s", "heat flux per unit pressure into bodies 1 and 2"),
     # convergence and resolution
     "iterations": Q(
@@ -262,6 +270,10 @@ CONTACT = {
         "residual displacement", kind="signed",
     ),
     "initial_gap": Q("m", "initial gap of the undeformed surfaces"),
+    "equivalent_pressure": Q(
+        "Pa", "pressure that displaces an elastic body as this viscoelastic body is displaced",
+        "GPa", "equivalent pressure", kind="signed",
+    ),
     "surface_temperature": Q(
         "K", "temperature rise of the surface", "K", "temperature rise", kind="heat"
     ),

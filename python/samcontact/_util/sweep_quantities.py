@@ -22,10 +22,7 @@ SWEEP = {
         "ln(integral)\nof life", 6,
     ),
     "shakedown_response": Q(
-        "1",
-        "response to repeated cycles: 0 elastic, 1 elastic shakedown, 2 plastic shakedown, "
-        "3 ratcheting, 4 undecided",
-        "", "response", "response", 1,
+        "1", "response to repeated cycles", "", "response", "response", 1,
     ),
     "shakedown_rate": Q(
         "1", "maximum magnitude of the plastic strain change over the last cycle", "%",

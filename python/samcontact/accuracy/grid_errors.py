@@ -192,8 +192,9 @@ def estimate_errors(
             f"path and states must have equal lengths, got {len(path)} and {len(states)}"
         )
     found = estimated(run, path, states, lambda coarse, steps: coarse.run(steps, progress=False))
+    repeat = repeat_with(type(run), run.engine.preparation)
     by_increments = increment_errors.estimated(
-        run.engine, path, states, states[0].heat, repeat_with(type(run)), certified=True
+        run.engine, path, states, states[0].heat, repeat, certified=True
     )
     if by_increments is not None and run.monitor.checks_increments:
         run.monitor.checks_increments = not increment_errors.warn_of_errors(

@@ -235,7 +235,7 @@ def find_load(
     tolerance : float, optional
         Relative tolerance on the quantity [-], in [1e-8, 0.1].
     largest_load : float, optional
-        Maximum load [N]; default: 100 times the load of the case. Required with a function.
+        Maximum contact load [N]; default: 100 times that of the case. Required with a function.
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
@@ -324,7 +324,7 @@ def _enclosed(search: LoadSearch, start: float, max_load: float) -> float:
         deviation = search.on_coarse
     except ValueError:
         deviation = search.on_grid
-    reason: list[object] = [f"increase largest_load, now {max_load:.6g} N"]
+    reason: list[object] = [f"increase largest_load, now a contact load of {max_load:.6g} N"]
 
     def trial_value(load: float) -> float | None:
         """Return (value - target)/target for a load [N]; None if the solution failed."""

@@ -64,7 +64,8 @@ def require_known(name: object) -> None:
     of_body = error_controlled_quantities.BODY_QUANTITIES
     if name in known or name in [f"{kind}_body{n}" for kind in of_body for n in (1, 2)]:
         return
-    if isinstance(name, str) and name in WEAR and name not in CONTACT:
+    kind = name.partition("_body")[0] if isinstance(name, str) else ""
+    if kind in WEAR and kind not in CONTACT:
         raise ValueError(
             f"quantity must be a contact quantity, got {in_short(name)}: wear has no load search; "
             "solve the wear for several loads, e.g. by samcontact sweep without --find"
@@ -132,7 +133,15 @@ def label_and_unit(name: str) -> tuple[str, str]:
 
 
 def elastic(simulation: Simulation) -> Simulation:
-    """Return a copy of a simulation with elastic instead of elastic-plastic bodies."""
+    """Return a copy of a simulation with elastic instead of elastic-plastic bodies.
+
+    Raises ValueError for a simulation with dents, which are plastic strain from the start.
+    """
+    if simulation.engine.preparation is not None:
+        raise ValueError(
+            "yield cannot be sought with dents, where body 2 has yielded before: use another "
+            "quantity, e.g. max_pressure or max_equivalent_plastic_strain"
+        )
     bodies = {}
     for name in ("body1", "body2"):
         body = getattr(simulation, name)

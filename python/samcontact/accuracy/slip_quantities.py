@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._util.travels import both_axes
 from ..simulation.error_controlled_quantities import peak_value
 from ..solutions.tangential_quantities import TANGENTIAL_QUANTITIES, along_surface
 
@@ -39,7 +40,8 @@ def driven(steps: Sequence[Mapping[str, Any]]) -> list[str]:
             found.append(TANGENTIAL_QUANTITIES[n])
         if any(_component(step.get(force), axis) for step in steps):
             found.append(TANGENTIAL_QUANTITIES[3 + n])
-    rolls = any(first != second for first, second in (s.get("advance", (0.0, 0.0)) for s in steps))
+    moves = (both_axes(s.get("advance", (0.0, 0.0))) for s in steps)
+    rolls = any(first != second for first, second in (each[:, 0].tolist() for each in moves))
     if rolls and TANGENTIAL_QUANTITIES[0] not in found:
         found.insert(0, TANGENTIAL_QUANTITIES[0])
     return [*found, WORK] if found else []

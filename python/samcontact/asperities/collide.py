@@ -14,6 +14,7 @@ from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
+from ..bodies.viscoelastic import require_no_relaxation
 from ..diagnostics import resolution
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
@@ -39,6 +40,11 @@ class CollisionResult(ShortRepr):
     """Results of each pass and increment; see `collide`."""
     unloaded: list[State]
     """States of the unloaded bodies after each pass."""
+
+
+def _require_possible_bodies(*bodies: Any) -> None:
+    require_homogeneous("asperity collision does not support layered bodies", *bodies)
+    require_no_relaxation("asperity collisions have no duration", *bodies)
 
 
 def collide(
@@ -113,7 +119,7 @@ def collide(
     boolean("progress", progress)
     boolean("back_and_forth", back_and_forth)
     require_type("collision", collision, Collision)
-    require_homogeneous("asperity collision does not support layered bodies", body1, body2)
+    _require_possible_bodies(body1, body2)
     require_type("grid", grid, Grid)
     for name in ("friction", "heat"):
         if given := settings.get(name):

@@ -15,7 +15,7 @@ from .._util.checks import FloatArray, choice, finite, integer, non_negative, po
 from .._util.lazy_scipy import scipy
 from .equilibrium import SLICES, ElementLoads, balls_in_equilibrium, rollers_in_equilibrium
 from .loads import stribeck_load
-from .races import RaceContact, angle_of, ball_on_race, roller_on_race
+from .races import MAX_DIAMETER, RaceContact, angle_of, ball_on_race, roller_on_race
 from .rating import STEEL_CONTACT_MODULUS, static_load_rating
 
 KINDS = ("deep_groove", "angular_contact", "cylindrical_roller")
@@ -24,8 +24,6 @@ _PRESSURE = {"cylindrical_roller": 4.0e9}
 """Hertz pressure of the static load rating of ISO 76 [Pa], if it is not 4.2e9."""
 _AXIAL_FACTORS = ((15, 20, 25, 30, 35, 40, 45), (0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22))
 """Factor Y_0 of ISO 76 for single-row angular contact bearings by contact angle [degrees]."""
-MAX_DIAMETER = 1.0
-"""Maximum diameter of rolling elements [m]; even the largest bearings have smaller ones."""
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,14 @@
 from __future__ import annotations
 
 import math
+import warnings
 from dataclasses import dataclass
 
 from .._util.checks import choice, finite, positive
+from .._util.errors import UnitWarning
+
+MAX_DIAMETER = 1.0
+"""Maximum diameter of rolling elements [m]; those of the largest bearings are smaller."""
 
 
 @dataclass(frozen=True)
@@ -62,6 +67,17 @@ def angle_of(contact_angle: float) -> float:
     return angle
 
 
+def _warn_of_size(name: str, diameter: float) -> None:
+    """Issue a `UnitWarning` for a rolling element that is larger than any [m]."""
+    if diameter > MAX_DIAMETER:
+        warnings.warn(
+            f"likely unit error: {name} is {diameter!r} m (≤ {MAX_DIAMETER:g} m expected). Use m: "
+            "12 mm is 12e-3",
+            UnitWarning,
+            stacklevel=3,
+        )
+
+
 def ball_on_race(
     ball_diameter: float,
     pitch_diameter: float,
@@ -96,6 +112,11 @@ def ball_on_race(
     ValueError
         An argument is outside its range.
 
+    Warns
+    -----
+    UnitWarning
+        The ball is larger than 1 m.
+
     Notes
     -----
     The radii are exact for a sphere in a torus. Half-space contact theory (Hertz and this package)
@@ -104,6 +125,7 @@ def ball_on_race(
     near the ends of the ellipse are less accurate than at the centre.
     """
     D, pitch = positive("ball_diameter", ball_diameter), positive("pitch_diameter", pitch_diameter)
+    _warn_of_size("ball_diameter", D)
     if (groove_radius is None) == (conformity is None):
         raise ValueError("exactly one of groove_radius and conformity must be given")
     if groove_radius is None:
@@ -152,6 +174,11 @@ def roller_on_race(
     ValueError
         An argument is outside its range.
 
+    Warns
+    -----
+    UnitWarning
+        The roller has a diameter above 1 m.
+
     Notes
     -----
     The axis and the raceways of a tapered roller have different angles. The equivalent radius
@@ -159,6 +186,7 @@ def roller_on_race(
     the ends of a straight roller of finite length, the pressure is higher than in a line contact.
     """
     D = positive("roller_diameter", roller_diameter)
+    _warn_of_size("roller_diameter", D)
     pitch = positive("pitch_diameter", pitch_diameter)
     Ry = positive("crown_radius", crown_radius, allow_inf=True)
     return RaceContact(_rolling_radius(D, pitch, angle_of(contact_angle), race), Ry)

@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import NamedTuple
 
-from .._util.checks import positive, require_type
+from .._util.checks import positive
 from .._util.short_text import in_short
 from .bearing import Bearing
 
@@ -37,13 +38,39 @@ SIZES = {
 """Sizes by designation; manufacturers do not publish internal dimensions, which vary by maker."""
 
 
-def standard(designation: str, clearance: float | None = None) -> Bearing:
+_SUFFIXES = (
+    "2?RS[12RHL]?", "2?ZR?|2?RZ|ZZ|LL[BHU]|DDU?|VV",  # seals and shields
+    "NR?", "C[2345NM]", "P[0456]", "M[AB]?|JN?|TN[9H]?", "S[01]",
+)  # fmt: skip
+"""Suffixes that leave the internal dimensions: seals, shields, snap ring, clearance and tolerance
+class, cage, and heat treatment."""
+_DESIGNATION = re.compile(rf"(\d{{4}})((?:[-/ .]*(?:{'|'.join(_SUFFIXES)})(?![A-Z0-9]))*)", re.I)
+
+
+def _size_of(designation: str | int) -> StandardSize:
+    """Return the size of a designation with any of the known suffixes."""
+    text = str(designation) if type(designation) is int else designation
+    if not isinstance(text, str):
+        raise TypeError(f'designation must be text, e.g. "6208", got {in_short(designation)}')
+    match = _DESIGNATION.fullmatch(text.strip())
+    if match is not None and match[1] in SIZES:
+        return SIZES[match[1]]
+    hint = "create a Bearing from the dimensions of another one"
+    if match is None and text.strip()[:4] in SIZES:
+        hint = "the suffix may belong to other internal dimensions: omit it if it does not"
+    raise ValueError(
+        f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: {hint}"
+    )
+
+
+def standard(designation: str | int, clearance: float | None = None) -> Bearing:
     """Deep groove ball bearing of a standard size.
 
     Parameters
     ----------
     designation : {"6203", "6205", "6208", "6209"}
-        Designation without suffixes.
+        Designation, as text or number. Suffixes of seals, shields, snap rings, cages, and classes
+        of clearance and tolerance are ignored, e.g. those of "6208-2RS1/C3".
     clearance : float, optional
         Diametral clearance of the mounted bearing [m]. Default: None, unknown.
 
@@ -56,15 +83,11 @@ def standard(designation: str, clearance: float | None = None) -> Bearing:
     Raises
     ------
     ValueError
-        The designation is not in the table.
+        The designation is not in the table, or has an unknown suffix.
+    TypeError
+        The designation is neither text nor a whole number.
     """
-    require_type("designation", designation, str)
-    if designation not in SIZES:
-        raise ValueError(
-            f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: for "
-            "another bearing, create a Bearing from its dimensions"
-        )
-    size = SIZES[designation]
+    size = _size_of(designation)
     return Bearing(
         "deep_groove", size.ball_diameter * 1e-3, size.pitch_diameter * 1e-3, size.balls,
         clearance=clearance, source=size.source,

@@ -47,6 +47,9 @@ def material_rows(material: Any) -> Rows:
         named = zip(("low", "high"), places, strict=True)
         shown = [f"{name} {quantity(y, 'm')}" for name, y in named if math.isfinite(y)]
         rows.append(("free faces", f"y: {', '.join(shown)}, {method}"))
+    if material.relaxation_terms is not None:
+        for number, (time, share) in enumerate(zip(*material.relaxation_terms, strict=True), 1):
+            rows.append((f"relaxation {number}", f"{share:.4g} E in {quantity(time, 's')}"))
     return rows
 
 

@@ -47,7 +47,9 @@ class Law:
 
 def constant_of(parameter: _core.LawParameter) -> Constant:
     """Return the `Constant` for a parameter of a law, which the compiled core describes."""
-    low = {"gt" if parameter.above_low else "ge": parameter.low}
+    low: dict[str, float] = {}
+    if parameter.low > -math.inf:
+        low = {"gt" if parameter.above_low else "ge": parameter.low}
     high = parameter.high if parameter.high < math.inf else None
     infinite = parameter.infinite is not None
     return Constant(parameter.unit, **low, le=high, many=parameter.many, infinite=infinite)

@@ -11,19 +11,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.cached_property import cached_property
-from .._util.checks import FloatArray, real_array
+from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows
 from .._util.short_text import in_short
 from .constants import as_list, named_numbers
 from .depth_profiles import PROFILE_ARGUMENTS, HasDepthProfiles, Profile, profile
 from .display import material_rows
+from .flow_curve import HasFlowCurve
 from .free_faces import FreeFaces, HasFreeFaces, checked_faces
 from .hardening_laws import checked_constants, core_material
+from .relaxation import HasRelaxation, RelaxationTerms, checked_relaxation
 from .tension_test import FromTest
 
 
 @dataclass(frozen=True, repr=False)
-class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
+class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, FromTest, HtmlTable):
     """Material of a body. Create it with a class method such as `Material.swift`.
 
     Attributes
@@ -43,6 +45,8 @@ class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
         `with_residual_stress`.
     free_faces : tuple of (float, float, str), or None
         Coordinates y of both free faces [m] and method, see `with_free_faces`.
+    relaxation_terms : tuple of tuples of float, or None
+        Relaxation times [s] and their shares of E [-], see `with_relaxation`.
     """
 
     law: str
@@ -53,6 +57,7 @@ class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
     yield_profile: Profile | None = None
     residual_stress: Profile | None = None
     free_faces: FreeFaces | None = None
+    relaxation_terms: RelaxationTerms | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "parameters", checked_constants(self.law, self.parameters))
@@ -68,6 +73,9 @@ class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
                 object.__setattr__(self, name, profile(name, getattr(self, name)))
         if self.free_faces is not None:
             object.__setattr__(self, "free_faces", checked_faces(self.free_faces))
+        if self.relaxation_terms is not None:
+            terms = checked_relaxation(self.relaxation_terms)
+            object.__setattr__(self, "relaxation_terms", terms)
         if self.softening is not None:
             self._check_softening("softening", self.softening)
         if self.is_plastic and not np.isfinite(self.yield_stress(0.0)):
@@ -290,6 +298,8 @@ class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
         if self.free_faces is not None:
             low, high, method = self.free_faces
             core = core.with_free_faces(low, high, method == "exact")
+        if self.relaxation_terms is not None:
+            core = core.with_relaxation(*self.relaxation_terms)
         return core
 
     @property
@@ -308,71 +318,14 @@ class Material(HasDepthProfiles, HasFreeFaces, FromTest, HtmlTable):
         return self.law == "rigid"
 
     @property
+    def is_viscoelastic(self) -> bool:
+        """Whether the body relaxes, see `with_relaxation`."""
+        return self.relaxation_terms is not None
+
+    @property
     def is_plastic(self) -> bool:
         """Whether the body can yield."""
         return bool(self._core.is_plastic)
-
-    def yield_stress(self, g: ArrayLike) -> float | FloatArray:
-        """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), same shape as g.
-
-        With kinematic hardening, this is the radius of the yield surface, without backstress. The
-        factor of a yield profile is not included, see `yield_factor`. For an elastic or rigid body
-        the result is infinite. Raises ValueError if g is negative or not finite.
-        """
-        return self._at(g, self._core.yield_stress)
-
-    def _at(self, g: ArrayLike, function: Callable[[FloatArray], FloatArray]) -> float | FloatArray:
-        strain = real_array("g", g)
-        bad = ~(np.isfinite(strain) & (strain >= 0))
-        if bad.any():
-            raise ValueError(f"g must be finite and >= 0, got {float(strain[bad].flat[0])!r}")
-        values = function(np.ascontiguousarray(strain).ravel())
-        return float(values[0]) if strain.ndim == 0 else values.reshape(strain.shape)
-
-    def plastic_work(self, g: ArrayLike) -> float | FloatArray:
-        """Plastic work [J/m^3] up to equivalent plastic strain g: integral of the yield stress.
-
-        This is the energy dissipated per volume. It includes neither the work of backstresses
-        (kinematic hardening) nor the factors of thermal softening and of a yield profile. The
-        result has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is
-        negative or not finite.
-        """
-        return self._at(g, self._core.work)
-
-    def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
-        """Axial stress in a bar of this material under a history of axial strain.
-
-        Parameters
-        ----------
-        strain : array_like, shape (n,)
-            History of the total axial strain [-], tension positive, from the virgin state. Each
-            value is one increment (backward Euler: exact for linear hardening, otherwise with an
-            error of first order in the increments).
-
-        Returns
-        -------
-        ndarray, shape (n,)
-            Axial stress [Pa]; the lateral stresses are zero.
-
-        Raises
-        ------
-        ValueError
-            The strain is not one-dimensional or not finite, or the body is rigid.
-        """
-        if self.is_rigid:
-            raise ValueError("uniaxial_stress requires a deformable material, got a rigid one")
-        history = real_array("strain", strain)
-        if history.ndim != 1 or not np.isfinite(history).all():
-            raise ValueError("strain must be a list of finite numbers")
-        stress = np.asarray(self._core.uniaxial_stress(history.tolist()), dtype=np.float64)
-        if not np.isfinite(stress).all():
-            largest = float(np.abs(history).max())
-            raise ValueError(
-                "strain must be small enough to give a finite stress, got "
-                f"values up to {largest!r}: strain is dimensionless, not in "
-                "percent"
-            )
-        return stress
 
     def _rows(self) -> Rows:
         return material_rows(self)

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, boolean, non_negative, poisson_ratio, positive, real_array
 from .depth_profiles import MAX_PROFILE_POINTS
+from .noise import MAX_DEVIATIONS, merged, noise_of, non_decreasing
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -66,12 +67,15 @@ class FromTest:
         Material
             Material with the law "tabulated". True strain is ln(1 + e) and true stress s (1 + e)
             for engineering values e and s; the plastic strain is true strain - true stress / E.
+            Where noise lets strain or stress decrease, they are replaced by the least-squares fit
+            that does not decrease.
 
         Raises
         ------
         ValueError
-            The curve is not one of a test: strain in percent, stress in MPa, strains that do not
-            increase, necking, stress that decreases, or too few points for the elastic line. E is
+            The curve is not one of a test: strain in percent, stress in MPa, necking, strain or
+            stress that decreases by more than the noise of the curve, or too few points for the
+            elastic line. E is
             not in Pa, or below the slope of the curve.
         TypeError
             An argument is not a number.
@@ -118,13 +122,19 @@ def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray
             "in percent by 100"
         )
     sign = 1.0 if e[-1] >= e[0] else -1.0
-    wrong = np.flatnonzero(np.diff(sign * e) <= 0)
-    if wrong.size:
-        i = int(wrong[0])
+    fitted = non_decreasing(sign * e)
+    index = np.arange(e.size, dtype=np.float64)
+    wrong = np.abs(fitted - sign * e) > MAX_DEVIATIONS * noise_of(index, e)
+    if wrong.any():
+        i = int((np.diff(sign * e) <= 0).argmax())
         raise ValueError(
             f"strain must change in one direction, got strain[{i + 1}] = {e[i + 1]:g} after "
-            f"strain[{i}] = {e[i]:g}: omit unloading and repeated points"
+            f"strain[{i}] = {e[i]:g}: omit unloading"
         )
+    strains, s = merged(fitted, s)
+    e = sign * strains
+    if e.size < 4:
+        raise ValueError(f"strain must have at least 4 different values, got {e.size}")
     if sign * s[np.abs(s).argmax()] < 0:
         raise ValueError(
             "strain and stress must have equal signs: positive in tension, negative in compression"
@@ -137,7 +147,8 @@ def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray
 def _require_no_neck(e: FloatArray, s: FloatArray) -> None:
     """Raise ValueError if the force of a tension test decreases after its maximum."""
     top = int(s.argmax())
-    if e[-1] > e[0] and s[-1] < (1 - 1e-3) * s[top]:
+    noise = MAX_DEVIATIONS * noise_of(e, s)
+    if e[-1] > e[0] and s[-1] < (1 - 1e-3) * s[top] - noise:
         raise ValueError(
             f"stress must not decrease at the end, but falls from {s[top]:g} Pa at a strain of "
             f"{e[top]:g} to {s[-1]:g} Pa: the specimen necks, and the strain in the neck is "
@@ -209,30 +220,43 @@ def _hardening(
     e: FloatArray, s: FloatArray, modulus: float, offset: float
 ) -> tuple[FloatArray, FloatArray]:
     """Return plastic strains from 0, and true stresses [Pa]; constant up to the offset."""
-    plastic = e - s / modulus
-    if not (plastic > offset).any():
+    noise = noise_of(e, s)
+    raw = e - s / modulus
+    if not (raw > offset).any():
         raise ValueError(
             f"strain must exceed the elastic strain by more than offset = {offset:g}, got at most "
-            f"{plastic.max():.3g}: the specimen does not yield; use Material.elastic, or check E"
+            f"{raw.max():.3g}: the specimen does not yield; use Material.elastic, or check E"
         )
-    first = int((plastic > offset).argmax())
+    plastic = non_decreasing(raw)
+    first = min(int((plastic > offset).argmax()), int((raw > offset).argmax()))
+    first += int((plastic[first:] > offset).argmax())
     yields = float(s[0])
     if first > 0:
         yields = float(np.interp(offset, plastic[first - 1 : first + 1], s[first - 1 : first + 1]))
-    x = np.concatenate([[0.0, offset], plastic[first:]])
-    y = np.concatenate([[yields, yields], s[first:]])
-    for name, values, allowed in (("plastic strain", x[1:], 0.0), ("true stress", y, -1e-12)):
-        steps = np.diff(values)
-        wrong = np.flatnonzero(steps <= 0 if allowed == 0 else steps < allowed * y.max())
-        if wrong.size:
-            i = int(wrong[0]) + (1 if allowed == 0 else 0)
-            raise ValueError(
-                f"{name} must not decrease beyond yield, but it does at a plastic strain of "
-                f"{x[i]:.4g} and a stress of {y[i]:.4g} Pa: smooth the noise or omit an upper "
-                "yield point, and check E"
-            )
-    y = np.maximum.accumulate(y)
+    _require_noise(
+        "plastic strain", plastic[first:] - raw[first:], noise / modulus, raw[first:], s[first:]
+    )
+    beyond, stress = merged(plastic[first:], s[first:])
+    x = np.concatenate([[0.0, offset], beyond])
+    y = np.concatenate([[yields, yields], stress])
+    fitted = non_decreasing(y)
+    _require_noise("true stress", fitted - y, max(noise, 1e-12 * float(y.max())), x, y)
+    y = fitted
     if x.size > MAX_PROFILE_POINTS:
         chosen = np.unique(np.linspace(0, x.size - 1, MAX_PROFILE_POINTS).round().astype(int))
         x, y = x[chosen], y[chosen]
     return x, y
+
+
+def _require_noise(
+    name: str, changes: FloatArray, noise: float, plastic: FloatArray, stress: FloatArray
+) -> None:
+    """Raise ValueError, with the place, if a fit changes a curve by more than its noise."""
+    worst = int(np.abs(changes).argmax())
+    if abs(changes[worst]) > MAX_DEVIATIONS * noise:
+        raise ValueError(
+            f"{name} must not decrease beyond yield by more than the noise of the curve, but it "
+            f"does at a plastic strain of {plastic[worst]:.4g} and a stress of "
+            f"{stress[worst]:.4g} Pa: smooth the curve there, or omit an upper yield point, and "
+            "check E"
+        )

@@ -18,6 +18,7 @@ from pydantic import (
 from .. import materials
 from ..bodies.hardening_laws import LAWS, Constant, Law
 from ..hardness import HardnessProfile, hardened_case
+from ..materials.library import ADVICE
 from .base import Finite, NonNegative, Positive, Section, changed, in_unit
 
 if TYPE_CHECKING:
@@ -134,8 +135,16 @@ class FreeFaces(Section):
     method: Literal["exact", "factor"] = "exact"
 
 
+class RelaxationSection(Section):
+    """Viscoelastic relaxation of a body, see `Material.with_relaxation`."""
+
+    times: Annotated[list[Positive], Field(min_length=1), in_unit("s")]
+    shares: Annotated[list[Positive], Field(min_length=1)]
+
+
 _BODY_TABLES = (
     "kinematic", "thermal", "softening", "yield_profile", "residual_stress", "free_faces",
+    "relaxation",
 )  # fmt: skip
 _OTHER_FIELDS = {"layers", "thickness", "material", "hardness"}
 
@@ -186,6 +195,8 @@ class _Solid(Section):
             material = material.with_residual_stress(**extra["residual_stress"])
         if extra["free_faces"] is not None:
             material = material.with_free_faces(**extra["free_faces"])
+        if extra["relaxation"] is not None:
+            material = material.with_relaxation(**extra["relaxation"])
         return material
 
 
@@ -197,7 +208,9 @@ def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
     try:
         known = materials.get(name).constants(law)
     except ValueError as error:
-        raise ValueError(str(error).replace("name must", "material must", 1)) from None
+        text = str(error).replace("name must", "material must", 1)
+        remedy = "for another material, omit material and write its constants, e.g. E and nu"
+        raise ValueError(text.replace(ADVICE, remedy)) from None
     for field in ("E", "nu"):
         if field in given:
             raise ValueError(
@@ -246,7 +259,7 @@ class _Layer(_Solid):
 
 
 class _ElasticLayer(_ElasticSolid, _Layer):
-    pass
+    relaxation: RelaxationSection | None = None
 
 
 class _PlasticLayer(_PlasticSolid, _Layer):
@@ -323,6 +336,11 @@ class _Body(_Solid):
     def is_plastic(self) -> bool:
         return bool(self.inelastic_laws)
 
+    @property
+    def relaxes(self) -> bool:
+        """Whether the body is viscoelastic."""
+        return any(getattr(part, "relaxation", None) is not None for part in self.parts)
+
     @model_validator(mode="after")
     def _possible(self) -> _Body:
         """Build the body once, so that the core checks the combination of constants."""
@@ -352,6 +370,7 @@ class _ElasticBody(_ElasticSolid, _Body):
 
 class _EndingBody(_ElasticBody):
     free_faces: FreeFaces | None = None
+    relaxation: RelaxationSection | None = None
 
 
 class _PlasticBody(_PlasticSolid, _ElasticBody):

@@ -13,14 +13,23 @@ from .. import hertz as _hertz
 from .. import paths
 from .._util import memory
 from .._util.short_text import in_short
+from .._util.travels import both_axes
 from ..bodies.layered import softest
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating
+from ..simulation.given_strain import prepare
 from .base import CaseError, CaseFile, Positive, in_unit
 from .bodies import BodySection
-from .cross_checks import path_with_loads, reason_for_grid, require_all_used
+from .cross_checks import (
+    path_with_loads,
+    reason_for_grid,
+    require_all_used,
+    require_durations,
+)
+from .dents import DentsSection
 from .fatigue import FatigueSection
+from .heat_checks import require_velocity_of_motion
 from .motion import ReliefSection, Segment
 from .part_grid import grid_of_part
 from .rolling_parts import in_full
@@ -75,6 +84,7 @@ class Case(CaseFile):
     surface: SurfaceSection
     relief1: ReliefSection | None = None
     relief2: ReliefSection | None = None
+    dents: DentsSection | None = None
     contact: ContactSection = ContactSection()
     heat: HeatSection | None = None
     path: Annotated[list[Segment], Field(min_length=1)]
@@ -121,14 +131,7 @@ class Case(CaseFile):
                     f"{name} is elastic-plastic (law {law}) and requires a "
                     "grid with layers: set grid.dz"
                 )
-        timed = self.heat is not None and self.heat.is_timed
-        for index, segment in enumerate(self.path):
-            if segment.is_timed != timed:
-                name = "duration" if segment.passes is None else "speed"
-                raise ValueError(
-                    f"path[{index}]: {name} must be given if, and only if, heat.history or "
-                    "heat.partition is given: add the missing one, or remove the other"
-                )
+        require_durations(self)
         if self.has_volume and self.wear is None:
             self._show_a_body_with_stresses()
         require_all_used(self)
@@ -202,7 +205,7 @@ class Case(CaseFile):
     @property
     def moves(self) -> bool:
         """Whether the surface of a body moves through the contact."""
-        return any(any(step.get("advance", ())) for step in self.steps())
+        return any(both_axes(step["advance"]).any() for step in self.steps() if "advance" in step)
 
     def _check_motion(self, steps: paths.Path) -> None:
         """Check that motion agrees with the direction of friction and the velocity of [heat]."""
@@ -214,22 +217,19 @@ class Case(CaseFile):
                 require_held(step, friction)
             if step.get("load") == 0.0 or "advance" not in step:
                 continue
-            first, second = step["advance"]
+            (first, first_y), (second, second_y) = travels = both_axes(step["advance"]).tolist()
+            if not friction.sticks and not friction.is_frictionless and first_y != second_y:
+                raise ValueError(
+                    "advance of both bodies along y must be equal, because friction acts along x, "
+                    f"got {travels}: set friction = 0 to slide along y"
+                )
             if friction.sliding_ratio > 0 and first < second:
                 raise ValueError(
                     "advance[0] must be >= advance[1], because friction acts on body 2 towards "
                     f"+x, got {[first, second]}: reverse the sliding direction, or set friction = 0"
                 )
-            for body in (1, 2):
-                if "duration" in step and heat.shares[body - 1] > 0 and heat.track is None:
-                    speed = step["advance"][body - 1] / step["duration"]
-                    given = heat.velocity[body - 1][0]
-                    if abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
-                        raise ValueError(
-                            f"heat.velocity must agree with the motion of heated body {body}, "
-                            f"{speed:.9g} m/s along x, got {given:.9g} m/s: make both equal, or "
-                            "set heat.track"
-                        )
+            if "duration" in step and heat.track is None:
+                require_velocity_of_motion(heat, travels, step["duration"])
 
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
         """Return the Hertz contact at a load [N] > 0; None if Hertz theory does not apply.
@@ -242,6 +242,8 @@ class Case(CaseFile):
         if self.body1.coating or self.body2.coating or contact_law_of(self.contact).attracts:
             return None
         if self.relief1 is not None or self.relief2 is not None or periodic:
+            return None
+        if self.dents is not None:
             return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None
@@ -304,6 +306,8 @@ class Case(CaseFile):
             section = "contact"
             settings = settings_of(self.contact)
             simulation = Simulation(grid, body1, body2, heat=heat, **settings, **lies_between)
+            section = "dents"
+            prepare(simulation, None if self.dents is None else self.dents.build(settings))
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self._source}: [{section}] {error}") from error
         return simulation, self.steps()

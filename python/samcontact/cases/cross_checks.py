@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
+from .._util.travels import along_x, both_axes
 from ..problem.grid import within_period
 from ..problem.heating import NO_HEAT
 from .base import changed
@@ -33,7 +34,9 @@ def require_all_used(case: Any) -> None:
     _require_hardness(case)
     _require_repeatable(case)
     require_motion_of_heat(case)
+    _require_free_along_y(case)
     _require_known_faces(case)
+    _require_dentable(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -108,6 +111,30 @@ def require_hardness_used(
                 )
 
 
+def require_durations(case: Any) -> None:
+    """Raise ValueError unless the path has durations where, and only where, they are required."""
+    relaxes = case.body1.relaxes or case.body2.relaxes
+    for section in ("wear", "accuracy"):
+        if relaxes and getattr(case, section) is not None:
+            raise ValueError(f"relaxation of a body cannot be combined with {section}: omit one")
+    heated = case.heat is not None and case.heat.is_timed
+    timed = relaxes or heated or case.friction.needs_duration
+    for index, segment in enumerate(case.path):
+        moving = segment.passes is not None or segment.advance is not None
+        if relaxes and moving:
+            raise ValueError(
+                f"path[{index}]: viscoelastic bodies must not move: remove roll, slide and "
+                "advance, or the relaxation of the bodies"
+            )
+        if segment.is_timed != timed:
+            name = "duration" if segment.passes is None else "speed"
+            raise ValueError(
+                f"path[{index}]: {name} must be given if, and only if, heat.history, "
+                "heat.partition or falling_coulomb is given, or a body has relaxation: add the "
+                "missing one, or remove the other"
+            )
+
+
 def _require_repeatable(case: Any) -> None:
     """Raise ValueError if [shakedown] lacks an elastic-plastic body or a closed path."""
     if case.shakedown is None:
@@ -124,9 +151,8 @@ def _require_repeatable(case: Any) -> None:
             "shakedown requires an elastic-plastic body: set a hardening law in [body1] or "
             "[body2], or remove [shakedown]"
         )
-    travels = [
-        math.fsum(step.get("advance", (0.0, 0.0))[n] for step in case.steps()) for n in (0, 1)
-    ]
+    motions = [along_x(step.get("advance", (0.0, 0.0)), "with shakedown") for step in case.steps()]
+    travels = [math.fsum(motion[n] for motion in motions) for n in (0, 1)]
     if case.grid is not None:
         grid = case.grid.build()
         travels = [within_period(grid, travel) for travel in travels]
@@ -136,6 +162,23 @@ def _require_repeatable(case: Any) -> None:
             f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
+
+
+def _require_free_along_y(case: Any) -> None:
+    """Raise ValueError for motion along y of a case with anything that moves along x only."""
+    moved = (both_axes(step["advance"]) for step in case.steps() if "advance" in step)
+    if not any(travels[:, 1].any() for travels in moved):
+        return
+    for name in ("body1", "body2"):
+        body = getattr(case, name)
+        if body.is_plastic or getattr(body, "free_faces", None) is not None:
+            what = "an elastic-plastic body" if body.is_plastic else "free_faces"
+            raise ValueError(f"advance along y must be 0 with {what} in [{name}]")
+    for name in ("relief1", "relief2"):
+        if getattr(case, name) is not None:
+            raise ValueError(f"advance along y must be 0 with [{name}]: omit the relief")
+    if case.friction.sticks:
+        raise ValueError("advance along y must be 0 with partial slip: use full sliding")
 
 
 def _require_known_faces(case: Any) -> None:
@@ -152,6 +195,21 @@ def _require_known_faces(case: Any) -> None:
                 f"{name}.free_faces: the stress near a free face is not known: omit grid.dz, set "
                 'output.volume = "none", or select the other body with output.body'
             )
+
+
+def _require_dentable(case: Any) -> None:
+    """Raise ValueError if body 2 keeps no dents, or if [dents] cannot be combined."""
+    if case.dents is None:
+        return
+    if not case.body2.is_plastic:
+        raise ValueError(
+            "dents requires an elastic-plastic body2, because an elastic body keeps no dent: set "
+            "a hardening law in [body2], or describe the dent by [relief2]"
+        )
+    if case.wear is not None:
+        raise ValueError("dents cannot be combined with [wear]: omit one of them")
+    if case.grid is not None and case.grid.periodic:
+        raise ValueError("dents cannot be combined with grid.periodic: omit one of them")
 
 
 def _require_law_of_friction(case: Any) -> None:

@@ -16,6 +16,10 @@ from .allowed import described, discriminated, is_model, members, models_in, ope
 
 MAX_LINES = 20
 """Maximum number of errors reported for one case."""
+_LIKELY = 0.75
+"""Similarity of names above which one is probably a misspelling of the other."""
+SHORT_FORMS = ("roller", "bearing")
+"""Sections that are short for [surface] with this shape."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
@@ -38,7 +42,14 @@ _SYNONYMS = {
     "mu": ("friction", "coulomb"),
     "cof": ("friction", "coulomb"),
     "coefficient": ("coulomb", "friction"),
-    "force": ("load", "tangential_load_x"),
+    "force": ("load", "radial_load", "tangential_load_x"),
+    "load": ("radial_load",),
+    "width": ("length", "face_width"),
+    "balls": ("elements",),
+    "rollers": ("elements",),
+    "hv": ("surface",),
+    "vickers": ("surface",),
+    "tolerances": ("tol",),
     "forcex": ("tangential_load_x",),
     "forcey": ("tangential_load_y",),
     "moment": ("moment_x", "torque"),
@@ -73,9 +84,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
     place = _resolve(root, item["loc"])
     where, kind = _dotted(place.names), item["type"]
     if kind == "extra_forbidden":
-        name = str(place.names[-1])
-        near = nearest(name, place.fields) or _elsewhere(root, name)
-        hint = f"; did you mean {near}?" if near else ""
+        hint = _hint(root, place)
         return f"{where}: unknown field; allowed here: {', '.join(place.fields)}{hint}"
     if kind == "missing":
         return f"{where}: required field is missing"
@@ -105,6 +114,19 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
     return f"{where}: must be {allowed}, got {in_short(given)}{_remedy(allowed, given)}"
 
 
+def _hint(root: type[BaseModel], place: _FieldLocation) -> str:
+    """Return what an unknown field is probably meant to be; "" if nothing is similar."""
+    name = str(place.names[-1])
+    if likely := nearest(name, place.fields, _LIKELY):
+        return f"; did you mean {likely}?"
+    for key in ("law", "shape", "kind"):
+        forms = [one for one in place.forms if is_model(one) and name in one.model_fields]
+        if words := [repr(word) for one in forms for word in tags(one, key)]:
+            return f"; {name} belongs to {key} = {' or '.join(words)}"
+    near = _elsewhere(root, name) or nearest(name, place.fields)
+    return f"; did you mean {near}?" if near else ""
+
+
 def _holds_tables(annotation: Any) -> bool:
     """Whether an annotation is a list of sections (TOML tables)."""
     if get_origin(annotation) is not list:
@@ -120,6 +142,8 @@ def _remedy(allowed: str, given: Any) -> str:
         return ": write true or false without quotes"
     if "number" in allowed and isinstance(given, str) and _NUMBER.fullmatch(given):
         return ": write it without quotes"
+    if allowed == "a table" and isinstance(given, list) and len(given) == 1:
+        return ": write one pair of brackets"
     if "whole number" in allowed and isinstance(given, float) and given.is_integer():
         return ": write it without a decimal point or an exponent"
     return ""
@@ -135,25 +159,41 @@ def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
     return content
 
 
-def nearest(name: str, fields: Sequence[str]) -> str | None:
-    """Return the field probably meant by a wrong name (a synonym or misspelling), or None."""
+def nearest(name: str, fields: Sequence[str], cutoff: float = 0.5) -> str | None:
+    """Return the field probably meant by a wrong name (a synonym or misspelling), or None.
+
+    cutoff: minimum similarity of a misspelling, 1 for equal names. Below `_LIKELY`, the names must
+    have a word, or their first letters, in common.
+    """
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
     for suggestion in _SYNONYMS.get(word, ()):
         if suggestion in fields:
             return suggestion
-    found = difflib.get_close_matches(name.lower(), lower, 1, cutoff=0.5)
-    return lower[found[0]] if found else None
+    for found in difflib.get_close_matches(name.lower(), lower, len(lower) or 1, cutoff=cutoff):
+        similar = difflib.SequenceMatcher(None, name.lower(), found).ratio()
+        words = set(name.lower().split("_")) & set(found.split("_"))
+        if similar >= _LIKELY or words or found[:3] == name[:3].lower():
+            return lower[found]
+    return None
 
 
 def _elsewhere(root: type[BaseModel], name: str) -> str | None:
     """Return "section.field" of another section that has a field of this name, or None."""
-    for section, field in root.model_fields.items():
-        known = {inner for model in models_in(field.annotation) for inner in model.model_fields}
-        for suggestion in (name, name.removeprefix(f"{section}_")):
-            if suggestion in known:
-                return f"{section}.{suggestion}"
+    word = re.sub(r"[^a-z]", "", name.lower())
+    for suggestions in ((name,), _SYNONYMS.get(word, ())):
+        for section, field in root.model_fields.items():
+            for model in models_in(field.annotation):
+                for suggestion in (*suggestions, name.removeprefix(f"{section}_")):
+                    if suggestion in model.model_fields:
+                        return f"{_short_form(section, model)}.{suggestion}"
     return None
+
+
+def _short_form(section: str, model: type[BaseModel]) -> str:
+    """Return the name of a section: "bearing" for a [surface] with the shape of a bearing."""
+    words = tags(model, "shape")
+    return words[0] if section == "surface" and set(words) & set(SHORT_FORMS) else section
 
 
 def _dotted(names: Sequence[str | int]) -> str:
@@ -171,6 +211,8 @@ class _FieldLocation(NamedTuple):
     names: list[str | int]
     annotation: Any
     marks: Sequence[Any]
+    forms: Sequence[Any] = ()
+    """Alternatives of the section with an unknown field."""
 
 
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
@@ -180,18 +222,20 @@ def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:
     `loc`. The location in the returned value ends at the field.
     """
     place = _FieldLocation([], [], root, ())
+    forms: list[Any] = []
     for element in loc:
         kind, marks = opened(place.annotation, place.marks)
         several = members(kind)
         if len(several) > 1 and discriminated(marks):
-            chosen = [one for one in several if element in tags(one)]
+            chosen, forms = [one for one in several if element in tags(one)], several
             place = place._replace(annotation=chosen[0] if chosen else None, marks=())
         elif is_model(kind):
             names, fields = [*place.names, element], kind.model_fields
             if element not in fields:
-                return _FieldLocation(list(fields), names, None, ())
+                return _FieldLocation(list(fields), names, None, (), forms)
             marks = [*fields[element].metadata, fields[element]]
             place = _FieldLocation(list(fields), names, fields[element].annotation, marks)
+            forms = []
         elif get_origin(kind) in (list, dict) and isinstance(element, (int, str)):
             inherited = [mark for mark in marks if unit_of(None, [mark])]
             names = [*place.names, element]

@@ -19,12 +19,17 @@ FIRST_CASES = {
     "bearing": "b5_bearing_6208",
     "roller": "b6_misaligned_roller",
     "gear": "b4_gear_flank",
-    "dent": "r1_rolling_over_dent",
-    "coating": "w3_coated_wear",
+    "case_depth": "b7_case_depth",
+    "coated_gear": "b8_coated_gear",
+    "dent": "r6_dented_raceway",
+    "coating": "c1_coated_contact",
+    "coating_wear": "w3_coated_wear",
     "rough": "w2_running_in",
     "fretting": "s1_fretting_ball",
-    "rail": "s2_wheel_that_pulls",
+    "blade": "s5_blade_root",
+    "rail": "s6_rail_traction",
     "indentation": "v1_nano_indentation",
+    "coated_indentation": "v3_coated_indentation",
 }
 """Name of the example to start from, by kind of problem."""
 

@@ -12,6 +12,7 @@ from ..bodies.hardening_laws import LAWS
 from .allowed import models_in, unit_of
 from .asperities import AsperityCase
 from .case import Case
+from .errors import SHORT_FORMS
 
 # Units of law constants; microstrain is not converted, as it is stored as a plain number.
 _LAW_UNITS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
@@ -50,4 +51,5 @@ def field_unit(name: str) -> str:
     """Return the unit of a dotted field, e.g. "Pa" for "body2.yield_stress"; "" without a unit."""
     plain = re.sub(r"\[\d+\]", "", name)
     section, _, field = plain.partition(".")
+    section = "surface" if section in SHORT_FORMS else section
     return _units(section).get(field.rpartition(".")[2], "")

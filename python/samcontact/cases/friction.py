@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import MISSING, fields
 from typing import TYPE_CHECKING, Annotated, Any
 
 from pydantic import Discriminator, Tag, create_model, model_validator
@@ -32,16 +33,24 @@ class _FrictionLaw(Section):
         return law_of({"law": name, **parameters})
 
 
+def default_of(law: type[FrictionLaw], name: str) -> Any:
+    """Return the default of a parameter of a law; `...` if it has none."""
+    (given,) = (item.default for item in fields(law) if item.name == name)
+    return ... if given is MISSING else list(given) if isinstance(given, tuple) else given
+
+
 def _friction_section() -> Any:
     """Create the section with one field per law: a number for a single constant, else a table."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:
             continue
-        fields = {n: field_of(constant) for n, constant in law.constants.items()}
-        annotation = next(iter(fields.values()))
-        if len(fields) > 1:
-            parameters: dict[str, Any] = {n: (field, ...) for n, field in fields.items()}
+        values = {n: field_of(constant) for n, constant in law.constants.items()}
+        annotation = next(iter(values.values()))
+        if len(values) > 1:
+            parameters: dict[str, Any] = {
+                n: (field, default_of(law, n)) for n, field in values.items()
+            }
             annotation = create_model(
                 f"{law.__name__}Parameters",
                 __base__=Section,

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
-from itertools import accumulate
+import itertools
+from collections.abc import Sequence
 from typing import Any
 
+from .._util.travels import both_axes
 from ..heat import Heat
 from ..problem.heating import NO_HEAT
 from ..simulation.steps import require_whole_cells
@@ -20,8 +22,26 @@ def require_motion_of_heat(case: Any) -> None:
             raise ValueError("wear.keep_heat requires heat.history: set it, or omit keep_heat")
         return
     _require_track(case, heat)
-    if case.grid is not None:
+    if case.grid is not None and heat.tracks[1] == 0:
         _require_steps_of_cells(case, case.grid.dx)
+
+
+def require_velocity_of_motion(
+    heat: Heat, travels: Sequence[Sequence[float]], duration: float
+) -> None:
+    """Raise ValueError unless heated bodies move at heat.velocity.
+
+    travels: displacements [body][axis] [m] in a duration [s].
+    """
+    axes = "xy" if travels[0][1] or travels[1][1] else "x"
+    for body, (n, axis) in itertools.product((1, 2), enumerate(axes)):
+        speed, given = travels[body - 1][n] / duration, heat.velocity[body - 1][n]
+        if heat.shares[body - 1] > 0 and abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
+            raise ValueError(
+                f"heat.velocity must agree with the motion of heated body {body}, "
+                f"{speed:.9g} m/s along {axis}, got {given:.9g} m/s: make both equal, or "
+                "set heat.track"
+            )
 
 
 def _require_steps_of_cells(case: Any, dx: float) -> None:
@@ -33,7 +53,7 @@ def _require_steps_of_cells(case: Any, dx: float) -> None:
             kind = "roll" if segment.roll is not None else "slide"
             field, remedy = f"{kind}.step", f"{kind}.step and {kind}.distance"
         for step in steps:
-            moved = [distance / dx for distance in step.get("advance", ())]
+            moved = (both_axes(step.get("advance", (0.0, 0.0)))[:, 0] / dx).tolist()
             try:
                 require_whole_cells(moved, dx)
             except ValueError as error:
@@ -44,22 +64,25 @@ def _require_steps_of_cells(case: Any, dx: float) -> None:
 
 def _require_track(case: Any, heat: Heat) -> None:
     """Raise ValueError if heated bodies return without a track, or travel beyond it."""
-    steps = case.steps()
-    for body in (1, 2):
-        moves = [step.get("advance", (0.0, 0.0))[body - 1] for step in steps]
-        positions = [0.0, *accumulate(moves)]
+    moved = [both_axes(step.get("advance", (0.0, 0.0))) for step in case.steps()]
+    for body, axis in itertools.product((1, 2), (0, 1)):
+        moves = [float(step[body - 1, axis]) for step in moved]
+        positions = [0.0, *itertools.accumulate(moves)]
         length = max(positions) - min(positions)
         if heat.shares[body - 1] == 0:
             continue
-        if heat.track is not None and length > heat.track * (1.0 + 1e-9):
+        where = " along y" if axis else ""
+        track = heat.tracks[axis]
+        if heat.track is not None and length > track * (1.0 + 1e-9):
             raise ValueError(
-                f"heat.track must be at least the length of the path of body {body}, "
-                f"{length:.9g} m, got {heat.track!r} m: increase heat.track"
+                f"heat.track{where} must be at least the length of the path of body {body}{where}, "
+                f"{length:.9g} m, got {track!r} m: increase heat.track"
             )
         if heat.track is None and min(moves) < 0.0 < max(moves):
+            value = f"[length along x, {length:.9g}]" if axis else f"{length:.9g}"
             raise ValueError(
-                f"heat.track is required because the path moves heated body {body} back and forth: "
-                f"set heat.track = {length:.9g} instead of heat.velocity"
+                f"heat.track is required because the path moves heated body {body} back and forth"
+                f"{where}: set heat.track = {value} instead of heat.velocity"
             )
 
 

@@ -92,11 +92,15 @@ class Segment(TiltingSection):
     start: Finite | None = None
     spacing: Literal["linear", "power"] = "linear"
     exponent: Positive = 2.0
-    advance: Annotated[Pair, in_unit("m")] | None = None
+    advance: (
+        Annotated[Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], in_unit("m")]
+        | None
+    ) = None
     roll: Rolling | None = None
     slide: Sliding | None = None
     fret: Fretting | None = None
-    duration: Annotated[Positive, in_unit("s")] | None = None
+    duration: Annotated[NonNegative, in_unit("s")] | None = None
+    first_duration: Annotated[Positive, in_unit("s")] | None = None
     heat_factor: HeatFactor | None = None
 
     @model_validator(mode="before")
@@ -151,7 +155,7 @@ class Segment(TiltingSection):
                 *TANGENTIAL_FIELDS,
                 *TILTING_FIELDS,
             }
-            others.add("duration" if self.fret is None else "heat_factor")
+            others |= {"first_duration", "duration" if self.fret is None else "heat_factor"}
             given = sorted(changed(self, others))
             if given:
                 hint = ": set its speed instead of duration" if "duration" in given else ""
@@ -240,12 +244,18 @@ class Segment(TiltingSection):
             "heat_factor": self.heat_factor,
         }
         optional = (self.advance, self.duration, self.heat_factor)
-        if target == start and (self.along or self.tilting or optional != (None, None, None)):
+        held = self.along or self.tilting or optional != (None, None, None)
+        if self.first_duration is not None and not (target == start and self.duration):
+            raise ValueError(
+                f"first_duration requires a constant {name} and a duration > 0: hold the "
+                f"{name} reached before, in a [[path]] of its own"
+            )
+        if target == start and held:
             if changed(self, ["spacing"]):
                 raise ValueError(
                     f"spacing requires a change of {name}, which stays at {target!r}: omit spacing"
                 )
-            steps = paths.hold(**common)
+            steps = paths.hold(**common, first_duration=self.first_duration)
         else:
             steps = paths.ramp(start=start, spacing=self.spacing, exponent=self.exponent, **common)
         parts = fractions(self.increments, self.spacing, self.exponent)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shapes of parts in [surface]: indenters, gear flanks, wheel and rail."""
+"""Shapes of parts in [surface]: indenters, gear flanks, cams, wheel and rail."""
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -12,7 +13,7 @@ from .. import parts
 from .._util.checks import FloatArray
 from ..measured.plain import plain_heights
 from ..parts.indenters import BERKOVICH_HALF_ANGLE, VICKERS_HALF_ANGLE
-from .base import Finite, Length, NonNegative, Pair, Position, Positive, in_unit
+from .base import Finite, Length, NonNegative, Pair, Position, Positive, Radius, in_unit
 from .surface_shape import SurfaceShape
 
 if TYPE_CHECKING:
@@ -142,6 +143,54 @@ class GearSurface(SurfaceShape):
         return self.contact().surface(grid)
 
 
+class CamSurface(SurfaceShape):
+    """Cam on a flat-faced tappet at an angle of the cam, see `parts.Cam`."""
+
+    shape: Literal["cam"]
+    base_radius: Length
+    eccentricity: Rounding | None = None
+    max_lift: Length | None = None
+    event_angle: Angle | None = None
+    lift_angle: Annotated[list[Finite], Field(min_length=5), in_unit("rad")] | None = None
+    lift: Annotated[list[NonNegative], Field(min_length=5), in_unit("m")] | None = None
+    cam_angle: Angle = 0.0
+    crown_radius: Radius = math.inf
+
+    @model_validator(mode="after")
+    def _follows(self) -> CamSurface:
+        self.contact()
+        return self
+
+    @property
+    def cam(self) -> parts.Cam:
+        """Cam of this section; ValueError if its lift is not given in exactly one form."""
+        harmonic = self.max_lift, self.event_angle
+        table = self.lift_angle, self.lift
+        forms = [self.eccentricity is not None, any(v is not None for v in harmonic),
+                 any(v is not None for v in table)]  # fmt: skip
+        if sum(forms) != 1 or (forms[1] and None in harmonic) or (forms[2] and None in table):
+            raise ValueError(
+                "exactly one of eccentricity, max_lift with event_angle, or lift_angle with lift "
+                "must be given"
+            )
+        if self.eccentricity is not None:
+            return parts.Cam.eccentric(self.base_radius + self.eccentricity, self.eccentricity)
+        if self.max_lift is not None and self.event_angle is not None:
+            return parts.Cam.harmonic(self.base_radius, self.max_lift, self.event_angle)
+        return parts.Cam.table(self.base_radius, self.lift_angle or (), self.lift or ())
+
+    def contact(self) -> parts.TappetContact:
+        """Contact of cam and tappet at the given angle."""
+        return self.cam.at(self.cam_angle)
+
+    def radii(self) -> tuple[float, float] | None:
+        """Radii at the contact; the one along y is infinite without a crown."""
+        return self.contact().radius, self.crown_radius
+
+    def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
+        return self.contact().surface(grid, self.crown_radius)
+
+
 class WheelRailSurface(SurfaceShape):
     """Wheel and rail with profiles from files, see `parts.WheelRail`."""
 
@@ -187,5 +236,6 @@ PartSurface = (
     | BerkovichSurface
     | VickersSurface
     | GearSurface
+    | CamSurface
     | WheelRailSurface
 )

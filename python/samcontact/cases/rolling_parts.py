@@ -10,7 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
 
 from .. import bearings, hertz, surfaces
 from .._util.checks import FloatArray
@@ -18,6 +18,7 @@ from .._util.short_text import in_short
 from ..bearings.rating import STEEL_CONTACT_MODULUS
 from ..bodies.layered import softest
 from .base import Count, Finite, Length, NonNegative, Radius, in_unit
+from .errors import SHORT_FORMS
 from .surface_shape import FirstGrid, SurfaceShape
 
 if TYPE_CHECKING:
@@ -27,10 +28,8 @@ if TYPE_CHECKING:
 Angle = Annotated[Finite, in_unit("rad")]
 Race = Literal["inner", "outer"]
 _REFINED = 80.0
-"""Factor on the number of cells along a roller, because the pressure at the ends varies within a
-few per cent of the length."""
-SHORT_FORMS = ("roller", "bearing")
-"""Sections that are short for [surface] with this shape."""
+"""Factor on the number of cells along a roller, because the pressure at its ends varies within a
+few per cent of its length."""
 
 
 class _RollingSurface(SurfaceShape):
@@ -122,11 +121,16 @@ def _misalignment(
     return bearing.element_loads(radial_load, axial_load, moment).tilt
 
 
+def _as_text(given: Any) -> Any:
+    """Return a designation without quotes, e.g. 6208, as text."""
+    return str(given) if type(given) is int else given
+
+
 class BearingSurface(_RollingSurface):
     """Most heavily loaded element of a bearing, see `bearings.Bearing`."""
 
     shape: Literal["bearing"]
-    designation: str | None = None
+    designation: Annotated[str | None, BeforeValidator(_as_text)] = None
     bore: Length | None = None
     outside_diameter: Length | None = None
     kind: Literal["deep_groove", "angular_contact", "cylindrical_roller"] | None = None
@@ -245,6 +249,11 @@ class BearingSurface(_RollingSurface):
             )
 
 
+def _tables(given: Any) -> list[Any]:
+    """Return the tables of a list of sections; [] for a value of another type."""
+    return given if isinstance(given, list) else []
+
+
 def in_full(content: Any) -> Any:
     """Return the content of a case file with [surface] for [roller] or [bearing], and with a path.
 
@@ -261,7 +270,8 @@ def in_full(content: Any) -> Any:
         if isinstance(part, Mapping):
             found["surface"] = {"shape": name, **part}
         elif part is not None:
-            raise ValueError(f"{name}: must be a table, got {in_short(part)}")
+            remedy = f": write [{name}] instead of [[{name}]]" if isinstance(part, list) else ""
+            raise ValueError(f"{name}: must be a table, got {in_short(part)}{remedy}")
     surface = found.get("surface")
     if "path" in found or not isinstance(surface, Mapping) or surface.get("shape") != "bearing":
         return found
@@ -269,7 +279,7 @@ def in_full(content: Any) -> Any:
         part.get("law", "elastic")
         for name in ("body1", "body2")
         if isinstance(body := found.get(name), Mapping)
-        for part in (body, *body.get("layers", ()))
+        for part in (body, *_tables(body.get("layers")))
         if isinstance(part, Mapping)
     ]
     if all(law in ("elastic", "rigid") for law in laws):

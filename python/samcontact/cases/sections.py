@@ -279,7 +279,12 @@ class HeatSection(Section):
         None
     )
     reference: Length | None = None
-    track: Length | None = None
+    track: (
+        Annotated[
+            Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m")
+        ]
+        | None
+    ) = None
 
     @model_validator(mode="after")
     def _go_together(self) -> HeatSection:

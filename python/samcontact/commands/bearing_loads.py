@@ -33,21 +33,57 @@ def cases_by_race(case: Case) -> dict[str, Case]:
     return found
 
 
-def in_metres(target: str, case: Case) -> str:
-    """Return a target such as "permanent_deformation=1e-4 D" with the diameter D in metres."""
+def unit_of(name: str) -> str:
+    """Return the SI unit of a quantity that a load search knows, "1" for a pure number."""
+    from .._util.quantities import CONTACT
+    from ..accuracy.load_search_cases import PERMANENT_DEFORMATION
+
+    kind = name.strip().partition("_body")[0]
+    return CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT_DEFORMATION else "1"
+
+
+def diameter_of(target: str, case: Case) -> float | None:
+    """Return the diameter D [m] for a target such as "permanent_deformation=1e-4 D", else None."""
     match = _IN_DIAMETERS.fullmatch(target)
     if match is None:
-        return target
+        return None
     surface: Any = case.surface
     if surface.shape not in ("bearing", "roller"):
         raise ValueError(
             "QUANTITY=VALUE with the unit D (diameter of the rolling element) requires [bearing] "
             "or [roller]: use a unit of length"
         )
+    name = match[1].partition("=")[0]
+    if unit_of(name) != "m":
+        raise ValueError(
+            "QUANTITY=VALUE with the unit D (diameter of the rolling element) must be a length, "
+            f"e.g. permanent_deformation, got {name}: use its own unit"
+        )
     bearing = getattr(surface, "bearing", None)
-    diameter = surface.diameter if bearing is None else bearing.element_diameter
-    name, _, value = match[1].partition("=")
+    return float(surface.diameter if bearing is None else bearing.element_diameter)
+
+
+def in_metres(target: str, case: Case) -> str:
+    """Return a target such as "permanent_deformation=1e-4 D" with the diameter D in metres."""
+    diameter = diameter_of(target, case)
+    if diameter is None:
+        return target
+    name, _, value = target.strip().removesuffix("D").partition("=")
     return f"{name}={float(value) * diameter!r}"
+
+
+def largest_contact_load(case: Case, largest_load: float | None) -> float | None:
+    """Return the contact load [N] at an upper limit of the load [N], which is that of a bearing.
+
+    For a bearing, the limit is the radial load on it; the axial load if there is no radial load.
+    """
+    surface: Any = case.surface
+    if largest_load is None or surface.shape != "bearing" or not largest_load > 0.0:
+        return largest_load
+    radial, axial, moment = surface.loads
+    factor = largest_load / (radial or axial)
+    turned = None if moment is None else factor * moment
+    return float(surface.bearing.max_element_load(factor * radial, factor * axial, turned))
 
 
 def load_on_bearing(case: Case, found: FoundLoad) -> float:
@@ -57,8 +93,13 @@ def load_on_bearing(case: Case, found: FoundLoad) -> float:
     return float(surface.bearing.load_factor(found.load, *surface.loads) * (radial or axial))
 
 
-def table(founds: Mapping[str, FoundLoad], cases: Mapping[str, Case]) -> dict[str, dict[str, str]]:
-    """Return the columns of the table of results, each with its values by label."""
+def table(
+    founds: Mapping[str, FoundLoad], cases: Mapping[str, Case], diameter: float | None = None
+) -> dict[str, dict[str, str]]:
+    """Return the columns of the table of results, each with its values by label.
+
+    diameter: diameter of the rolling element [m] if the target is in this unit.
+    """
     columns = {}
     for race, found in founds.items():
         case = cases[race]
@@ -67,6 +108,8 @@ def table(founds: Mapping[str, FoundLoad], cases: Mapping[str, Case]) -> dict[st
         if surface.shape == "bearing":
             rows = {"contact load" if label == "load" else label: v for label, v in rows.items()}
             rows |= _rows_of_bearing(case, found)
+        if diameter is not None:
+            rows["D, diameter of the rolling element"] = quantity(diameter, "m", 6)
         columns[f"{race or getattr(surface, 'race', None) or 'result'}"] = rows
     return columns
 

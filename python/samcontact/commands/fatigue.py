@@ -35,6 +35,9 @@ def write_fatigue(
     if fields:
         console.print(_sheet(fields, limits, body))
     parts = [field.to_dataset() for field in fields]
+    for field, part in zip(fields, parts, strict=True):
+        if (limit := limits[field.criterion]) is not None:
+            part[field.criterion].attrs["limit"] = limit
     attributes = {"title": case.title, "body": body, "samcontact_version": version}
     if exposed is not None:
         console.print(_exposure_sheet(exposed, body))

@@ -11,7 +11,15 @@ import click
 from .._util.short_text import in_short
 from ..bearings.bearing import RACES
 from .arguments import FilePath, QuantityArgument
-from .bearing_loads import cases_by_race, in_metres, load_on_bearing, table
+from .bearing_loads import (
+    cases_by_race,
+    diameter_of,
+    in_metres,
+    largest_contact_load,
+    load_on_bearing,
+    table,
+    unit_of,
+)
 from .errors import short_errors
 
 if TYPE_CHECKING:
@@ -28,7 +36,8 @@ if TYPE_CHECKING:
 @click.option(
     "--largest-load",
     type=QuantityArgument("N"),
-    help="Upper limit of the load [N]; default: 100 times the load of the case.",
+    help="Upper limit of the load [N], on the bearing for a bearing; default: 100 times the load "
+    "of the case.",
 )
 @click.option("--quiet", is_flag=True, help="Print only the load [N].")
 def find(
@@ -44,7 +53,8 @@ def find(
 
     For a bearing, both races are solved unless the case names one. The loads on the bearing are
     shown with C0 and s0 of ISO 76. With --quiet, only the radial load on the bearing is printed.
-    VALUE may be in diameters of the rolling element: "permanent_deformation=1e-4 D".
+    For bearings and rollers, D is a unit of length, the diameter of the rolling element:
+    "permanent_deformation=1e-4 D".
     """
     with short_errors(files=True):
         from ..accuracy.load_search import prepare_search
@@ -57,8 +67,8 @@ def find(
         founds = {}
         for race, one in cases.items():
             search = prepare_search(
-                one, name, value, tolerance=tolerance, largest_load=largest_load,
-                progress=not quiet,
+                one, name, value, tolerance=tolerance,
+                largest_load=largest_contact_load(one, largest_load), progress=not quiet,
             )  # fmt: skip
             founds[race] = _run_search(one, search)
         governing = min(founds, key=lambda race: founds[race].load)
@@ -68,7 +78,7 @@ def find(
             click.echo(repr(load_on_bearing(one, found) if is_bearing else found.load))
             return
         sheet = Sheet(case.title)
-        columns = table(founds, cases)
+        columns = table(founds, cases, diameter_of(target, case))
         labels = list(next(iter(columns.values())))
         sheet.add("", labels)
         for heading, rows in columns.items():
@@ -121,17 +131,12 @@ def parse_target(target: str) -> tuple[str, float]:
 
 def _value(name: str, text: str) -> float:
     """Return the value of a quantity in SI units, from a number or a number with a unit."""
-    from .._util.quantities import CONTACT
-    from ..accuracy.load_search_cases import PERMANENT_DEFORMATION
     from ..units import from_text
 
     try:
         return float(text)
     except ValueError:
-        kind = name.partition("_body")[0]
-        unit = (
-            CONTACT[kind].unit if kind in CONTACT else "m" if kind == PERMANENT_DEFORMATION else "1"
-        )
+        unit = unit_of(name)
         try:
             return from_text(text, {"m2": "m**2", "1": ""}.get(unit, unit))
         except ValueError as error:

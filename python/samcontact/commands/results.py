@@ -118,14 +118,15 @@ def report(run: Path, output: Path | None) -> None:
         target = output or default
         if source.exists():  # a missing file is reported below
             _require_page(target)
-        shakedown_file = source.with_name("shakedown.nc")
         with ExitStack() as opened:
             dataset = opened.enter_context(results.open_results(source))
-            repeated = None
-            if source.name == "results.nc" and shakedown_file.is_file():
-                repeated = opened.enter_context(results.open_results(shakedown_file))
+            more = {}
+            for name in ("shakedown", "fatigue"):
+                other = source.with_name(f"{name}.nc")
+                if source.name == "results.nc" and other.is_file():
+                    more[name] = opened.enter_context(results.open_results(other))
             opened.enter_context(_recorded(target, default))
-            file = reports.write(dataset, target, shakedown=repeated)
+            file = reports.write(dataset, target, **more)
             failed = [check for check in reports.checks(dataset) if not check.passed]
         for check in failed:
             text = f"check failed: {check.name}: {check.shown}, limit {check.condition}"

@@ -217,7 +217,7 @@ class _ContactRun:
         """Return grid errors from a run on a coarsened grid; None if not requested or failed."""
         if not self.case.estimate_error:
             run = self.simulation
-            repeat = repeat_with(type(run))
+            repeat = repeat_with(type(run), run.engine.preparation)
             check_errors(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
             return None
         try:
@@ -251,7 +251,7 @@ class _ContactRun:
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
     """Return the table of the main quantities at all increments, in readable units."""
     along = moved_along(dataset)
-    names = (*CONTACT_COLUMNS, "imprint_depth", "travel", *along, "iterations")
+    names = (*CONTACT_COLUMNS, "imprint_depth", "travel", "lateral_travel", *along, "iterations")
     shown = contact_columns(dataset, names, body)
     columns = [
         (quantity, without_rounding(dataset[name].values) if name in along

@@ -37,9 +37,9 @@ from .errors import short_errors
     help="For each case, find the load at which a quantity reaches a value, as samcontact find.",
 )
 @click.option("--output", type=FilePath(), help="Folder of the results.")
-@click.option("--quiet", is_flag=True, help="Print only the path of the results.")
+@click.option("--quiet", is_flag=True, help="Print only the paths of the results.")
 def sweep(case_file: Path, **options: Any) -> None:
-    """Solve a case file for many values of its fields and write sweep.nc.
+    """Solve a case file for many values of its fields and write sweep.nc, sweep.csv and sweep.png.
 
     Repeat the command to continue an interrupted sweep; failed cases are solved again.
     """

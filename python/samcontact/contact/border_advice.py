@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .._util.display import quantity
+from ..bodies.free_faces import contact_strip
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
@@ -34,6 +36,8 @@ def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     the first remedy replaces the remedy in `text`.
     """
     before, _, remedy = text.partition(_REMEDY)
+    if remedy and "normal to y" in before and (rows := _rows_beyond_faces(setup)):
+        return f"{before}: {rows}{remedy_prefix}"
     if setup.radii is not None or not remedy:
         return text
     if tilt := _tilt(setup.gap):
@@ -47,7 +51,27 @@ def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
             f"{_PERIODIC_HINT}{remedy_prefix}"
         )
     remedy = 'remove the shape of a measured surface with detrend="curvature"'
-    return f"{text}; {remedy}, or {_PERIODIC_HINT}"
+    end = (
+        "" if np.isinf(setup.gap).any() else "; if a body ends there, set the gap to inf beyond it"
+    )
+    return f"{text}; {remedy}, or {_PERIODIC_HINT}{end}"
+
+
+def _rows_beyond_faces(setup: ContactSetup) -> str:
+    """Remedy if the grid has no row of cells beyond a free face that it reaches; otherwise ""."""
+    grid, half = setup.grid, 0.5 * setup.grid.ny * setup.grid.dy
+    reached = [
+        face for face in contact_strip(setup.bodies)
+        if half - 0.5 * grid.dy < abs(face) < 2.0 * half
+    ]  # fmt: skip
+    if not reached:
+        return ""
+    needed = max(math.ceil((abs(face) - half) / grid.dy - 1e-6) + 1 for face in reached)
+    places = " and ".join(f"y = {quantity(face, 'm')}" for face in reached)
+    return (
+        f"the grid must contain a row of cells beyond the free face at {places}: use ny = "
+        f"{grid.ny + 2 * needed} with dy = {quantity(grid.dy, 'm')}"
+    )
 
 
 def _tilt(gap: FloatArray) -> str:

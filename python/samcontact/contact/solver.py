@@ -17,6 +17,7 @@ from .._util.checks import FloatArray, exactly_one, finite_array, require_type
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import Body, require_bodies
+from ..bodies.viscoelastic import require_no_relaxation
 from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
 from ..problem.contact_law import ContactLaw
@@ -31,7 +32,7 @@ from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
 from .normal_drive import NormalDrive
-from .tangential_drive import Pressing, TangentialDriver, tangential_drive
+from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
 
 
 class ContactSolver(ContactFields):
@@ -96,6 +97,11 @@ class ContactSolver(ContactFields):
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
+        require_no_relaxation(
+            "a single contact has no duration; use Simulation, or the body without relaxation",
+            body1,
+            body2,
+        )
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
@@ -121,12 +127,15 @@ class ContactSolver(ContactFields):
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
-        setup = grid._core, body1._core, body2._core
+        self._core = self._new_core()
+
+    def _new_core(self) -> Any:
+        """Return the solver of the core."""
+        setup = self.grid._core, self.body1._core, self.body2._core
         law, contact = self._law.to_core(), self.contact_law.to_core()
         if self._law.sticks:
-            self._core = _core.PartialSlipContact(*setup, law, contact)
-        else:
-            self._core = _core.ContactSolver(*setup, law, self._heating, contact)
+            return _core.PartialSlipContact(*setup, law, contact)
+        return _core.ContactSolver(*setup, law, self._heating, contact)
 
     def __repr__(self) -> str:
         return (
@@ -152,6 +161,8 @@ class ContactSolver(ContactFields):
         previous: ShearedSolution | None = None,
         advance: Sequence[float] = (0.0, 0.0),
         initial_pressure: ArrayLike | None = None,
+        duration: float | None = None,
+        slip_rate: float | None = None,
     ) -> ContactSolution:
         """Solve the contact for a given load or approach.
 
@@ -205,6 +216,13 @@ class ContactSolver(ContactFields):
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
             for a similar gap or load, saves the coarser grids and most iterations. If the iteration
             does not converge from this pressure, the solve is repeated without it.
+        duration : float, optional
+            Duration of the increment [s], with friction that depends on the slip rate
+            (`FallingCoulomb`).
+        slip_rate : float, optional
+            With `duration`: slip rate of all cells from which the iteration starts [m/s], >= 0,
+            which selects one of several solutions. Default: that of `previous`, or 0; an increment
+            that may have several solutions is then refused.
 
         Returns
         -------
@@ -243,6 +261,7 @@ class ContactSolver(ContactFields):
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
+        drive = at_pace(drive, self._law, duration, slip_rate)
         name = exactly_one(load=load, approach=approach)
         normal = NormalDrive.of(name, load if approach is None else approach, moment, tilt)
         return solve_driven(self, gap, normal, drive, initial_pressure)

@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 import numpy as np
 
 from .. import _core
-from .._util.checks import FloatArray, finite, finite_array, in_cells, require_type
+from .._util.checks import FloatArray, finite, finite_array, in_cells, non_negative, require_type
 from .._util.short_text import in_short
 from ..problem.contact_law import in_contact
-from ..problem.friction import FrictionLaw
+from ..problem.friction import FrictionLaw, lasting
 from ..problem.grid import Grid
 from ..solutions.contact_solution import (
     Before,
@@ -21,6 +21,7 @@ from ..solutions.contact_solution import (
     PartialSlipSolution,
     ShearedSolution,
     before_on,
+    slip_rate_on,
 )
 
 _DIRECTIONS = ("x", "y")
@@ -89,6 +90,10 @@ class TangentialDrive:
     previous: ShearedSolution | None
     travels: tuple[float, float] = (0.0, 0.0)
     """Displacement of each surface through the contact in this increment [m]."""
+    duration: float = 0.0
+    """Duration of the increment [s]; 0 for friction that does not depend on the slip rate."""
+    slip_rate: float | None = None
+    """Slip rate from which the iteration starts [m/s]; None: that of the preceding increment."""
 
     @property
     def mean_travel(self) -> float:
@@ -108,6 +113,18 @@ class TangentialDrive:
             return np.roll(pressure, cells, -2), np.roll(shear, cells, -2), None, approach, tilt
         _require_kept(pressure, cells, grid)
         return carried(pressure, cells), carried(shear, cells), None, approach, tilt
+
+    def _rate(self, grid: Grid) -> FloatArray | None:
+        """Return the slip rate from which the iteration starts [m/s]; None: 0."""
+        if self.duration == 0.0:
+            return None
+        if self.slip_rate is not None:
+            return np.full(grid.surface_shape, self.slip_rate)
+        over = None if self.previous is None else slip_rate_on(self.previous, grid)
+        if over is None:
+            return None
+        cells = round(self.mean_travel / grid.dx)
+        return np.roll(over, cells, -2) if grid.along_x else carried(over, cells)
 
     def solved(
         self,
@@ -132,8 +149,9 @@ class TangentialDrive:
         drive = self.given.is_force, (x, y, turn)
         tol, most, refuse, accept = settings
         found = core.solve(
-            *contact, *drive, p, s, g, d, tilt, moves, start, tol, most, refuse, accept
-        )
+            *contact, *drive, p, s, g, d, tilt, moves, start, tol, most, refuse, accept,
+            self.duration, self._rate(grid), self.slip_rate is not None,
+        )  # fmt: skip
         dx, dy, turned = found.pop("motion")
         return self._total(grid, found, (dx, dy + lead * turned), turned)
 
@@ -226,6 +244,26 @@ def tangential_drive(
     if (first, second) != (0.0, 0.0):
         _require_rolling(drive, grid)
     return drive
+
+
+def at_pace(
+    drive: TangentialDrive, law: FrictionLaw, duration: float | None, slip_rate: float | None
+) -> TangentialDrive:
+    """Return a drive with the duration of the increment, and its first slip rate."""
+    lasts = lasting(law, duration)
+    if slip_rate is not None:
+        if not lasts:
+            raise ValueError(
+                f"slip_rate has no effect with friction that does not depend on it, got "
+                f"{in_short(slip_rate)}: omit it, or use samcontact.FallingCoulomb"
+            )
+        slip_rate = non_negative("slip_rate", slip_rate)
+    if law.varies_along_x and any(drive.travels):
+        raise ValueError(
+            f"advance must be (0, 0) with friction that varies along x, got {drive.travels!r}: use "
+            "Simulation, in which the coefficients move with their body"
+        )
+    return replace(drive, duration=lasts, slip_rate=slip_rate) if lasts else drive
 
 
 def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:

@@ -28,6 +28,10 @@ if TYPE_CHECKING:
 MAX_PARABOLOID_DEVIATION = 0.03
 """Maximum deviation of a gap from a paraboloid, divided by the height range of the gap. A sphere
 of radius R has a ratio of (r/R)^2/4 on a grid of half-width r."""
+MAX_EXTENDED_DEVIATION = 0.1
+"""Maximum deviation of a gap from a paraboloid at the ends of the Hertz contact, divided by the
+height there. Beyond the grid, the deviation is assumed to grow like the fourth power of the
+distance: a gap that flattens or drops towards the end of a body is no paraboloid there."""
 _ROUNDING_MARGIN = 1e-6
 """Relative margin for rounding errors, at both ends of the range of loads that pass all checks."""
 _FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
@@ -45,6 +49,30 @@ class PlasticBody(NamedTuple):
     """Minimum initial yield stress [Pa]."""
     yielding: list[tuple[float, float]]
     """Young's modulus [Pa] and minimum yield stress [Pa] of each elastic-plastic material."""
+
+
+class Paraboloid(NamedTuple):
+    """Convex paraboloid that approximates a gap."""
+
+    larger: float
+    """Larger radius [m]."""
+    smaller: float
+    """Smaller radius [m]."""
+    cosine: float
+    """Cosine of the angle between x and the plane of the larger radius."""
+    reach: tuple[float, float]
+    """Distances along x and y [m] within which the gap is close to the paraboloid."""
+
+    def fits(self, expected: ExpectedContact) -> bool:
+        """Whether a Hertz contact lies within the reach.
+
+        A contact as wide as the radii is always one of them, so that its unit is questioned.
+        """
+        if all(e <= r for e, r in zip(_extent_of(expected, self), self.reach, strict=True)):
+            return True
+        long, short = expected.semi_axes
+        limit = plausibility.MAX_HALF_WIDTH_RATIO
+        return long > limit * self.larger or short > limit * self.smaller
 
 
 class ContactSetup:
@@ -110,12 +138,8 @@ class ContactSetup:
         return None if self._paraboloid is None else self._paraboloid[:2]
 
     @cached_property
-    def _paraboloid(self) -> tuple[float, float, float] | None:
-        """Radii of the gap; None if the gap is not a convex paraboloid.
-
-        The values are the larger radius [m], the smaller radius [m], and the cosine of the angle
-        between x and the plane of the larger radius.
-        """
+    def _paraboloid(self) -> Paraboloid | None:
+        """Paraboloid of the gap; None if the gap is not a convex paraboloid."""
         shape = self.grid.surface_shape
         if min(shape) < 3 or self.relieved:
             return None
@@ -134,7 +158,8 @@ class ContactSetup:
         heights = (heights - lowest) / (highest - lowest)
         basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
         found = np.linalg.solve(basis @ basis.T, basis @ heights)  # well conditioned in x/a, y/b
-        if not np.max(np.abs(found @ basis - heights)) <= MAX_PARABOLOID_DEVIATION:
+        deviation = float(np.max(np.abs(found @ basis - heights)))
+        if not deviation <= MAX_PARABOLOID_DEVIATION:
             return None
         xx, xy, yy = (found[3:] / (a * a, a * b, b * b)).tolist()
         mean, half = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
@@ -143,7 +168,14 @@ class ContactSetup:
             return None
         scale = highest - lowest
         sine = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # plane of maximum curvature
-        return 1.0 / (scale * flattest), 1.0 / (scale * sharpest), sine
+        allowed = MAX_EXTENDED_DEVIATION * 0.5 / max(deviation, 1e-30)
+        reach = tuple(
+            side * math.sqrt(max(allowed * float(part), 1.0))
+            for side, part in ((a, found[3]), (b, found[5]))
+        )
+        return Paraboloid(
+            1.0 / (scale * flattest), 1.0 / (scale * sharpest), sine, (reach[0], reach[1])
+        )
 
     @cached_property
     def E_star(self) -> float:
@@ -173,10 +205,14 @@ class ContactSetup:
         radii, E_star = self.radii, self.E_star
         try:
             if math.isclose(*radii, rel_tol=1e-6):
-                return ExpectedContact(hertz.point(radii[0], E_star, load=load, approach=approach))
-            return ExpectedContact(hertz.elliptic(*radii, E_star, load=load, approach=approach))
+                found = ExpectedContact(hertz.point(radii[0], E_star, load=load, approach=approach))
+            else:
+                found = ExpectedContact(
+                    hertz.elliptic(*radii, E_star, load=load, approach=approach)
+                )
         except (ValueError, ArithmeticError):  # floating-point overflow
             return None
+        return found if self._paraboloid is not None and self._paraboloid.fits(found) else None
 
     def warn_of_units(
         self, heat: Heat, target: Mapping[str, Any], *, is_loaded: bool = False, stacklevel: int
@@ -299,13 +335,11 @@ def extent(
     return (0.0, 0.0) if expected is None else _extent_of(expected, setup._paraboloid)
 
 
-def _extent_of(
-    expected: ExpectedContact, paraboloid: tuple[float, float, float] | None
-) -> tuple[float, float]:
+def _extent_of(expected: ExpectedContact, paraboloid: Paraboloid | None) -> tuple[float, float]:
     """Half-widths along x and y [m] of a contact ellipse in any orientation."""
     if paraboloid is None:
         return 0.0, 0.0
-    (a, b), c = expected.semi_axes, paraboloid[2]
+    (a, b), c = expected.semi_axes, paraboloid.cosine
     s = math.sqrt(max(0.0, 1.0 - c * c))
     return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
 

@@ -17,6 +17,7 @@ from .._util.lazy_scipy import scipy
 from ..bodies.layered import Body, softest
 from ..problem.contact_law import in_contact
 from ..solutions.outline import (
+    Sides,
     _rising,
     around,
     away_from_border,
@@ -52,6 +53,9 @@ class SharpEdge(NamedTuple):
     """Cells at the edge, shape (nx, ny)."""
     peak: tuple[int, int]
     """Indices of the edge cell with the maximum pressure."""
+    has_profile: bool = False
+    """Whether most cells of the edge are at the end of a body with a crowned or logarithmic
+    profile, i.e. the undeformed gap opens increasingly towards the end."""
 
 
 def sharp_edge(
@@ -95,6 +99,7 @@ def sharp_edge(
         return None
     found, inside = whole[window], in_contact(p)
     groups = [(sides, heights) for sides in sides_of(inside, periodic)]
+    before, count, profiled = None, 0, 0
     if initial_gap is not None:
         before = np.asarray(initial_gap, dtype=np.float64)[window]
         for sides in sides_between(inside, inside, periodic):
@@ -108,6 +113,9 @@ def sharp_edge(
         deflection = p[sides.i, sides.j] * grid_sizes[sides.axis] / E_star
         high = steps & (height > MIN_STEP_RATIO * deflection)
         found[sides.i[high], sides.j[high]] = True
+        if before is not None and high.any():
+            sides = sides._replace(i=sides.i[high], j=sides.j[high])
+            count, profiled = count + len(sides.i), profiled + _at_end_of_profile(sides, before)
     if not found.any():
         return None
     labels, _ = scipy.ndimage.label(found, structure=np.ones((3, 3)))
@@ -120,7 +128,21 @@ def sharp_edge(
     first = [
         slice_.indices(n)[0] for slice_, n in zip(window, (len(whole), len(whole[0])), strict=True)
     ]
-    return SharpEdge(whole, (int(i) + first[0], int(j) + first[1]))
+    return SharpEdge(whole, (int(i) + first[0], int(j) + first[1]), 2 * profiled > count)
+
+
+def _at_end_of_profile(sides: Sides, gap: FloatArray) -> int:
+    """Number of sides next to the end of a body towards which the gap opens increasingly."""
+    found = np.zeros(len(sides.i), dtype=np.bool_)
+    for direction in (1, -1):  # a side that the load has closed may face inwards
+        further_in, inner, own, outer, next_out = (
+            gap[sides.neighbours(gap.shape, direction * n)] for n in (-2, -1, 0, 1, 2)
+        )
+        ends = ~np.isfinite(outer) | ~np.isfinite(next_out)
+        with np.errstate(invalid="ignore"):
+            slope = inner - further_in
+            found |= ends & (slope > 0.0) & (own - inner > (1.0 + 1e-6) * slope)
+    return int(found.sum())
 
 
 def may_have_edge(solution: ContactSolution | State, setup: ContactSetup) -> bool:
@@ -158,6 +180,19 @@ def is_singular(name: str) -> bool:
     return name.partition("_body")[0] in SINGULAR_QUANTITIES
 
 
+def _remedy(solution: ContactSolution | State, edge: SharpEdge) -> str:
+    if edge.has_profile:
+        return (
+            "The profile drops towards this edge, but too little for the load and these cells "
+            f"({quantity(solution.grid.dx, 'm')} x {quantity(solution.grid.dy, 'm')}): use smaller "
+            "cells across the edge, or a larger drop"
+        )
+    return (
+        f"Round the edge with a radius of at least {MIN_CELLS_OF_ROUNDING} cells, or use a crowned "
+        "or logarithmic profile"
+    )
+
+
 def warn_of_edge(
     solution: ContactSolution | State, edge: SharpEdge | None, *, stacklevel: int
 ) -> bool:
@@ -171,8 +206,7 @@ def warn_of_edge(
         f"sharp edge, next to a step of the gap or the end of a body (x = {x}, y = {y}). In "
         "elastic contact the maximum pressure and the stresses near the edge grow without bound "
         "as the grid is refined. The load, the approach, the pressure a few cells away from the "
-        "edge and forces over a fixed length remain meaningful. Round the edge with a radius of "
-        f"at least {MIN_CELLS_OF_ROUNDING} cells, or use a crowned or logarithmic profile"
+        f"edge and forces over a fixed length remain meaningful. {_remedy(solution, edge)}"
     )
     warnings.warn(text, SingularPressureWarning, stacklevel=stacklevel + 1)
     return True

@@ -13,6 +13,7 @@ import numpy as np
 from .._util.checks import FloatArray, require_list, require_type
 from .._util.display import HtmlTable, Rows, percent, quantity
 from ..bodies.layered import Body, backstresses_of
+from ..bodies.viscoelastic import instantaneous, relaxation_of
 from ..contact.solver import ContactSolver
 from ..problem.friction import friction_law
 from ..solutions.state import State, on_common_grid
@@ -42,7 +43,7 @@ class EnergyBalance(HtmlTable):
     net_external_work : float
         Net external work: work input minus the work recovered in increments with negative work [J].
     elastic_energy : float
-        Elastic energy due to the current tractions [J].
+        Elastic energy due to the current tractions, and what viscoelastic bodies store [J].
     residual_energy : float
         Elastic energy of the residual stress [J].
     friction_work, plastic_work : float
@@ -52,6 +53,8 @@ class EnergyBalance(HtmlTable):
     expansion_work : float
         Work of thermal expansion [J]: work of the rising surfaces against the pressure, plus work
         of the thermal stress on the plastic strain. The heat supplies this work.
+    viscous_work : float
+        Energy dissipated by the viscosity of both bodies [J].
     """
 
     work_input: float
@@ -62,11 +65,13 @@ class EnergyBalance(HtmlTable):
     plastic_work: float
     eigenstrain_energy: float = 0.0
     expansion_work: float = 0.0
+    viscous_work: float = 0.0
 
     @property
     def imbalance(self) -> float:
         """(Net work of forces and expansion - stored - dissipated energy)/(work input) [-]."""
         found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
+        found += self.viscous_work
         supplied = self.net_external_work + self.expansion_work
         return (supplied - found) / self.work_input if self.work_input > 0 else 0.0
 
@@ -77,6 +82,7 @@ class EnergyBalance(HtmlTable):
         ]  # fmt: skip
         parts += ["eigenstrain_energy"] if self.eigenstrain_energy > 0 else []
         parts += ["expansion_work"] if self.expansion_work != 0 else []
+        parts += ["viscous_work"] if self.viscous_work != 0 else []
         rows = [(name.replace("_", " "), quantity(getattr(self, name), "J")) for name in parts]
         return [*rows, ("imbalance", percent(self.imbalance))]
 
@@ -143,6 +149,7 @@ def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, floa
             plastic += _plastic_work_of(body, number, states)
     return {
         "elastic_energy": _elastic_energy(simulation, states[-1]),
+        "viscous_work": sum(states[-1].viscous_work(body) for body in (1, 2)),
         "residual_energy": residual,
         "friction_work": _friction_work(simulation, states),
         "plastic_work": plastic,
@@ -162,6 +169,11 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
     """Return the reason why no energy balance can be computed; "" if it can be computed."""
     if not states:
         return "states must contain at least one state, got none"
+    if friction_law(simulation.friction).compliance > 0:
+        return (
+            "an energy balance is not available with a layer between the bodies "
+            f"(friction = {simulation.friction!r}), whose elastic energy is not computed"
+        )
     if simulation.contact_law.attracts:
         return (
             f"contact_law must not attract, got {simulation.contact_law!r}: the energy stored by "
@@ -174,6 +186,8 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
         )
     if not all(np.isfinite(state.approach) for state in states):
         return "states must be from load or approach control, got prescribed tractions"
+    if any(any(state.lateral_travel) for state in states):
+        return "states must not have moved along y: the work of this travel is not included"
     if _slides_fully(simulation):
         slid = np.diff([state.travel[0] - state.travel[1] for state in states])
         if np.any(slid * friction_law(simulation.friction).sliding_ratio < 0):
@@ -364,14 +378,22 @@ def _thermal_stress(simulation: Simulation, state: State, body: int) -> FloatArr
 
 
 def _elastic_solver(simulation: Simulation, state: State) -> ContactSolver:
-    bodies = simulation.body1, simulation.body2
-    return ContactSolver(state.grid, *bodies, simulation.friction, on_border="warn")
+    body1, body2 = map(instantaneous, _bodies(simulation))
+    return ContactSolver(state.grid, body1, body2, simulation.friction, on_border="warn")
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:
-    """Return half the work [J] of the tractions on the elastic displacement that they cause."""
+    """Return half the work [J] of the tractions on the elastic displacement that they cause.
+
+    The energy of a viscoelastic body is the work supplied less the viscous work.
+    """
     solver = _elastic_solver(simulation, state)
     pressure, shear = state.pressure, state.shear
-    first, second = (solver.displacement(pressure, shear, body) for body in (1, 2))
+    relaxing = [relaxation_of(body) is not None for body in _bodies(simulation)]
+    first, second = (
+        np.zeros((3, *pressure.shape)) if relaxes else solver.displacement(pressure, shear, body)
+        for body, relaxes in enumerate(relaxing, 1)
+    )
     done = np.sum(pressure * (first[2] + second[2])) + np.sum(shear * (second - first)[:2])
-    return float(0.5 * state.grid.cell_area * done)
+    stored = sum(state.stored_energy(body) for body, relaxes in enumerate(relaxing, 1) if relaxes)
+    return float(0.5 * state.grid.cell_area * done + stored)

@@ -44,7 +44,7 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         "bearing steel for high temperatures",
         ("80MoCrV42-16", "1.3551"),
         (
-            ("E", 210e9, BOUCLY, ""),
+            ("E", 210e9, BOUCLY, "with B, C and n; 214 GPa in the data sheet of BTI Metals"),
             ("nu", 0.3, BOUCLY, ""),
             ("density", 7870.0, "BTI Metals, data sheet AISI M50", "20 °C"),
             ("expansion", 11.2e-6, "BTI Metals, data sheet AISI M50", "21 to 93 °C"),
@@ -57,10 +57,10 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         "martensitic stainless bearing steel",
         ("X105CrMo17", "1.4125", "SUS440C"),
         (
-            ("E", 200e9, ATLAS, ""),
+            ("E", 200e9, ATLAS, "215 GPa at 20 °C in EN 10088-1"),
             ("nu", 0.3, EN_1993_1_4, "stainless steels in general, not measured on 440C"),
             ("density", 7650.0, ATLAS, ""),
-            ("conductivity", 24.2, ATLAS, "100 °C"),
+            ("conductivity", 24.2, ATLAS, "100 °C; 15 at 20 °C in EN 10088-1"),
             ("expansion", 10.1e-6, ATLAS, "0 to 100 °C"),
             ("specific_heat", 460.0, ATLAS, "0 to 100 °C"),
             ("yield_stress", 1900e6, ATLAS, "0.2 %, hardened, tempered at 204 °C"),
@@ -219,7 +219,13 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         "titanium nitride coating",
         ("titanium nitride",),
         (
-            ("E", 469e9, KIM, "Hill average of c11 = 625, c12 = 165, c44 = 163 GPa"),
+            (
+                "E",
+                469e9,
+                KIM,
+                "Hill average of c11 = 625, c12 = 165, c44 = 163 GPa; 626 and 156 GPa for c11 and "
+                "c44 in Lee et al. (2005), Phys. Rev. B 71, 144106",
+            ),
             ("nu", 0.254, KIM, "Hill average of the same constants"),
             ("density", 5400.0, HOLLECK, ""),
             ("expansion", 9.4e-6, HOLLECK, ""),

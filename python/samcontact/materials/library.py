@@ -13,6 +13,9 @@ from .entry import UNITS, MaterialData, SourcedValue
 
 __all__ = ["get", "names"]
 
+ADVICE = "use Material with your own constants for other materials"
+"""Remedy for a material that the library does not have."""
+
 
 def names() -> tuple[str, ...]:
     """Return the names of all materials of the library."""
@@ -44,8 +47,7 @@ def get(name: str) -> MaterialData:
     key = _plain(name)
     if key not in _BY_NAME:
         raise ValueError(
-            f"name must be one of {', '.join(_LIBRARY)}, got {in_short(name)}: use Material with "
-            "your own constants for other materials"
+            f"name must be one of {', '.join(_LIBRARY)}, got {in_short(name)}: {ADVICE}"
         )
     return _LIBRARY[_BY_NAME[key]]
 

@@ -4,7 +4,10 @@
 from .fretting import fretting_loop, tangential
 from .passes import rolling, sliding
 from .ramps import Path, hold, load_unload, ramp
+from .times import creep, oscillation, stress_relaxation
+from .traverse import traverse
 
 __all__ = [
-    "Path", "fretting_loop", "hold", "load_unload", "ramp", "rolling", "sliding", "tangential",
+    "Path", "creep", "fretting_loop", "hold", "load_unload", "oscillation", "ramp", "rolling",
+    "sliding", "stress_relaxation", "tangential", "traverse",
 ]  # fmt: skip

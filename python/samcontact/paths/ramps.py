@@ -7,18 +7,21 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .._util.checks import (
     FloatArray,
     choice,
     exactly_one,
     finite,
-    finite_array,
     load_or_approach,
+    non_negative,
+    number,
     positive,
     step_count,
     value_per_body,
 )
+from .._util.travels import both_axes, plain
 
 Path = list[dict[str, Any]]
 
@@ -40,16 +43,21 @@ def _steps(name: str, start: float, end: float, parts: FloatArray) -> Path:
 
 def _with_parts(
     steps: Path,
-    advance: Sequence[float] | None,
+    advance: ArrayLike | None,
     duration: float | None,
     heat_factor: float | Sequence[float] | None,
+    first_duration: float | None = None,
 ) -> Path:
-    """Divide travel and duration equally among steps, and add the heat factor to the first step."""
+    """Divide travel and duration among steps, and add the heat factor to the first step."""
     if advance is not None:
-        first, second = (float(s) / len(steps) for s in finite_array("advance", advance, (2,)))
-        steps = [{**step, "advance": (first, second)} for step in steps]
-    if duration is not None:
-        part = positive("duration", duration) / len(steps)
+        each = plain(both_axes(advance) / len(steps))
+        steps = [{**step, "advance": each} for step in steps]
+    if first_duration is not None:
+        total = positive("duration", number("duration", duration))
+        parts = _growing("first_duration", first_duration, total, len(steps))
+        steps = [{**step, "duration": part} for step, part in zip(steps, parts, strict=True)]
+    elif duration is not None:
+        part = non_negative("duration", duration) / len(steps)
         steps = [{**step, "duration": part} for step in steps]
     if heat_factor is not None:
         value_per_body("heat_factor", heat_factor)
@@ -57,16 +65,34 @@ def _with_parts(
     return steps
 
 
+def _growing(name: str, first: float, total: float, count: int) -> list[float]:
+    start = positive(name, first)
+    if not (start < total and count > 1):
+        raise ValueError(
+            f"{name} must be < duration ({total!r} s) in at least 2 increments, got {start!r} s in "
+            f"{count}"
+        )
+    durations: list[float] = growing_durations(total, start, count).tolist()
+    return durations
+
+
+def growing_durations(total: float, first: float, count: int) -> FloatArray:
+    """Return durations whose sums form a geometric sequence from `first` to `total` [s]."""
+    times = np.geomspace(first, total, count)
+    return np.diff(times, prepend=0.0)
+
+
 def hold(
     *,
     load: float | None = None,
     approach: float | None = None,
     increments: int = 1,
-    advance: Sequence[float] | None = None,
+    advance: ArrayLike | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
+    first_duration: float | None = None,
 ) -> Path:
-    """Hold load or approach constant while the bodies move or heat flows.
+    """Hold load or approach constant while the bodies move, creep or relax, or heat flows.
 
     Parameters
     ----------
@@ -74,12 +100,17 @@ def hold(
         Constant load [N], >= 0, or approach [m]. Exactly one must be given.
     increments : int
         Number of steps, from 1 to 100000.
-    advance : pair of floats, optional
-        Total displacement of the surfaces of bodies 1 and 2 along +x in all steps [m].
+    advance : pair of floats, or pair of pairs, optional
+        Total displacement of the surfaces of bodies 1 and 2 along +x in all steps [m], or along x
+        and y, see `Simulation.step`.
     duration : float, optional
-        Total duration of all steps [s], for a simulation with heat.history.
+        Total duration of all steps [s], for a simulation with heat.history or a viscoelastic body
+        (0: elastic steps).
     heat_factor : float or pair of floats, optional
         Heat flux per unit pressure from the first step on [m/s]; 0 switches the source off.
+    first_duration : float, optional
+        Duration of the first step [s]; the times since the start of the path then form a geometric
+        sequence, as creep over several decades requires. Default: equal durations.
 
     Returns
     -------
@@ -93,7 +124,8 @@ def hold(
     """
     name, value = load_or_approach(load, approach)
     count = step_count("increments", increments)
-    return _with_parts([{name: value} for _ in range(count)], advance, duration, heat_factor)
+    steps: Path = [{name: value} for _ in range(count)]
+    return _with_parts(steps, advance, duration, heat_factor, first_duration)
 
 
 def ramp(
@@ -104,7 +136,7 @@ def ramp(
     start: float = 0.0,
     spacing: str = "linear",
     exponent: float = 2.0,
-    advance: Sequence[float] | None = None,
+    advance: ArrayLike | None = None,
     duration: float | None = None,
     heat_factor: float | Sequence[float] | None = None,
 ) -> Path:

@@ -18,9 +18,11 @@ from .contact import (
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
 from .interface import interface_profile
 from .maps import surface_map, track_map
+from .over_time import over_time
 from .parts import journal_column
 from .section import section
 from .shakedown import shakedown_map, strain_per_cycle
+from .sliding import friction_curve
 from .slip_animation import partial_slip_animation
 from .slipping import creep_curve, fretting_loop, partial_slip_map, rolling_force, shear_profile
 from .summary import summary_figures
@@ -36,11 +38,13 @@ __all__ = [
     "fatigue_map",
     "fatigue_section",
     "fretting_loop",
+    "friction_curve",
     "imprint_profile",
     "interface_profile",
     "journal_column",
     "load_approach",
     "loaded_section",
+    "over_time",
     "partial_slip_animation",
     "partial_slip_map",
     "pressure_profile",

@@ -23,6 +23,7 @@ from .contact import (
 from .contact_results import ContactResults
 from .interface import interface_figure
 from .maps import peak_map, surface_map, track_map
+from .over_time import time_figure
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .section import section
 from .slip_summary import slip_figures
@@ -73,10 +74,12 @@ def summary_figures(
         - with layers of the grid: axis_stress, sections and, for a layered body, interface;
         - with partial slip: partial_slip (increment of maximum force), and fretting_loop or, for
           rolling, rolling_force and, with varying creepage, creep_curve;
+        - of viscoelastic bodies: over_time;
         - with heating: flash_temperature and, with layers of the grid, temperature (hottest
           increment);
         - for an elastic-plastic body: imprint, imprint_map and residual (last increment, or the
-          whole track of a moving body) and, for a moving body, track_imprint and track_sections.
+          whole track of a moving body) and, for a moving body, track_imprint and track_sections;
+          imprint and imprint_map of viscoelastic bodies too.
 
     Raises
     ------
@@ -92,6 +95,8 @@ def summary_figures(
     figures = _peak_figures(results)
     figures["load_approach"] = _panel()
     load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
+    if any(f"viscous_work_body{number}" in dataset for number in (1, 2)):
+        figures["over_time"] = time_figure(dataset)
     figures |= slip_figures(results)
     figures |= _temperature_figures(results)
     if results.track is not None:

@@ -13,10 +13,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass, fields
 from typing import Any, ClassVar
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
-from .._util.checks import FloatArray, finite_array, non_negative, number
+from .._util.checks import FloatArray, finite_array, non_negative, number, positive, real_array
 from .._util.display import HtmlTable, Rows, quantity
 from .._util.short_text import in_short
 from ..bodies.hardening_laws import Constant, constant_of
@@ -47,15 +48,20 @@ class FrictionLaw(HtmlTable):
 
     def __post_init__(self) -> None:
         for item in fields(self):
-            object.__setattr__(self, item.name, number(item.name, getattr(self, item.name)))
+            checked = _numbers if self.constants[item.name].many else number
+            object.__setattr__(self, item.name, checked(item.name, getattr(self, item.name)))
         self.to_core()  # checks the ranges
 
     def to_core(self) -> _core.FrictionLaw:
         """Return the law as an object of the core; raise ValueError for an invalid parameter."""
-        return _core.FrictionLaw(self.law, asdict(self))
+        values = {name: np.atleast_1d(value).tolist() for name, value in asdict(self).items()}
+        return _core.FrictionLaw(self.law, values)
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
-        """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip."""
+        """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip.
+
+        It is the largest one in any direction, at any place and slip rate.
+        """
         bound: FloatArray = self.to_core().bound(finite_array("pressure", pressure))
         return bound
 
@@ -79,17 +85,57 @@ class FrictionLaw(HtmlTable):
         return math.isinf(float(self.bound(1.0)))
 
     @property
+    def needs_duration(self) -> bool:
+        """Whether the shear depends on the slip rate, so that increments need a duration."""
+        return False
+
+    @property
+    def varies_along_x(self) -> bool:
+        """Whether the friction varies along x with the material of a body."""
+        return False
+
+    @property
+    def compliance(self) -> float:
+        """Tangential displacement of a layer between the bodies per unit shear [m/Pa]."""
+        return 0.0
+
+    @property
+    def needs_temperature(self) -> bool:
+        """Whether the shear depends on the temperature of the surfaces."""
+        return False
+
+    @property
     def given(self) -> float | FrictionLaw:
         """Value of the argument `friction` that selects this law."""
         return self
 
     def to_tree(self) -> dict[str, Any]:
         """Return the name and the parameters of the law, from which `law_of` restores the law."""
-        return {"law": self.law, **asdict(self)}
+        lists = {name for name, constant in self.constants.items() if constant.many}
+        values = {n: list(v) if n in lists else v for n, v in asdict(self).items()}
+        return {"law": self.law, **values}
+
+    def __repr__(self) -> str:
+        given = (f"{item.name}={in_short(getattr(self, item.name))}" for item in fields(self))
+        return f"{type(self).__name__}({', '.join(given)})"
 
     def _rows(self) -> Rows:
-        units = {name: constant.unit for name, constant in self.constants.items()}
-        return [(name, quantity(getattr(self, name), unit)) for name, unit in units.items()]
+        return [
+            (name, _shown(getattr(self, name), constant))
+            for name, constant in self.constants.items()
+        ]
+
+
+def _numbers(name: str, given: Any) -> tuple[float, ...]:
+    """Return a list of numbers, or the rows of a table one after the other, as a tuple."""
+    values = real_array(name, [] if given is None else given)
+    return tuple((values.ravel() + 0.0).tolist())
+
+
+def _shown(value: Any, constant: Constant) -> str:
+    if not constant.many:
+        return quantity(value, constant.unit)
+    return f"{in_short(list(value))} {constant.unit}".strip() if value else "-"
 
 
 @dataclass(frozen=True, repr=False)
@@ -196,6 +242,26 @@ def sticking_law(friction: Any) -> FrictionLaw:
     return friction
 
 
+def lasting(law: FrictionLaw, duration: float | None, name: str = "duration") -> float:
+    """Return the duration of an increment [s], or the speed of rolling; 0 if the law needs none.
+
+    Raises ValueError for a value that is missing, not positive or without effect.
+    """
+    if law.needs_duration:
+        if duration is None:
+            raise ValueError(
+                f"{name} is required because the friction depends on the slip rate, {law!r}: give "
+                f"the {name} {'of the increment [s]' if name == 'duration' else '[m/s]'}"
+            )
+        return positive(name, duration)
+    if duration is not None:
+        raise ValueError(
+            f"{name} has no effect with friction that does not depend on the slip rate, got "
+            f"{in_short(duration)}: omit it, or use samcontact.FallingCoulomb"
+        )
+    return 0.0
+
+
 def law_of(tree: Mapping[str, Any]) -> FrictionLaw:
     """Return the law that `FrictionLaw.to_tree` has stored as a dictionary.
 
@@ -210,7 +276,8 @@ _ATTRIBUTE_PREFIX = "friction_"
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
     """Return the attributes of results: friction_law and the parameters (friction_...)."""
-    return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in law.to_tree().items()}
+    given = {name: value for name, value in law.to_tree().items() if value != []}
+    return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in given.items()}
 
 
 def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
@@ -218,4 +285,11 @@ def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
     law = LAWS.get(str(attributes.get(f"{_ATTRIBUTE_PREFIX}law")))
     if law is None:
         return None
-    return law(**{name: float(attributes[f"{_ATTRIBUTE_PREFIX}{name}"]) for name in law.constants})
+    values: dict[str, Any] = {}
+    for name, constant in law.constants.items():
+        key = f"{_ATTRIBUTE_PREFIX}{name}"
+        if constant.many:
+            values[name] = np.atleast_1d(attributes.get(key, []))
+        else:
+            values[name] = float(attributes[key])
+    return law(**values)

@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
+from .._util.short_text import in_short
 from ..bodies.layered import Body, Layered, materials_at, materials_of, thermal_of
 from ..heat import Heat
 from .friction import FrictionLaw
@@ -63,7 +64,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             thickness = [h for _, h in body.layers] if isinstance(body, Layered) else []
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
-            _require_in_layers(heat, n, body, grid)
+            _require_in_layers(n, body, grid)
             _require_transient(name, heat, grid, n, factor)
             lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
@@ -108,7 +109,7 @@ def _of_missing(body: Body) -> str:
     return f" of {' and '.join(name for name, material in pairs if material.thermal is None)}"
 
 
-def _require_in_layers(heat: Heat, n: int, body: Body, grid: Grid) -> None:
+def _require_in_layers(n: int, body: Body, grid: Grid) -> None:
     """Raise ValueError for heat in layers that is not supported."""
     if not isinstance(body, Layered):
         return
@@ -120,12 +121,6 @@ def _require_in_layers(heat: Heat, n: int, body: Body, grid: Grid) -> None:
                 f"m, {MIN_THICKNESS:g} of the cell length {cell:.4g} m, got {thickness:.4g} m: "
                 "thicknesses are in metres, 5e-6 is 5 um"
             )
-    steady = heat.time is None and heat.history is None
-    if steady and all(heat.velocity[n - 1]):
-        raise ValueError(
-            f"heat.velocity of layered body{n} must be along x or along y in the steady state, got "
-            f"{heat.velocity[n - 1]!r}: set heat.time or heat.history"
-        )
 
 
 def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float, float]:
@@ -144,11 +139,13 @@ def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: flo
             f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
             "steady state; set heat.time or heat.history"
         )
-    if heat.track is not None and "x" in grid.periodic:
-        raise ValueError(
-            f"heat.track must be None on a grid that is periodic along x, got {heat.track!r}: heat "
-            "that moves along a period is not supported"
-        )
+    for axis, length in zip("xy", heat.tracks, strict=True):
+        if axis in grid.periodic and length > 0:
+            raise ValueError(
+                f"heat.track must be {'None' if axis == 'x' else '0 along y'} on a grid that is "
+                f"periodic along {axis}, got {heat.track!r}: heat that moves along a period is not "
+                "supported"
+            )
     for axis, speed in zip("xy", heat.velocity[body - 1], strict=True):
         if axis in grid.periodic and speed != 0.0:
             raise ValueError(
@@ -177,11 +174,11 @@ def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: 
 
 
 def require_speeds(heat: Heat, bodies: Bodies, grid: Grid, speeds: Sequence[float]) -> None:
-    """Raise ValueError if a heated body moves too fast in an increment; speeds: along x [m/s]."""
+    """Raise ValueError if a heated body moves too fast; speeds: magnitudes [m/s]."""
     for n, (body, share, speed) in enumerate(zip(bodies, heat.shares, speeds, strict=True), 1):
         thermal = thermal_of(body)
         if share > 0 and thermal is not None:
-            _require_speed(grid, n, *_diffusivities(thermal), abs(speed))
+            _require_speed(grid, n, *_diffusivities(thermal), speed)
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
@@ -247,7 +244,12 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError for heat.partition with full sliding."""
+    """Raise ValueError for heat.partition with full sliding, or without it if friction needs it."""
+    if friction.needs_temperature and heat.partition is None:
+        raise ValueError(
+            f"heat.partition is required with friction = {in_short(friction)}, which depends on "
+            "the temperature due to slip: use Simulation with heat=samcontact.Heat(partition=...)"
+        )
     if not friction.sticks and heat.partition is not None:
         raise ValueError(
             f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "

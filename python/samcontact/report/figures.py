@@ -19,6 +19,7 @@ from ..plotting.contact import HertzContact, draw_pressure
 from ..plotting.contact_results import ContactResults
 from ..plotting.interface import interface_figure
 from ..plotting.maps import peak_map
+from ..plotting.over_time import time_figure
 from ..plotting.parts import (
     add_to_title,
     counted,
@@ -60,7 +61,8 @@ def contact_figures(
     """Return all figures of a contact for which the required fields are stored."""
     results = ContactResults(dataset, body, hertz)
     drawn = []
-    for part in (_contact, slipping.figures, _volume, _temperature, _imprint, _track, _convergence):
+    parts = _contact, _over_time, slipping.figures, _volume, _temperature, _imprint, _track
+    for part in (*parts, _convergence):
         drawn += [embedded(*made) for made in part(results)]
     return drawn
 
@@ -179,6 +181,15 @@ def _section(results: ContactResults, quantity: str, number: int) -> Made:
     )
     name = f"{shown.heading[0].upper()}{shown.heading[1:]}"
     return f"{name}, body {results.body}, {_increment_text(results, number)}", text, figure
+
+
+def _over_time(results: ContactResults) -> Iterator[Made]:
+    data = results.dataset
+    if not any(f"viscous_work_body{body}" in data for body in (1, 2)):
+        return
+    last = float(data["time"].values[-1]) if "time" in data else 0.0
+    text = f"Approach, contact radius and maximum pressure over the time, up to {last:.4g} s."
+    yield "Contact over time", text, time_figure(data)
 
 
 def _temperature(results: ContactResults) -> Iterator[Made]:

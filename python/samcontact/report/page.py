@@ -13,6 +13,7 @@ from .._util.check import Check
 from ..files.atomic import replacing
 from ..results.reading import parts_of_a_run
 from . import asperities, contact, tables, wear
+from . import fatigue as fatigue_report
 from . import shakedown as shakedown_report
 
 if TYPE_CHECKING:
@@ -22,7 +23,13 @@ if TYPE_CHECKING:
 _PLURALS = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
 
 
-def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None = None) -> Path:
+def write(
+    dataset: xr.Dataset,
+    path: str | Path,
+    *,
+    shakedown: xr.Dataset | None = None,
+    fatigue: xr.Dataset | None = None,
+) -> Path:
     """Write the report of a run.
 
     The page shows the main results with their estimated errors, a comparison with Hertz contact
@@ -41,6 +48,9 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     shakedown : xarray.Dataset, optional
         Content of ``shakedown.nc``, for a case with a repeated path. Its long-term response is
         added to the page, with a table and a figure.
+    fatigue : xarray.Dataset, optional
+        Content of ``fatigue.nc``, for a case with fatigue. The maxima of the criteria, the life and
+        the exposure over depth are added to the page.
 
     Returns
     -------
@@ -56,6 +66,8 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
     """
     if shakedown is not None:
         shakedown_report.require_cycles(shakedown)
+    if fatigue is not None:
+        fatigue_report.require_fatigue(fatigue)
     environment = Environment(
         loader=PackageLoader("samcontact.report", "templates"),
         autoescape=True,
@@ -69,6 +81,9 @@ def write(dataset: xr.Dataset, path: str | Path, *, shakedown: xr.Dataset | None
             repeated = ("shakedown", "Repeated load cycles", shakedown_report.table(shakedown))
             content["answers"] = [*content["answers"], repeated]
             content["figures"] = [*content["figures"], shakedown_report.figure(shakedown)]
+        if fatigue is not None:
+            content["answers"] = [*content["answers"], *fatigue_report.tables(fatigue)]
+            content["figures"] = [*content["figures"], *fatigue_report.figures(fatigue)]
     text = environment.get_template("report.html.j2").render(**content)
     target = Path(path)
     with replacing(target) as part:

@@ -135,7 +135,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
             if str(name).startswith(prefix):
                 field = str(name).removeprefix(prefix)
                 plain = value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value
-                for section in ("kinematic", *PROFILE_ARGUMENTS):
+                for section in ("kinematic", "relaxation", *PROFILE_ARGUMENTS):
                     field = field.removeprefix(f"{section}_")
                 constant = re.sub(r"^(layer\d+|substrate)_", "", field)
                 unit = field_unit(f"body{body}.{constant}")
@@ -153,8 +153,8 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
 # names without the body
 _SCALARS = (
     "load", "approach", "tilt_x", "tilt_y", "moment_x", "moment_y", "max_pressure", "contact_area",
-    "max_von_mises", "max_equivalent_plastic_strain", "imprint_depth", "max_temperature", "travel",
-    "time",
+    "max_von_mises", "max_equivalent_plastic_strain", "imprint_depth", "viscous_work",
+    "max_temperature", "travel", "lateral_travel", "time",
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "plastic_strain_residual", "yield_violation", "contact_iterations", "substeps",

@@ -22,6 +22,7 @@ from ..solutions.peak import peak_of_dataset
 from ..solutions.state import on_common_grid
 from .convergence import add_convergence
 from .motion import add, add_motion
+from .relaxing import add_relaxing, relaxation_attributes
 from .slipping import add_slipping
 from .zones import add_gathered, is_gathered, max_von_mises
 
@@ -122,6 +123,7 @@ def to_dataset(
     dataset = xr.Dataset(coords=_coordinates(domain))
     _add_scalars(dataset, states)
     _add_surface(dataset, simulation, states)
+    add_relaxing(dataset, simulation, states)
     add_slipping(dataset, simulation, states, volume != "none")
     add(dataset, "initial_gap", ("x", "y"), np.asarray(domain.initial_gap))
     heated = _add_temperatures(dataset, simulation, states)
@@ -314,6 +316,7 @@ def _material_attributes(prefix: str, body: Body) -> dict[str, Any]:
     if body.free_faces is not None:
         names = ("low", "high", "method")
         found |= {f"{prefix}free_faces_{n}": v for n, v in zip(names, body.free_faces, strict=True)}
+    found |= relaxation_attributes(prefix, body.relaxation_terms)
     for kind, parts in PROFILE_ARGUMENTS.items():
         for part, values in zip(parts, getattr(body, kind) or (), strict=False):
             found[f"{prefix}{kind}_{part}"] = list(values)

@@ -31,9 +31,13 @@ def add_motion(
     """Add travel and, for elastic-plastic bodies that moved, their tracks at the end.
 
     If `volume` is False, a track contains only the residual imprint. Nothing is added if no body
-    moved.
+    moved; travel along y is added if a body moved along y.
     """
     moved = moving_bodies(states)
+    if any(any(state.lateral_travel) for state in states):
+        for body in (1, 2):
+            lateral = [state.lateral_travel[body - 1] for state in states]
+            add(dataset, "lateral_travel", "increment", lateral, body)
     if not moved:
         return
     for body in (1, 2):

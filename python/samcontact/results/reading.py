@@ -82,6 +82,7 @@ def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
 
 def _material(dataset: xr.Dataset, prefix: str) -> Material:
     law = str(dataset.attrs[f"{prefix}law"])
+    relaxation: dict[str, Any] = {}
     kinds = [kind for kind in PROFILE_ARGUMENTS if f"{prefix}{kind}_z" in dataset.attrs]
 
     def given(name: str, many: bool) -> Any:
@@ -90,9 +91,12 @@ def _material(dataset: xr.Dataset, prefix: str) -> Material:
         )  # files store lists of one value as numbers
         return value if many else float(value[0])
 
+    if f"{prefix}relaxation_times" in dataset.attrs:
+        times, shares = (given(f"relaxation_{name}", True) for name in ("times", "shares"))
+        relaxation = {"relaxation_terms": (times.tolist(), shares.tolist())}
     constants = LAWS[law].constants
     parameters = {name: given(name, constant.many) for name, constant in constants.items()}
     profiles: dict[str, Any] = {
         kind: [given(f"{kind}_{part}", True) for part in PROFILE_ARGUMENTS[kind]] for kind in kinds
     }
-    return Material(law, parameters, **profiles)
+    return Material(law, parameters, **profiles, **relaxation)

@@ -13,6 +13,7 @@ from .._util.checks import FloatArray, boolean, in_cells, integer, number, requi
 from .._util.errors import attach
 from .._util.frozen import read_only
 from .._util.progress import progress_bar
+from .._util.travels import along_x
 from ..bodies.layered import materials_of
 from ..problem.grid import within_period
 from ..simulation.journal import Journal, journal_of
@@ -147,10 +148,10 @@ def _require_closed(simulation: Simulation, steps: Sequence[Mapping[str, Any]]) 
     if not any(body.is_plastic for body in (simulation.body1, simulation.body2)):
         raise ValueError("simulation must have an elastic-plastic body, got two elastic bodies")
     dx = simulation.grid.dx
+    motions = [along_x(step.get("advance", (0.0, 0.0)), "in a cycle") for step in steps]
     travels = [
         within_period(simulation.grid, math.fsum(
-            in_cells("advance", float(step.get("advance", (0.0, 0.0))[n]), dx) * dx
-            for step in steps
+            in_cells("advance", motion[n], dx) * dx for motion in motions
         )) for n in (0, 1)
     ]  # fmt: skip
     if max(map(abs, travels)) > 1e-6 * dx:

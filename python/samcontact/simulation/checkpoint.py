@@ -92,6 +92,7 @@ def _body_tree(body: Body) -> Tree:
         "residual_stress": body.residual_stress,
         "free_faces": None if body.free_faces is None else list(body.free_faces[:2]),
         "face_method": None if body.free_faces is None else body.free_faces[2],
+        "relaxation_terms": None if body.relaxation_terms is None else list(body.relaxation_terms),
         "johnson_cook": astuple(law) if isinstance(law, JohnsonCook) else None,
         "softening": None if known or law is None else repr(law),
     }
@@ -147,4 +148,5 @@ def _material(name: str, part: Tree, law: Any) -> Material:
     thermal, profile, stress = map(part.get, ("thermal", "yield_profile", "residual_stress"))
     faces = part.get("free_faces")
     ends = None if faces is None else (*map(float, faces), part["face_method"])
-    return Material(part["law"], part["parameters"], kinematic, thermal, law, profile, stress, ends)
+    constants = part["law"], part["parameters"], kinematic, thermal, law, profile, stress, ends
+    return Material(*constants, part.get("relaxation_terms"))

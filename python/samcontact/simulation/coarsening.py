@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, finite_array
 from .._util.lazy_scipy import scipy
+from .._util.travels import both_axes, plain
 from ..bodies.layered import Layered
 from ..diagnostics.hertz_estimate import ContactSetup
 from ..problem.domain import SurfaceGeometry
@@ -104,7 +105,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
     waiting = False
     for step in path:
         given = dict(step)
-        moves = np.asarray(given.get("advance", (0.0, 0.0)), dtype=np.float64)
+        moves = both_axes(given.get("advance", (0.0, 0.0)))[:, 0]  # along y any distance is exact
         whole = np.allclose(moves / (2 * fine.dx), np.round(moves / (2 * fine.dx)), atol=1e-6)
         if waiting and given == path[len(which) - 1]:
             steps[-1] |= _sum_of_two(given)
@@ -120,7 +121,7 @@ def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int
 
 def _sum_of_two(step: Mapping[str, Any]) -> dict[str, Any]:
     """Combine two equal increments: add the motions, and use the forces of the second increment."""
-    moved: dict[str, Any] = {"advance": tuple(2 * s for s in step["advance"])}
+    moved: dict[str, Any] = {"advance": plain(2 * both_axes(step["advance"]))}
     if step.get("shift") is not None:
         moved["shift"] = tuple(None if s is None else 2 * s for s in step["shift"])
     if step.get("twist") is not None:

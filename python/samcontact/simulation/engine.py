@@ -36,6 +36,8 @@ from .steps import Step, StepArguments
 _logger = logging.getLogger("samcontact")
 
 _FIXED = "the grid is fixed"
+Preparation = Callable[[Any], None]
+"""Function that changes a new simulation before its path, e.g. by dents in a body."""
 
 
 class Engine:
@@ -50,6 +52,8 @@ class Engine:
         self.heat = heat
         """Heat of the next increment."""
         self.history = History(heat)
+        self.preparation: Preparation | None = None
+        """Preparation that this simulation began with; repetitions begin with it too."""
         self.access = ExclusiveAccess()
         # The core does not own them.
         self._laws = [core_law(body, grid.dz) for body in setup.bodies]

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,7 +15,7 @@ from ..bodies.layered import backstresses_of
 from ..problem.grid import Grid
 
 if TYPE_CHECKING:
-    from .engine import Engine
+    from .engine import Engine, Preparation
 
 Cells = Sequence[int]
 """Numbers of cells along x, y and z."""
@@ -28,14 +28,28 @@ def set_plastic_strain(
     equivalent: ArrayLike | None,
     backstress: ArrayLike | None,
     first: int | None,
+    *,
+    anywhere: bool = False,
 ) -> None:
-    """Set the plastic strain of a body, see `Simulation.set_plastic_strain`."""
+    """Set the plastic strain of a body, see `Simulation.set_plastic_strain`.
+
+    anywhere: whether the strain may lie entirely outside the grid, into which it may move.
+    """
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])
     fields = plastic_fields(engine.domain.grid, strain, equivalent, backstress, terms, first)
+    if not anywhere:
+        _require_over_grid(engine.domain.grid, fields[0], first or 0)
     with engine.access:
         engine.core.set_plastic_state(index, first or 0, *fields)
     engine.history.forget()
+
+
+def prepare(simulation: Any, preparation: Preparation | None) -> None:
+    """Apply a preparation to a new simulation, and to its repetitions for error estimates."""
+    if preparation is not None:
+        simulation.engine.preparation = preparation
+        preparation(simulation)
 
 
 def add_eigenstrain(
@@ -74,13 +88,12 @@ def plastic_fields(
     if backstress is not None:
         deviators = finite_array("backstress", backstress, (terms, 6, *shape))
         centre = np.ascontiguousarray(np.moveaxis(deviators, 4, 2))
-    _require_over_grid(grid, checked, first or 0)
     return np.ascontiguousarray(np.moveaxis(checked, 3, 1)), history, centre
 
 
 def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
-    """Raise ValueError for a plastic strain that lies entirely outside the grid."""
-    rows = np.flatnonzero(strain.any(axis=(0, 2, 3))) + first
+    """Raise ValueError for a plastic strain (6, layers, nx, ny) entirely outside the grid."""
+    rows = np.flatnonzero(strain.any(axis=(0, 1, 3))) + first
     if rows.size and not ((rows >= 0) & (rows < grid.nx)).any():
         raise ValueError(
             f"strain must overlap the grid, which has the rows 0 to {grid.nx - 1} along x; "

@@ -6,6 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from .._util.travels import AT_REST, both_axes, plain
+
 if TYPE_CHECKING:
     from ..heat import Heat
     from ..solutions.state import State
@@ -26,7 +28,9 @@ def cleaned(step: Step) -> dict[str, Any]:
     """Return the arguments of a step; those that are None, and an advance of zero, are omitted."""
     kept = dict(step)
     for name, value in step.items():
-        if value is None or (name == "advance" and tuple(value) == (0.0, 0.0)):
+        if name == "advance" and value is not None and value is not AT_REST:
+            kept[name] = plain(both_axes(value))
+        if value is None or (name == "advance" and kept[name] == AT_REST):
             del kept[name]
     return kept
 
@@ -82,7 +86,9 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
     found = {name: abs(step[name] - before[name]) for name in _TARGETS if name in step}
     if "twist" in step:
         found["twist"] = abs(step["twist"])
-    for name in (*_PAIRS, "shift", "advance"):
+    if "advance" in step:
+        found["advance"] = float(abs(both_axes(step["advance"])).max())
+    for name in (*_PAIRS, "shift"):
         if name in step:
             starts = before[name] if name in _PAIRS else (0.0, 0.0)
             changes = [0.0 if q is None else q - p for p, q in zip(starts, step[name], strict=True)]
@@ -113,10 +119,12 @@ def _before(
 def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, Any]]:
     first, second = dict(step), dict(step)
     if "advance" in step:
-        changes = [0.5 * change for change in step["advance"]]
-        if any(abs(change / dx - round(change / dx)) > 1e-6 for change in changes):
+        changes = 0.5 * both_axes(step["advance"])
+        # Only bodies without a history move along y, by any distance.
+        cells = [] if changes[:, 1].any() else (changes[:, 0] / dx).tolist()
+        if any(abs(n - round(n)) > 1e-6 for n in cells):
             return [first]
-        first["advance"] = second["advance"] = tuple(changes)
+        first["advance"] = second["advance"] = plain(changes)
     if heat.history is not None and 0.5 * step["duration"] < heat.history[0]:
         return [first]
     for name in _TARGETS:
@@ -147,14 +155,20 @@ def _continues(before: Step, step: Step, after: Step) -> bool:
         if name in step:
             changes += zip(before[name], step[name], after[name], strict=True)
     changes += [(0.0, step[n], step[n] + after[n]) for n in ("twist",) if n in step]
-    for name in ("shift", "advance"):
-        if name in step:
-            changes += [
-                (0.0, s, None if s is None or t is None else s + t)
-                for s, t in zip(step[name], after[name], strict=True)
-            ]
+    motions = [
+        pair for name in ("shift", "advance") if name in step for pair in _pairs(name, step, after)
+    ]
+    changes += [(0.0, s, None if s is None or t is None else s + t) for s, t in motions]
     same_heat = step.get("heat_factor") == after.get("heat_factor")
     return same_heat and all(_is_monotonic(*change) for change in changes)
+
+
+def _pairs(name: str, step: Step, after: Step) -> list[tuple[float | None, float | None]]:
+    """Return the components of a motion in two increments."""
+    if name == "shift":
+        return list(zip(step[name], after[name], strict=True))
+    one, other = (both_axes(each[name]).ravel().tolist() for each in (step, after))
+    return list(zip(one, other, strict=True))
 
 
 def _is_monotonic(a: float, b: float | None, c: float | None) -> bool:
@@ -169,9 +183,10 @@ def _merged(step: Step, after: Step) -> dict[str, Any]:
     for name in _MOTIONS:
         if name in step:
             merged[name] = step[name] + after[name]
-    for name in ("shift", "advance"):
-        if name in step:
-            merged[name] = tuple(
-                None if s is None else s + t for s, t in zip(step[name], after[name], strict=True)
-            )
+    if "shift" in step:
+        merged["shift"] = tuple(
+            None if s is None else s + t for s, t in zip(step["shift"], after["shift"], strict=True)
+        )
+    if "advance" in step:
+        merged["advance"] = plain(both_axes(step["advance"]) + both_axes(after["advance"]))
     return merged

@@ -42,6 +42,8 @@ def describe(engine: Engine, **what: Any) -> Identity:
     for name in ("eigenstrain1", "eigenstrain2"):
         if (given := getattr(engine.core.state, name)) is not None:
             what[name] = given
+    if engine.preparation is not None:
+        what["preparation"] = engine.preparation
     return identity(**arguments, **what)
 
 

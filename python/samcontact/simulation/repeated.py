@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from .._util.checks import FloatArray
 from ..heat import Heat
 from .coarsening import coarser, coarser_strain
+from .given_strain import prepare
 from .restoring import without_estimates
 from .simulation import Simulation
 
@@ -25,20 +27,21 @@ def _eigenstrain(simulation: Simulation, body: int) -> FloatArray:
 
 
 def rebuilt(simulation: Simulation, **changes: Any) -> Simulation:
-    """Return a copy of a simulation with changed arguments and the same initial eigenstrain."""
+    """Return a copy of a simulation with changed arguments, from the same initial state."""
     setup = simulation.engine.setup
     arguments = setup.on_grid(simulation.grid, simulation.heat) | changes
     found: Simulation = without_estimates(type(simulation), arguments)
     for body in (1, 2):
         if simulation.state.has_eigenstrain(body):
             found.add_eigenstrain(body, _eigenstrain(simulation, body))
+    prepare(found, simulation.engine.preparation)
     return found
 
 
 def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
     """Return a new simulation at its start, with cells twice as large along x, y and z.
 
-    Eigenstrain is averaged over the coarser cells.
+    Eigenstrain is averaged over the coarser cells. A preparation is repeated on them.
 
     Raises ValueError if the grid cannot be coarsened, see `coarser`.
     """
@@ -49,4 +52,7 @@ def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
         if simulation.state.has_eigenstrain(body):
             strain = _eigenstrain(simulation, body)
             found.add_eigenstrain(body, coarser_strain(strain, simulation.grid, domain.grid))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # they concern the coarser grid
+        prepare(found, simulation.engine.preparation)
     return found

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from ..restart.file import other_version, readable
 from .checkpoint import read_checkpoint
+from .given_strain import prepare
 from .snapshot import Snapshot
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
     from ..problem.setup import SimulationSetup
     from ..solutions.state import State
-    from .engine import Engine
+    from .engine import Engine, Preparation
     from .increment_errors import Repeat
 
 Made = TypeVar("Made")
@@ -69,13 +70,17 @@ def without_estimates(cls: type[Any], arguments: Mapping[str, Any]) -> Any:
     return simulation
 
 
-def repeat_with(cls: type[Any]) -> Repeat:
-    """Return a function that runs a setup along a path, without error estimates."""
+def repeat_with(cls: type[Any], preparation: Preparation | None = None) -> Repeat:
+    """Return a function that runs a setup along a path, without error estimates.
+
+    preparation: what each simulation begins with.
+    """
 
     def repeated(
         setup: SimulationSetup, grid: Grid, heat: Heat, path: Sequence[Mapping[str, Any]]
     ) -> list[State]:
         again = without_estimates(cls, setup.on_grid(grid, heat))
+        prepare(again, preparation)
         found: list[State] = again.run(path, progress=False)
         return found
 

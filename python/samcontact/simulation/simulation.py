@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
 from .._util.display import HtmlTable
 from .._util.errors import attach
+from .._util.travels import AT_REST
 from ..bodies.layered import Body, require_bodies
 from ..diagnostics.monitor import Monitor
 from ..heat import Heat
@@ -20,8 +21,8 @@ from ..problem.contact_law import ContactLaw
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
-from ..problem.heating import checked_heat
 from ..problem.moving_topography import Relief
+from ..problem.relaxing import possible_heat
 from ..problem.settings import Configured, Settings
 from ..problem.setup import SimulationSetup
 from ..solutions.state import State, on_common_grid
@@ -30,12 +31,13 @@ from .display import simulation_rows
 from .engine import Engine
 from .given_strain import Cells, add_eigenstrain, set_plastic_strain
 from .increment_errors import check_errors
+from .relaxing import HasLongTimeState
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import AT_REST, STEP_ARGUMENTS
+from .steps import STEP_ARGUMENTS
 
 
-class Simulation(Configured, HtmlTable):
+class Simulation(Configured, HasLongTimeState, HtmlTable):
     """Incremental simulation of the elastic-plastic contact of two bodies.
 
     Each increment solves contact and plastic flow together, implicitly: the plastic strain
@@ -50,8 +52,7 @@ class Simulation(Configured, HtmlTable):
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
-        of a grid that returns this array, e.g. ``lambda grid: surfaces.paraboloid(grid, R)``. With
-        a function, the grid is enlarged automatically to contain the contact; see Notes.
+        of a grid, ``lambda grid: surfaces.paraboloid(grid, R)``: the grid then grows; see Notes.
     friction : float or Coulomb, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
@@ -106,7 +107,6 @@ class Simulation(Configured, HtmlTable):
     """
 
     _last = "engine"
-
     increment_tol: float | None
     residual_stress: str
     image_tol: float
@@ -147,7 +147,7 @@ class Simulation(Configured, HtmlTable):
         )  # fmt: skip
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
-        heat = checked_heat(heat, (body1, body2), grid, settings.law)
+        heat = possible_heat(heat, (body1, body2), grid, settings)
         self.monitor = Monitor()
         surfaces = SurfaceGeometry(gap, relief1, relief2)
         self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)
@@ -185,7 +185,7 @@ class Simulation(Configured, HtmlTable):
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
-        advance: Sequence[float] = AT_REST,
+        advance: ArrayLike = AT_REST,
         shift: Sequence[float | None] | None = None,
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
@@ -205,11 +205,11 @@ class Simulation(Configured, HtmlTable):
             Prescribed pressure [Pa], without load and approach; the contact is not solved.
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Shear s_x, or (s_x, s_y), on body 2 [Pa], with `pressure`; default friction * pressure.
-        advance : pair of floats, optional
-            Displacement of the surfaces of bodies 1 and 2 through the contact during the increment,
-            positive along +x [m]. Equal values mean rolling towards -x, different values sliding by
-            the difference (creepage with `Coulomb`). Plastic strain moves with the body. Motion by
-            whole cells is exact; else see `State.origin`.
+        advance : pair of floats, or pair of pairs, optional
+            Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
+            [m]: equal for rolling towards -x, different for sliding by the difference (creepage
+            with `Coulomb`). Plastic strain moves with the body. Motion by whole cells is exact,
+            else see `State.origin`. Smooth elastic bodies in full sliding: or ((x1, y1), (x2, y2)).
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.
@@ -222,8 +222,8 @@ class Simulation(Configured, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s], > 0, with `heat.history` (the heat flux follows from the
-            final pressure; the duration may be 0 for unloaded bodies) or `heat.partition`.
+            Duration of the increment [s]: >= 0 with viscoelastic bodies; > 0 with `heat.partition`,
+            `heat.history` or `FallingCoulomb`, or 0 for unloaded bodies that move.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,7 +14,6 @@ from numpy.typing import ArrayLike
 from .._util.checks import (
     FloatArray,
     exactly_one,
-    finite_array,
     in_cells,
     number,
     positive,
@@ -20,11 +21,13 @@ from .._util.checks import (
     value_per_body,
 )
 from .._util.short_text import in_short
+from .._util.travels import AT_REST, both_axes
+from ..bodies.viscoelastic import relaxes
 from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
 from ..problem.cell_fields import shear_components
-from ..problem.friction import FrictionLaw
+from ..problem.friction import FrictionLaw, lasting
 from ..problem.grid import Grid
 from ..problem.heating import (
     Bodies,
@@ -33,12 +36,17 @@ from ..problem.heating import (
     require_reference,
     require_speeds,
 )
+from ..problem.relaxing import relaxing_duration, require_cold
 
 STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
     "torque", "heat_factor", "duration", "moment", "tilt",
 )  # fmt: skip
 """Arguments of `Simulation.step`."""
+
+
+Travels = tuple[tuple[float, float], tuple[float, float]]
+"""Distances by which the surfaces of bodies 1 and 2 move along x, and along y [cells]."""
 
 
 @dataclass(frozen=True)
@@ -50,7 +58,9 @@ class Step:
     heat: Heat
     heating: list[Any]
     duration: float
-    advance: tuple[float, float]
+    lasts: float
+    """Duration for friction that depends on the slip rate [s]; 0: not needed."""
+    advance: Travels
     tangential: TangentialInput
     pressure: FloatArray | None = None
     shear_x: FloatArray | None = None
@@ -72,8 +82,7 @@ class Step:
         }
 
 
-AT_REST = 0.0, 0.0
-"""Default of `advance`."""
+_STANDING: Travels = AT_REST, AT_REST
 _NO_LOAD = NormalDrive("load", 0.0)
 _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
@@ -83,6 +92,8 @@ class StepArguments:
 
     def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
         self.grid, self.bodies, self.friction = grid, bodies, friction
+        self._slips_by_rate = friction.needs_duration
+        self._relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
     def checked(
@@ -93,7 +104,7 @@ class StepArguments:
         approach: float | None = None,
         pressure: ArrayLike | None = None,
         shear: ArrayLike | None = None,
-        advance: Sequence[float] = AT_REST,
+        advance: ArrayLike = AT_REST,
         shift: Sequence[float | None] | None = None,
         tangential_load: Sequence[float | None] | None = None,
         twist: float | None = None,
@@ -119,33 +130,58 @@ class StepArguments:
             normal = NormalDrive.of(
                 kind, load if approach is None else approach, moment, tilt, held_tilt
             )
-        travels = AT_REST if advance is AT_REST else _travels(grid, advance)
+        travels = _STANDING if advance is AT_REST else _travels(grid, advance)
         tangential = _NO_MOTION
         if not (shift is None and tangential_load is None and twist is None and torque is None):
             tangential = given_along(friction, shift, tangential_load, twist, torque)
+        if any(travels[1]):
+            _require_endless_along_y(self.bodies)
+            _require_no_friction_along_y(friction, travels[1], pressure, shear)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        lasts = _duration(heat, duration, is_unloaded=is_unloaded)
-        if heat_factor is not None and heat.partition is not None:
-            raise ValueError(
-                f"heat_factor cannot be combined with heat.partition, "
-                f"got {in_short(heat_factor)}: the heat flux follows from the frictional power"
-            )
+        slides_for, of_heat = 0.0, duration
+        if self._slips_by_rate:
+            slides_for, of_heat = _of_friction(friction, heat, duration)
+        if self._relaxes:
+            lasts: float | None = relaxing_duration(duration, travels)
+        else:
+            lasts = _duration(heat, of_heat, is_unloaded=is_unloaded)
         if heat_factor is not None:
-            heat = replace(heat, factor=value_per_body("heat_factor", heat_factor))
-        is_loaded = not is_unloaded
-        if heat.history is not None and lasts is not None and travels != AT_REST:
-            _require_motion_of_heat(heat, lasts, travels, grid.dx)
-            if heat.track is not None and is_loaded:
-                require_speeds(heat, self.bodies, grid, [n * grid.dx / lasts for n in travels])
-        slips = heat.history is None and heat.partition is not None
-        if slips and lasts is not None and is_loaded and travels != AT_REST:
-            _require_velocity_of_heat(heat, lasts, travels, grid.dx)
+            heat = self._heat_with(heat, heat_factor)
+        if lasts is not None and travels != _STANDING:
+            self._require_heat_of_motion(heat, lasts, travels, is_loaded=not is_unloaded)
         heated = self._heating_of(heat, None if heat.history is None else lasts)
         if kind == "approach":
             require_reference(heat)
-        return Step(normal, heat, heated, lasts or 0.0, travels, tangential, **given)
+        return Step(normal, heat, heated, lasts or 0.0, slides_for, travels, tangential, **given)
+
+    def _require_heat_of_motion(
+        self, heat: Heat, duration: float, travels: Travels, *, is_loaded: bool
+    ) -> None:
+        """Raise ValueError unless the heat follows bodies that move in an increment."""
+        grid = self.grid
+        if heat.history is not None:
+            _require_motion_of_heat(heat, duration, travels, grid)
+            if heat.track is not None and is_loaded:
+                along, across = (
+                    [n * size / duration for n in cells]
+                    for cells, size in zip(travels, (grid.dx, grid.dy), strict=True)
+                )
+                require_speeds(heat, self.bodies, grid, list(map(math.hypot, along, across)))
+        elif heat.partition is not None and is_loaded:
+            _require_velocity_of_heat(heat, duration, travels, grid)
+
+    def _heat_with(self, heat: Heat, factor: float | Sequence[float]) -> Heat:
+        """Return the heat with another factor."""
+        if heat.partition is not None:
+            raise ValueError(
+                f"heat_factor cannot be combined with heat.partition, "
+                f"got {in_short(factor)}: the heat flux follows from the frictional power"
+            )
+        changed = replace(heat, factor=value_per_body("heat_factor", factor))
+        require_cold(changed, self.bodies)
+        return changed
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the core; duration [s] is for transient heat."""
@@ -157,11 +193,41 @@ class StepArguments:
         return known[2]
 
 
-def _travels(grid: Grid, advance: Sequence[float]) -> tuple[float, float]:
-    """Return the distance by which each surface moves in the increment [cells]."""
-    given = finite_array("advance", advance, (2,))
-    first, second = (in_cells("advance", float(travel), grid.dx) for travel in given)
-    return first, second
+def _travels(grid: Grid, advance: ArrayLike) -> Travels:
+    """Return the distances by which the surfaces move in the increment [cells]."""
+    given = both_axes(advance)
+    (x1, y1), (x2, y2) = (
+        [in_cells("advance", d, size) for d, size in zip(body, (grid.dx, grid.dy), strict=True)]
+        for body in given.tolist()
+    )
+    return (x1, x2), (y1, y2)
+
+
+def _require_endless_along_y(bodies: Bodies) -> None:
+    """Raise ValueError for bodies whose end faces would move with them."""
+    for n, body in enumerate(bodies, 1):
+        if getattr(body, "free_faces", None) is not None:
+            raise ValueError(
+                f"advance along y must be 0 with free_faces of body {n}, which stay at one place "
+                "in the contact: move the bodies along x only"
+            )
+
+
+def _require_no_friction_along_y(
+    friction: FrictionLaw,
+    travels: tuple[float, float],
+    pressure: ArrayLike | None,
+    shear: ArrayLike | None,
+) -> None:
+    """Raise ValueError for bodies that slide along y with friction, which acts along x."""
+    given = pressure is not None and shear is not None
+    if friction.sticks or friction.is_frictionless or given or travels[0] == travels[1]:
+        return
+    raise ValueError(
+        f"advance of both bodies along y must be equal with friction = {friction!r}, because the "
+        f"shear of full sliding acts along x, got a difference of {travels[0] - travels[1]:.6g} "
+        "cells: set friction = 0, or prescribe pressure and shear"
+    )
 
 
 def _require_possible(
@@ -170,7 +236,7 @@ def _require_possible(
     pressure: ArrayLike | None,
     shear: ArrayLike | None,
     torque: float | None,
-    advance: tuple[float, float],
+    advance: Travels,
 ) -> None:
     """Check that the arguments for partial slip are compatible with each other."""
     if not friction.sticks:
@@ -185,7 +251,7 @@ def _require_possible(
             f"shear is required with a prescribed pressure and friction = {friction!r}, got None: "
             "the pressure does not determine the shear; pass zeros for no shear"
         )
-    if torque is not None and advance != (0.0, 0.0):
+    if torque is not None and advance != _STANDING:
         raise ValueError(
             f"torque cannot be combined with advance, got {in_short(torque)}: prescribe "
             "twist = spin x distance rolled"
@@ -223,8 +289,8 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
     if heat.partition is None and heat.history is None:
         if duration is not None:
             raise ValueError(
-                "duration has no effect without heat.history or "
-                "heat.partition: omit duration, or set one of them"
+                "duration has no effect without heat.history, heat.partition or a viscoelastic "
+                "body: omit duration, or set one of them"
             )
         return None
     if duration is None:
@@ -247,16 +313,31 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
     return seconds
 
 
-def _require_motion_of_heat(
-    heat: Heat, duration: float, advance: tuple[float, float], dx: float
-) -> None:
+def _of_friction(
+    friction: FrictionLaw, heat: Heat, duration: float | None
+) -> tuple[float, float | None]:
+    """Return the duration for friction that depends on the slip rate, and that for the heat."""
+    heated = heat.partition is not None or heat.history is not None
+    return lasting(friction, duration), duration if heated else None
+
+
+def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid: Grid) -> None:
     """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
 
-    With a track, the velocity follows from the motion.
+    With a track, the velocity follows from the motion. A track along y excludes bodies with a
+    history, so that fractions of a cell have no effect on the positions of cells.
     """
-    require_whole_cells(advance, dx)
+    if heat.track is not None:
+        for axis, (cells, length) in enumerate(zip(advance, heat.tracks, strict=True)):
+            if any(cells) and length == 0:
+                raise ValueError(
+                    f"heat.track must be > 0 along {'xy'[axis]} for a path along {'xy'[axis]}, got "
+                    f"{heat.track!r}: set it to the pair of lengths of the path along x and y"
+                )
+    if heat.tracks[1] == 0:
+        require_whole_cells(advance[0], grid.dx)
     if heat.track is None:
-        _require_velocity_of_heat(heat, duration, advance, dx)
+        _require_velocity_of_heat(heat, duration, advance, grid)
 
 
 def require_whole_cells(advance: Sequence[float], dx: float) -> None:
@@ -272,16 +353,17 @@ def require_whole_cells(advance: Sequence[float], dx: float) -> None:
             )
 
 
-def _require_velocity_of_heat(
-    heat: Heat, duration: float, advance: tuple[float, float], dx: float
-) -> None:
+def _require_velocity_of_heat(heat: Heat, duration: float, advance: Travels, grid: Grid) -> None:
     """Raise ValueError unless heated bodies move at heat.velocity; advance: distances [cells]."""
-    for n, cells in enumerate(advance, 1):
-        moved = cells * dx
-        expected = heat.velocity[n - 1][0] * duration
-        if heat.shares[n - 1] > 0 and abs(moved - expected) > 1e-6 * dx:
+    axes = 2 if any(advance[1]) else 1
+    for (n, share), axis in itertools.product(enumerate(heat.shares, 1), range(axes)):
+        size = (grid.dx, grid.dy)[axis]
+        moved = advance[axis][n - 1] * size
+        expected = heat.velocity[n - 1][axis] * duration
+        if share > 0 and abs(moved - expected) > 1e-6 * size:
+            where = " along y" if axis else ""
             raise ValueError(
-                f"advance of body {n} must be velocity x duration, {expected!r} m, got {moved!r} "
-                "m: make both equal; for bodies with heat.history that stop, turn or return, set "
-                "heat.track instead of heat.velocity"
+                f"advance of body {n}{where} must be velocity x duration, {expected!r} m, got "
+                f"{moved!r} m: make both equal; for bodies with heat.history that stop, turn or "
+                "return, set heat.track instead of heat.velocity"
             )

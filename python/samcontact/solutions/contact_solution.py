@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -122,6 +122,8 @@ class ShearedSolution(ContactSolution):
     tangential_iterations: int
     tangential_applications: int
     tangential_work: float
+    slip_rate: FloatArray | None = field(default=None, kw_only=True)
+    falling_number: float = field(default=0.0, kw_only=True)
 
     @property
     def stall_text(self) -> str:
@@ -196,6 +198,12 @@ class PartialSlipSolution(ShearedSolution):
     tangential_work : float
         Computing work of all transforms for the shear, including transforms for the preconditioner
         and on coarser grids, in units of one evaluation of the shear displacement [-].
+    slip_rate : ndarray, shape (nx, ny), or None
+        With `FallingCoulomb`: slip rate that the friction of each cell follows [m/s].
+    falling_number : float
+        With `FallingCoulomb`: largest -dmu/dv p C/t of a cell, with the displacement C of a cell
+        under its own unit shear and the duration t. Solutions of an increment are unique for values
+        below 1 at all slip rates.
     """
 
     shift: FloatArray
@@ -281,3 +289,14 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
     known = grid.surface_shape == solution.grid.surface_shape
     tilt = float(solution.tilt[0]), float(solution.tilt[1])
     return p, s, solution.gap if known else None, solution.approach, tilt
+
+
+def slip_rate_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
+    """Return the slip rate of a solution on a grid with equal cells [m/s]; None: no slip rate."""
+    if solution.slip_rate is None:
+        return None
+    margins = [
+        ((n - m) // 2, (n - m) // 2)
+        for n, m in zip(grid.surface_shape, solution.grid.surface_shape, strict=True)
+    ]
+    return np.pad(solution.slip_rate, margins)

@@ -20,6 +20,7 @@ from ..problem.domain import Domain
 from ..problem.heating import softening_of
 from ..problem.setup import SimulationSetup
 from .interface_stress import layered_body, stress_at_interfaces
+from .moving_state import MovingState, rows_of_travel
 from .surface_state import SurfaceState, rows_along_surface
 from .track import Track
 from .zone import Zone, ZoneStress
@@ -38,7 +39,7 @@ def on_common_grid(states: Sequence[State]) -> list[State]:
     return [s if s.grid == largest.grid else s._padded_to(largest) for s in states]
 
 
-class State(SurfaceState, FixedAttributes, HtmlTable):
+class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
     """Fields and scalars at the end of one increment, in SI units.
 
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
@@ -99,19 +100,13 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
 
     @property
     def time(self) -> float:
-        """Time [s] since the start of a simulation with heat.history; 0 otherwise."""
+        """Time [s] since the start, with heat.history or viscoelastic bodies; 0 otherwise."""
         return float(self._core.time)
 
     @property
     def heat_factor(self) -> tuple[float, float]:
         """Heat flux per unit pressure of both bodies [m/s]; with heat.partition, heat fractions."""
         return self._core.heat_factor1, self._core.heat_factor2
-
-    @property
-    def travel(self) -> tuple[float, float]:
-        """Accumulated displacement of surfaces 1 and 2 through the contact, along +x [m]."""
-        first, second = self._core.travel
-        return first * self.grid.dx, second * self.grid.dx
 
     @property
     def origin(self) -> float:
@@ -149,9 +144,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
         if cells > MAX_CELLS_ALONG_AXIS // 4:
             raise ValueError(f"margin must be <= {MAX_CELLS_ALONG_AXIS // 4} cells, got {cells}")
-        key = body, cells
-        if key not in self._tracks:
-            self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers)
+        if (key := (body, cells)) not in self._tracks:
+            material = self.setup.bodies[body - 1]
+            self._tracks[key] = Track(self._core, self.grid, body, cells, self.layers, material)
         return self._tracks[key]
 
     def zones(self, body: int = 2) -> tuple[Zone, ...]:
@@ -312,8 +307,9 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to plastic strain and `eigenstrain`; on a periodic grid, relative to great depth.
-        With axis="x" or "y", the tangential displacement is returned; both bodies share these axes.
+        It is due to plastic strain, `eigenstrain`, and what viscoelastic bodies still recover; on a
+        periodic grid, relative to great depth. axis="x" or "y": the tangential displacement, along
+        axes that both bodies share.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
@@ -381,10 +377,8 @@ class State(SurfaceState, FixedAttributes, HtmlTable):
                 name = f"maximum equivalent plastic strain, body {body}"
                 rows.append((name, f"{100 * strain:.4g} %"))
         rows += rows_along_surface(self)
-        if any(self.travel):
-            rows += [(f"travel, body {n}", quantity(self.travel[n - 1], "m")) for n in (1, 2)]
-        if self.time > 0:
-            rows.append(("time", quantity(self.time, "s")))
+        rows += rows_of_travel(self)
+        rows += [("time", quantity(self.time, "s"))] if self.time > 0 else []
         return [
             *rows,
             ("plastic iterations", str(self.iterations)),

@@ -18,6 +18,7 @@ from .contact_area import contact_area
 from .contact_solution import both, rows_of_tilt
 from .outline import Outline, outline_of
 from .stress_at_points import require_closed_forms, stress_at_points
+from .viscous_state import ViscousState
 
 
 class RigidMotionState:
@@ -47,10 +48,33 @@ class RigidMotionState:
         return np.array(self._core.moment())
 
 
-class SurfaceState(RigidMotionState):
-    """Tractions, gap and rigid-body motion at the end of an increment."""
+class SlipRateState(RigidMotionState):
+    """Slip rate of friction that depends on it."""
 
     grid: Grid
+
+    @property
+    def slip_rate(self) -> FloatArray:
+        """Slip rate that the friction of each cell follows [m/s], shape (nx, ny).
+
+        It is zero with friction that does not depend on the slip rate.
+        """
+        field = self._core.slip_rate
+        shape = self.grid.surface_shape
+        return np.zeros(shape) if field is None else field.reshape(shape)
+
+    @property
+    def falling_number(self) -> float:
+        """Largest -dmu/dv p C/t of a cell in the last increment [-], with `FallingCoulomb`.
+
+        C is the displacement of a cell under its own unit shear, t the duration of the increment.
+        """
+        return float(self._core.falling_number)
+
+
+class SurfaceState(SlipRateState, ViscousState):
+    """Tractions, gap and rigid-body motion at the end of an increment."""
+
     setup: SimulationSetup
 
     @cached_property

@@ -18,6 +18,8 @@ from ..problem.grid import Grid, within_period
 if TYPE_CHECKING:
     import xarray as xr
 
+    from ..bodies.layered import Body
+
 __all__ = ["Track"]
 
 
@@ -30,8 +32,12 @@ class Track(FixedAttributes):
     of x is the position of the contact on the body at the start of the simulation.
     """
 
-    def __init__(self, core: Any, grid: Grid, body: int, margin: int, layers: int) -> None:
+    def __init__(
+        self, core: Any, grid: Grid, body: int, margin: int, layers: int, material: Body
+    ) -> None:
         self.body = body
+        self.material = material
+        """Material or layered body that the fields belong to."""
         start, rows = core.history_rows(body - 1) or (0, grid.nx)
         first_cell = core.first_cell[body - 1]
         self._wrapped = None

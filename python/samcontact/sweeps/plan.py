@@ -19,7 +19,9 @@ from pydantic import BaseModel
 from .._util.checks import choice
 from .._util.short_text import in_short
 from ..cases.base import CaseError, CaseFile
+from ..cases.errors import SHORT_FORMS
 from ..cases.field_units import field_unit
+from ..cases.rolling_parts import short_places
 
 MODES = ("product", "zip")
 MAX_LINES = 10  # maximum number of lines of an error message
@@ -109,7 +111,14 @@ def _keys(case: CaseFile, name: Any) -> Keys:
         example = "'body2.yield_stress' or 'path[0].load'"
         raise ValueError(f"parameter names must be like {example}, got {in_short(name)}")
     parts = re.findall(r"[A-Za-z_]\w*|\d+", name)
-    return [int(part) if part[0].isdigit() else part for part in parts]
+    keys: Keys = [int(part) if part[0].isdigit() else part for part in parts]
+    return ["surface", *keys[1:]] if keys[0] == _short_form(case) else keys
+
+
+def _short_form(case: CaseFile) -> str:
+    """Return the name of the section that is short for [surface] in the case; "" if none is."""
+    shape = getattr(getattr(case, "surface", None), "shape", "")
+    return shape if shape in SHORT_FORMS else ""
 
 
 def _set(content: Any, keys: Keys, value: Any) -> None:
@@ -154,7 +163,8 @@ def _validated(
                     raise _UnknownField(f"{name}: unknown field{_nearest(case, name)}") from None
             made = type(case).model_validate(content)
         except CaseError as error:
-            lines = [_renamed(case, line, list(keys)) for line in str(error).split("\n")]
+            text = short_places(str(error), {name.partition(".")[0]: None for name in keys})
+            lines = [_renamed(case, line, list(keys)) for line in text.split("\n")]
         except _UnknownField as error:
             lines = [str(error)]
         else:
@@ -186,7 +196,10 @@ def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
 
 
 def _nearest(case: CaseFile, name: str) -> str:
-    found = difflib.get_close_matches(name, list(field_names(case)), n=1, cutoff=0.4)
+    known, short = list(field_names(case)), _short_form(case)
+    if short:
+        known += [f"{short}.{one[8:]}" for one in known if one.startswith("surface.")]
+    found = difflib.get_close_matches(name, known, n=1, cutoff=0.4)
     return f"; did you mean {found[0]}?" if found else ""
 
 

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 CANCELLED = "cancelled"
 _CHECKPOINT_KIND = "case"
+_NUMBER_ATTRIBUTES = ("units", "flag_meanings")
 _CASE_DIMENSIONS = ("pass", "increment", "cycle", "body")  # dimensions of a case, in order
 _COUNT_QUANTITIES = {
     "increment": CONTACT["increment"],
@@ -143,15 +144,23 @@ def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
 
 
 def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr.Variable:
-    """Combine the values of a variable in all cases in one array; missing values are NaN."""
+    """Combine the values of a variable in all cases in one array; missing values are NaN.
+
+    Numbers that stand for names become the names; a missing name is "".
+    """
     dims, _, attributes = next(field for field in fields if field is not None)
+    shape = tuple(plan.dims.values())
+    if meanings := attributes.get("flag_meanings", "").split():
+        words = ["" if f is None else meanings[int(f[1])].replace("_", " ") for f in fields]
+        named = {name: text for name, text in attributes.items() if name not in _NUMBER_ATTRIBUTES}
+        return xr.Variable(plan.dims, np.array(words, dtype=object).reshape(shape), named)
     table = np.full((len(fields), *(inner[dim] for dim in dims)), np.nan)
     for row, field in enumerate(fields):
         if field is not None:
             own = (slice(row, row + 1), *(slice(size) for size in field[1].shape))
             table[own] = field[1]
-    shape = (*plan.dims.values(), *table.shape[1:])
-    return xr.Variable((*plan.dims, *dims), table.reshape(shape), attributes)
+    whole = table.reshape((*shape, *table.shape[1:]))
+    return xr.Variable((*plan.dims, *dims), whole, attributes)
 
 
 def _attributes(base: CaseFile) -> dict[str, str]:

@@ -18,6 +18,7 @@ from .._util.checks import (
 from .._util.short_text import in_short
 from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, require_bodies
+from ..bodies.viscoelastic import require_no_relaxation
 from ..contact.tangential_drive import TangentialInput
 from ..diagnostics.plausibility import warn_if_implausible, wear_coefficient
 from ..problem.domain import SurfaceGeometry
@@ -66,6 +67,7 @@ def make_setup(
     require_type("grid", grid, Grid)
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
+    require_no_relaxation("wear does not support viscoelastic bodies", *bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(

@@ -23,8 +23,10 @@ from .._util.checks import (
 )
 from .._util.errors import ElasticStrainWarning
 from .._util.short_text import in_short
+from .._util.travels import along_x
 from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, elastic, require_bodies
+from ..bodies.viscoelastic import require_no_relaxation
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..heat import Heat
@@ -106,6 +108,7 @@ def make_setup(
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
+    require_no_relaxation("wear does not support viscoelastic bodies", *bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)
@@ -201,7 +204,7 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
 
 def travels(path: list[dict[str, Any]]) -> FloatArray:
     """Return the travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
-    steps = [finite_array("advance", step.get("advance", (0.0, 0.0)), (2,)) for step in path]
+    steps = [along_x(step.get("advance", (0.0, 0.0)), "in a cycle of wear") for step in path]
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
 

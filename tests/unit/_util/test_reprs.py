@@ -248,6 +248,18 @@ PARTS = [
 ]  # fmt: skip
 
 
+FRICTION_LAWS = (
+    sc.Coulomb(0.3),
+    sc.Tresca(1e9 / 3),
+    sc.CappedCoulomb(1 / 3, 1e9 / 3),
+    sc.Anisotropic(1 / 3, 1 / 7),
+    sc.ThermalCoulomb([0.0, 100 / 3], [1 / 3, 1 / 7]),
+    sc.ThirdBody(1 / 3, 1e9 / 3, 1e9 / 7, 1e-6 / 3),
+    sc.FallingCoulomb(1 / 3, 1 / 7, 1 / 9),
+    sc.MappedCoulomb([1 / 3] * 100, y=[n / 3 for n in range(100)]),
+)
+
+
 def public_objects():
     """Return one object of each public class."""
     grid = sc.Grid(40, 30, 60e-6, 60e-6, 3, 60e-6)
@@ -289,7 +301,7 @@ def public_objects():
         *bent.state.zones(2), sc.estimate_errors(simulation, [{"load": 10.0}], [state]),
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
-        sc.Coulomb(0.3), sc.Tresca(1e9 / 3), sc.CappedCoulomb(1 / 3, 1e9 / 3),
+        *FRICTION_LAWS,
         sc.HardContact(), sc.TensileLimit(1e6 / 3),
         sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),
@@ -307,8 +319,17 @@ def public_objects():
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         parse_case(CASE.format(asperities=CONTACT, **fields)),
-        parse_case(CASE.format(asperities=ASPERITIES, **fields)),
+        parse_case(CASE.format(asperities=ASPERITIES, **fields)), *viscoelastic_motion(),
     ]  # fmt: skip
+
+
+def viscoelastic_motion():
+    """Return solutions of a polymer that slides and rolls over a rigid body."""
+    grid = sc.Grid(9, 9, 5e-5, 5e-5)
+    polymer = sc.Material.elastic(2e9, 0.4).with_relaxation(times=[1e-3], shares=[1 / 3])
+    given = (grid, sc.Material.rigid(), polymer, sc.surfaces.paraboloid(grid, 7.5e-3))
+    curve = sc.sliding.over_speed(*given, load=1.0, velocities=[0.1, 1 / 3])
+    return curve, curve.solutions[0], sc.rolling.steady(*given, load=1.0, friction=0.0, speed=0.1)
 
 
 def hardened_flank():

@@ -128,6 +128,7 @@ def test_gaps_are_those_of_the_races():
     ("call", "message"),
     [
         (lambda: bearings.standard("6280"), "designation must be one of 6203, .*got '6280'"),
+        (lambda: bearings.standard("6208ETN9"), "got '6208ETN9': the suffix may belong to other"),
         (lambda: Bearing("ball", D, PITCH, 9), "kind must be one of 'deep_groove'"),
         (lambda: Bearing("deep_groove", D, PITCH, 17), "17 elements of 0.0127 m do not fit"),
         (lambda: Bearing("deep_groove", D, PITCH, 9, contact_angle=0.3), "contact_angle must be"),
@@ -151,3 +152,11 @@ def test_bad_input_is_named(call, message):
 def test_sizes_in_millimetres_are_refused():
     with pytest.raises(ValueError, match=r"element_diameter must be at most 1 m, got 12\.0 m"):
         sc.bearings.Bearing("deep_groove", 12.0, 60.0, 9)
+
+
+def test_suffixes_of_seals_and_clearance_leave_the_dimensions():
+    plain = bearings.standard("6208")
+    for given in (6208, " 6208 ", "6208-2RS", "6208-2RS1/C3", "6208 ZZ", "6208-2Z/P6", "6208NR"):
+        assert bearings.standard(given) == plain
+    with pytest.raises(TypeError, match=r'designation must be text, e\.g\. "6208", got 6208\.0'):
+        bearings.standard(6208.0)

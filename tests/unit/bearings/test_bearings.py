@@ -8,6 +8,7 @@ import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+import samcontact as sc
 from samcontact import bearings, hertz
 
 D, PITCH, F = 12.7e-3, 65e-3, 0.52  # the 209 deep groove bearing of Harris
@@ -217,3 +218,12 @@ def test_palmgren_and_the_rating_agree_in_the_deformation():
 def test_bad_input_is_named(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+def test_millimetres_cause_a_warning():
+    for call in (
+        lambda: bearings.ball_on_race(12.0, 60.0, conformity=0.52),
+        lambda: bearings.roller_on_race(12.0, 60.0),
+    ):
+        with pytest.warns(sc.UnitWarning, match=r"diameter is 12\.0 m .* Use m: 12 mm is 12e-3"):
+            call()

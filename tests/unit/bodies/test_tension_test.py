@@ -66,3 +66,26 @@ def test_long_records_are_thinned():
     made = sc.Material.from_test(fine, stress, engineering=False)
     assert len(made.parameters["stress"]) == 4096
     assert made.yield_stress(0.05) == pytest.approx(K * 0.05**N, rel=3e-3)
+
+
+def noisy(peak=0.0):
+    """Return a curve recorded at constant strain rate, with noise of 2 MPa and 3e-6."""
+    rng = np.random.default_rng(11)
+    strain = np.linspace(0.0, TRUE_STRAIN[-1], 3000)
+    stress = np.interp(strain, TRUE_STRAIN, TRUE_STRESS)
+    stress = stress + peak * np.exp(-(((strain - 4e-3) / 4e-4) ** 2))
+    return strain + 3e-6 * rng.standard_normal(3000), stress + 2e6 * rng.standard_normal(3000)
+
+
+def test_noise_leaves_the_law():
+    """The fit that does not decrease is unbiased; without noise it is the curve itself."""
+    made = sc.Material.from_test(*noisy(), engineering=False)
+    assert pytest.approx(E, rel=0.02) == made.E
+    g = np.array([1e-3, 0.01, 0.08])
+    assert made.yield_stress(g) == pytest.approx(K * g**N, rel=1e-2)
+    assert (np.diff(made.parameters["stress"]) >= 0).all()
+
+
+def test_an_upper_yield_point_is_no_noise():
+    with pytest.raises(ValueError, match=r"more than the noise .* strain of 0\.00[0-9]+ .* smooth"):
+        sc.Material.from_test(*noisy(peak=90e6), engineering=False)

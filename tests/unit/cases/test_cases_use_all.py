@@ -26,7 +26,15 @@ from case_kinds import (
     WEAR,
 )
 from samcontact import wear
-from samcontact.cases import AsperityCase, Case, CaseError, asperities, fatigue, shakedown
+from samcontact.cases import (
+    AsperityCase,
+    Case,
+    CaseError,
+    asperities,
+    dents,
+    fatigue,
+    shakedown,
+)
 
 # Fields that do not affect the computation: title, results folder, and output of the command.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
@@ -34,6 +42,7 @@ OF_RESULTS = {"title", "description", "estimate_error", "output"}
 OF_ACCURACY = {"accuracy", "quantities", "max_memory", "max_time"}
 # Alternative values if the field implies none; the first valid different value is used.
 OTHER = {
+    "lift": [[0.0, 1e-3, 3e-3, 1e-3, 0.0]], "lift_angle": [[-1.1, -0.5, 0.0, 0.5, 1.1]],
     "friction": [0.2], "low": [-18e-6], "high": [24e-6], "lateral_creepage": [2e-3], "spin": [1.0],
     "material": ["M50"], "HV": [[610.0, 450.0]], "surface": [620.0], "axis": ["y"],
     "law": [], "kind": [], "shape": [], "path": [], "worn": [[1, 2]], "unit": ["nm"],
@@ -47,10 +56,12 @@ OTHER = {
     "advance": [[2e-5, 0.0]], "recovery": [[6.0]], "modulus": [[2e9]], "order": [2],
     "wavelength_min": [20e-6], "wavelength_max": [90e-6], "slide_to_roll": [-0.2],
     "step": [1e-5], "increments": [3, 13], "distance": [2e-5], "nz": [5], "ambient": [290.0],
+    "density": [4e9],
     "teeth": [[16, 25]], "profile_shift": [[0.1, 0.1]], "tip_diameter": [[82.4e-3, 118.3e-3]],
     "tip_relief": [[3e-5, 2e-5]], "relief_length": [[6e-3, 5e-3]], "rail": ["other.npy"],
     "wheel": ["other.npy"], "smoothing": [0.0],
     "designation": ["6209"], "profile_y": [[0.0, 5e-5]], "profile_drop": [[0.0, 2e-8]],
+    "times": [[1e-3, 0.2]], "shares": [[0.3, 0.1]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -68,10 +79,13 @@ UNSET = {
     "tilt_y": 1e-6, "fret": {"shift_x": 1e-8},
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
     "thermal": SWIFT["thermal"], "softening": SWIFT["softening"], "kinematic": SWIFT["kinematic"],
-    "free_faces": {"low": -18e-6},
+    "free_faces": {"low": -18e-6}, "relaxation": {"times": [1.0], "shares": [0.5]},
+    "first_duration": 1e-5,
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
     "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
     "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
+    "eccentricity": 3e-3, "max_lift": 5e-3, "event_angle": 2.2,
+    "lift": [0.0, 1e-3, 2e-3, 1e-3, 0.0], "lift_angle": [-1.0, -0.5, 0.0, 0.5, 1.0],
 }  # fmt: skip
 
 
@@ -106,6 +120,7 @@ def computed(tmp_path, monkeypatch):
     monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(asperities, "collide", record)
+    monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
     def compute(content):
         case = (AsperityCase if "asperities" in content else Case).model_validate(content)
@@ -123,7 +138,8 @@ def computed(tmp_path, monkeypatch):
             judged = [case.fatigue.fields([simulation.state], 2), repr(case.fatigue)]
         if case.shakedown is not None:
             judged.append(case.shakedown.solve(simulation, path, False))
-        return stated([list(surfaces), path, judged]), repr(simulation)
+        pressed = repr(simulation.engine.preparation)
+        return stated([list(surfaces), path, judged]), repr(simulation), pressed
 
     return compute
 
@@ -157,6 +173,8 @@ def others(name, field, value):
         return [one for one in literals if one != value]
     if isinstance(value, int):
         return [value + 1, value + 2]
+    if isinstance(value, list):
+        return [[1.01 * item for item in value]]
     return [value * 1.01, value * 0.9]
 
 
@@ -221,8 +239,10 @@ def test_every_field_of_every_section_is_tried():
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
-        "kinematic yield_profile free_faces layers surface path body1 body2 contact contact_law "
-        "capped_coulomb heat asperities output fatigue limit shakedown hardness exposure life"
+        "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
+        "contact_law capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
+        "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
+        "dents particles random"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -115,7 +115,11 @@ def test_a_moving_case_runs_and_tracks_the_bodies(write):
             r"path\[1\]: roll must start unloaded, but the previous segment ends at load = 1\.0",
         ),
         (ROLL, "advance = [1.0]", r"path\[0\]\.advance: must be a list of 2 finite numbers"),
-        (ROLL, "advance = [1.0, inf]", r"path\[0\]\.advance\[1\]: must be a finite number \[m\]"),
+        (
+            ROLL,
+            "advance = [1.0, inf]",
+            r"path\[0\]\.advance: must be a list of 2 finite numbers or",
+        ),
         ("friction = 0.0", "reach = -1.0", r"contact\.reach: must be a finite number >= 0 \[m\]"),
     ],
 )
@@ -169,7 +173,7 @@ def test_heat_moves_with_the_body(write):
     assert all(step["duration"] == pytest.approx(120e-6) for step in steps[:5])
     assert steps[6]["duration"] == pytest.approx(360e-6)  # the way back
     simulation, _ = case.build()
-    assert simulation.heat.march == (1e-6, 1e-2, 200e-6)
+    assert simulation.heat.march == (1e-6, 1e-2, 200e-6, 0.0)
     at_once = load_case(write(*heated, (roll[0], f"{roll[1]}, return_time = 0.0"), follows))
     assert at_once.steps()[6]["duration"] == 0.0
     with pytest.raises(CaseError, match=r"heat\.track is required because the path moves"):

@@ -92,3 +92,36 @@ def test_the_map_of_the_gap_is_blank_beyond_the_face():
     ax = matplotlib.figure.Figure().add_subplot()
     peak_map(ContactResults(dataset, 2, None), "gap", ax)
     assert "no body" in ax.get_title()
+
+
+LIFT = {"max_lift": 6e-3, "event_angle": 2.4}
+CAM = PLAIN | {
+    "surface": {"shape": "cam", "base_radius": 18e-3, "cam_angle": 0.3} | LIFT,
+    "grid": {"nx": 65, "ny": 1, "dx": 8e-6, "dy": 10e-3, "periodic": "y"},
+    "path": [{"load": 3e3, "increments": 1}],
+}
+
+
+def test_a_cam_has_the_pressure_of_its_curvature():
+    case = Case.model_validate(CAM)
+    simulation, path = case.build()
+    found = simulation.run(path, progress=False)[-1].pressure.max()
+    contact = sc.parts.Cam.harmonic(18e-3, 6e-3, 2.4).at(0.3)
+    steel = case.body1.build()
+    expected = contact.hertz(3e3, 10e-3, sc.hertz.effective_modulus(steel, steel)).p0
+    assert found == pytest.approx(expected, rel=5e-3)
+    degrees = CAM["surface"] | {"event_angle": f"{np.degrees(2.4)} deg"}
+    assert Case.model_validate(CAM | {"surface": degrees}).surface.cam_angle == 0.3
+
+
+@pytest.mark.parametrize(
+    ("changed", "says"),
+    [
+        ({"eccentricity": 1e-3}, "exactly one of eccentricity, max_lift with event_angle, or"),
+        ({"event_angle": None}, "exactly one of eccentricity"),
+        ({"max_lift": 60e-3}, "a flat tappet cannot follow a concave cam"),
+    ],
+)
+def test_impossible_cams_are_refused(changed, says):
+    with pytest.raises(CaseError, match=f"surface: .*{says}"):
+        Case.model_validate(CAM | {"surface": CAM["surface"] | changed})

@@ -43,6 +43,10 @@ LAWS = {
     "{tresca = inf}": sc.Tresca(math.inf),
     "{capped_coulomb = {coefficient = 0.3, limit = '200 MPa'}}": sc.CappedCoulomb(0.3, 2e8),
     "{capped_coulomb = {coefficient = 0.3, limit = inf}}": sc.CappedCoulomb(0.3, math.inf),
+    "{anisotropic = {mu_x = 0.4, mu_y = 0.2, angle = '500 mrad'}}": sc.Anisotropic(0.4, 0.2, 0.5),
+    "{mapped_coulomb = {coefficient = [0.2, 0.4], y = ['-1 mm', 0.001]}}": sc.MappedCoulomb(
+        (0.2, 0.4), (), (-1e-3, 1e-3)
+    ),
 }
 
 
@@ -250,7 +254,7 @@ def test_fields_unused_in_full_sliding_are_refused():
 @pytest.mark.parametrize("name", sorted(path.name for path in CASES.glob("s*.toml")))
 def test_cases_that_come_with_the_package(name):
     simulation, path = load_case(CASES / name).build()
-    assert 0 < simulation.friction.coefficient < math.inf
+    assert 0 < simulation.friction.ratio(1e9) < math.inf
     assert any({"tangential_load", "shift", "advance"} & step.keys() for step in path)
     travels = [0.5 * sum(step["advance"]) for step in path if "advance" in step]
     cells = np.array(travels) / simulation.grid.dx

@@ -3,9 +3,11 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from samcontact import materials
 from samcontact.cases import load_case
 from samcontact.cases.examples import FIRST_CASES, example_names, example_text
 from samcontact.commands.main import main
@@ -58,3 +60,22 @@ def test_all_examples_are_listed_and_written(tmp_path):
 def test_an_unknown_example_is_refused_by_name():
     with pytest.raises(ValueError, match=r"^name: must be one of .*t1_two_balls.*, got 'none'"):
         example_text("none")
+
+
+def test_the_new_coating_gives_the_stress_on_both_sides_of_the_interface(tmp_path):
+    """In-plane stresses jump with the stiffness; tractions and in-plane strains do not."""
+    file = tmp_path / "coating.toml"
+    assert invoke("new", "coating", file).exit_code == 0
+    case = load_case(file)
+    assert case.wear is None
+    simulation, path = case.build()
+    state = simulation.run(path, progress=False)[-1]
+    above, below = state.interface_stress(body=2)[..., 0]
+    largest = np.abs(above).max()
+    np.testing.assert_allclose(above[2:5], below[2:5], atol=1e-6 * largest)  # zz, yz, xz
+    strains = []
+    for stress, material in ((above, "TiN"), (below, "52100")):
+        E, nu = (materials.get(material).value(name) for name in ("E", "nu"))
+        strains.append((stress[0] - nu * (stress[1] + stress[2])) / E)
+    np.testing.assert_allclose(*strains, atol=1e-6 * np.abs(strains[0]).max())
+    assert np.abs(above[0] - below[0]).max() > 0.2 * largest

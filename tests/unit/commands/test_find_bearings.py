@@ -9,7 +9,7 @@ import pytest
 from command import check_failure, invoke
 from samcontact import bearings
 from samcontact.cases import load_case
-from samcontact.commands.bearing_loads import in_metres
+from samcontact.commands.bearing_loads import in_metres, largest_contact_load
 
 CASES = Path(__file__).parents[3] / "cases"
 STEEL = '[body{}]\nlaw = "elastic"\nE = 207e9\nnu = 0.3\n'
@@ -55,8 +55,23 @@ def test_targets_in_diameters_need_a_rolling_element(tmp_path):
     assert name == "permanent_deformation"
     assert float(value) == pytest.approx(1.2e-6)
     assert in_metres("max_pressure=4 GPa", case) == "max_pressure=4 GPa"
+    refused = invoke("find", CASES / "b5_bearing_6208.toml", "max_pressure=4 D")
+    check_failure(refused, 2, "D (diameter of the rolling element) must be a length")
     refused = invoke("find", CASES / "b1_ball_in_groove.toml", "permanent_deformation=1e-4 D")
     check_failure(refused, 2, "requires [bearing] or [roller]")
+
+
+def test_the_largest_load_is_that_on_the_bearing(tmp_path):
+    """By Stribeck's rule, one of nine elements carries 5/9 of the radial load."""
+    file = tmp_path / "case.toml"
+    file.write_text(BEARING.format("18e3"))
+    case = load_case(file)
+    assert largest_contact_load(case, 9e3) == pytest.approx(5e3)
+    assert largest_contact_load(case, None) is None
+    outcome = invoke("find", file, "max_pressure=9e9", "--largest-load", "9 kN", "--quiet")
+    check_failure(outcome, 2, "cannot be reached")
+    ball = load_case(CASES / "b1_ball_in_groove.toml")
+    assert largest_contact_load(ball, 9e3) == 9e3
 
 
 @pytest.mark.slow

@@ -15,7 +15,7 @@ from rich.console import Console
 
 from samcontact import hertz
 from samcontact.asperities.series import BY_INCREMENT, BY_PASS
-from samcontact.commands import solve_contact, solve_study, solve_sweep, tables
+from samcontact.commands import solve_contact, solve_study, sweep_summary, tables
 from samcontact.commands.tables import MIN_WIDTH, UNLIMITED_WIDTH, Sheet, new_console, numbers
 from samcontact.wear import Cycle, FrettingCycle
 
@@ -65,7 +65,7 @@ def sweep(generator):
     one = contact(generator).drop_vars(["iterations", "contact_area"])
     whole = one.expand_dims({name: 2 for name in names}).copy().assign_coords(shape)
     whole["status"] = (tuple(names), [["done", "done"], ["done", "cancelled"]])
-    return solve_sweep._table(whole, names, CASE)
+    return sweep_summary.summary_of(whole, names, CASE).sheet()
 
 
 def all_tables(seed):

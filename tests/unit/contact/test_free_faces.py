@@ -169,3 +169,14 @@ def test_what_is_not_known_is_refused(make, message):
 def test_faces_in_millimetres_are_refused():
     with pytest.raises(ValueError, match=r"free_faces must be within 2 m .* y = -5\.0 m: milli"):
         sc.Material.elastic(210e9, 0.3).with_free_faces(-5.0, 5.0)
+
+
+def test_a_grid_that_ends_at_a_face_is_given_more_rows():
+    grid = sc.Grid(40, 12, 10e-6, 10e-6)
+    ended = STEEL.with_free_faces(-FACE, FACE)
+    remedy = r"a row of cells beyond the free face at y = -60 µm and y = 60 µm: use ny = 14 with dy"
+    with pytest.raises(sc.GridTooSmallError, match=remedy) as caught:
+        sc.ContactSolver(grid, ended, ended).solve(ball(grid), load=LOAD)
+    assert "detrend" not in str(caught.value)
+    wider = sc.Grid(40, 14, 10e-6, 10e-6)
+    assert sc.ContactSolver(wider, ended, ended).solve(ball(wider), load=LOAD).load == LOAD

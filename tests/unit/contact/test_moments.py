@@ -158,3 +158,20 @@ def test_a_tilt_in_degrees_is_refused():
     gap = sc.surfaces.paraboloid(GRID, 12e-3)
     with pytest.raises(ValueError, match=r"tilt about x must be .* got 1\.0: degrees"):
         solver().solve(gap, load=LOAD, tilt=(1.0, 0.0))
+
+
+@pytest.mark.parametrize("profile", ["straight", "logarithmic"])
+@pytest.mark.filterwarnings("ignore::samcontact.SingularPressureWarning")
+def test_a_moment_on_a_roller_costs_what_its_tilt_costs(profile):
+    """Cells beyond the ends do not determine the first tilt, also where an end lifts off."""
+    load, length, radius = 5e3, 10e-3, 5e-3
+    b = sc.hertz.line(radius, E_STAR, load / length).b
+    grid = sc.Grid(40, 81, 6 * b / 40, 1.04 * length / 81)
+    contact = sc.ContactSolver(grid, STEEL, STEEL, tol=1e-8)
+    gap = sc.surfaces.roller(grid, radius, length, profile)
+    for arm in (0.1 * length, 0.2 * length, 0.3 * length):
+        driven = contact.solve(gap, load=load, moment=(load * arm, 0.0))
+        held = contact.solve(gap, load=load, tilt=driven.tilt)
+        assert held.moment[0] == pytest.approx(load * arm, rel=1e-6)
+        assert driven.iterations <= 1.25 * held.iterations
+    assert driven.pressure[:, :8].max() == 0.0  # lifted

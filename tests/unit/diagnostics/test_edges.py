@@ -176,3 +176,18 @@ def test_the_quick_check_misses_no_edge(periodic):
         found += rising
         assert has_ridge(pressure, periodic) or not rising
     assert found > 100
+
+
+def test_the_remedy_for_a_roller_with_a_profile_is_not_a_profile():
+    """Its edge is that of cells too coarse for the drop at the ends."""
+    grid = sc.Grid(32, 101, HERTZ.b / 10, 1.1 * LENGTH / 101)
+
+    def texts(profile):
+        gap = sc.surfaces.roller(grid, RADIUS, LENGTH, profile)
+        solver = sc.ContactSolver(grid, STEEL, STEEL)
+        return kinds(lambda: solver.solve(gap, load=LINE_LOAD * LENGTH))
+
+    (text,) = texts("logarithmic")
+    assert "smaller cells across the edge, or a larger drop" in text
+    assert "logarithmic profile" not in text
+    assert "or use a crowned or logarithmic profile" in texts("straight")[0]

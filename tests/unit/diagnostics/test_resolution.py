@@ -223,3 +223,17 @@ def test_pressures_beyond_linear_elasticity_cause_a_warning():
 def test_a_resolved_smooth_contact_causes_no_warning():
     run = problem(8)
     assert stated(lambda: run.run([{"load": LOAD}, {"load": 0.0}], progress=False), Warning) == []
+
+
+def test_half_a_roller_is_no_paraboloid_of_another_unit():
+    """The drop of a profile resembles a parabola in the middle, and not at the end of a roller."""
+    load, length = 15e3, 10e-3
+    b = sc.hertz.line(5e-3, sc.hertz.effective_modulus(STEEL, STEEL), load / length).b
+
+    def gap(grid):
+        return sc.surfaces.roller(grid, 5e-3, length, "logarithmic")
+
+    grid = sc.Grid(26, 101, b / 8, 0.5 * length / 101)
+    solver = sc.ContactSolver(grid, STEEL, STEEL)
+    assert stated(lambda: solver.solve(gap, load=load), Warning) == []
+    assert hertz_estimate.ContactSetup(grid, gap(grid), (STEEL, STEEL)).hertz(load=load) is None

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """[fatigue] of a case file: output of the command against results from Python."""
 
+import re
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -8,7 +10,7 @@ import xarray as xr
 import samcontact as sc
 from case_texts import MINIMAL
 from command import check_failure, invoke
-from samcontact import cases, results
+from samcontact import cases, report, results
 
 FATIGUE = """
 [fatigue]
@@ -25,10 +27,10 @@ PASSING = '[fatigue]\nsteady_axis = "x"\nfatemi_socie = 0.5\n'
 
 @pytest.fixture
 def run(tmp_path):
-    def run(more):
+    def run(more, *options):
         path = tmp_path / "case.toml"
         path.write_text(f"{MINIMAL}\n{more}")
-        return invoke("run", path, "--output", tmp_path / "out"), tmp_path / "out"
+        return invoke("run", path, "--output", tmp_path / "out", *options), tmp_path / "out"
 
     return run
 
@@ -108,3 +110,47 @@ SINGLE = MINIMAL.replace("increments = 2", "increments = 1").split("[[path]]")
 def test_incompatible_fields_are_refused(text, message):
     with pytest.raises(cases.CaseError, match=message):
         cases.parse_case(text)
+
+
+JUDGED = """
+[body2.hardness]
+surface = 390.0
+core = 250.0
+depth = 0.3e-3
+limit = 320.0
+[fatigue]
+dang_van = 0.3
+limit = {dang_van = "300 MPa"}
+exposure = {slope = 0.3}
+life = {criterion = "dang_van"}
+"""
+
+
+def test_a_report_shows_criteria_exposure_and_life(run, monkeypatch):
+    """All numbers are those of the fields in fatigue.nc."""
+    monkeypatch.setattr("samcontact.report.contact.contact_figures", lambda *_: [])
+    outcome, folder = run(JUDGED, "--no-figures")
+    assert outcome.exit_code == 0, outcome.output
+    page = invoke("report", folder)
+    assert page.exit_code in (0, 1), page.output
+    text = (folder / "report.html").read_text(encoding="utf-8")
+
+    def numbers(name):
+        (table,) = re.findall(rf'<table id="{name}-table">.*?</table>', text, re.DOTALL)
+        return [float(value) for value in re.findall(r'<data value="([^"]*)">', table)]
+
+    with results.open_results(folder / "fatigue.nc") as stored:
+        found = stored.load()
+    largest, depth, limit, margin = numbers("fatigue")
+    assert largest == found["dang_van"].values.max()
+    assert (limit, margin) == (300e6, pytest.approx(300e6 / largest - 1))
+    assert depth in found["z"].values
+    exposure, where, stress, strength, hardness = numbers("exposure")[:5]
+    assert exposure == found["exposure_yield"].values.max() == pytest.approx(stress / strength)
+    at = {"z": where, "method": "nearest"}
+    assert hardness == found["hardness"].sel(**at)
+    assert strength == found["strength_yield"].sel(**at)
+    assert f"logarithm of the integral {found.attrs['life_log_integral']:.6g}" in text
+    assert text.count("data:image/png") == 2  # criteria and exposure over depth
+    with pytest.raises(ValueError, match=r"fatigue must be the dataset .* has no dang_van"):
+        report.write(found, folder / "other.html", fatigue=xr.Dataset())

@@ -240,6 +240,39 @@ def test_moving_coefficients_equal_plain_sums_over_wavenumbers(speed):
         assert np.abs(found[at] - expected).max() < 1e-6 * largest
 
 
+@pytest.mark.parametrize(
+    "velocity", [(0.02, 0.05), pytest.param((-3.0, 0.4), marks=pytest.mark.slow)]
+)
+def test_coefficients_in_oblique_motion_equal_polar_sums_over_wavenumbers(velocity):
+    """The angle is graded towards the direction across the motion; the axes are those of it."""
+    x, y, z = np.array([-4.0, -1.0, 0.0, 2.0]), np.array([-2.0, 0.0, 1.0]), 2.5
+    speed = np.hypot(*velocity)
+    c, s = velocity / speed
+    q, wq = graded(42 / z, 6.0, 1e-6)
+    turn, wt = graded(np.pi / 2, 12.0, 1e-5)
+    along = np.concatenate([np.sin(turn), np.sin(turn)])
+    across = np.concatenate([np.cos(turn), -np.cos(turn)])
+    Q, U = (k.ravel() for k in np.meshgrid(q, along, indexing="ij"))
+    W = np.outer(q, across).ravel()
+    U *= Q
+    KX, KY = c * U - s * W, s * U + c * W
+    weight = np.outer(wq * q, np.concatenate([wt, wt])).ravel() / (2 * np.pi**2)
+    weight = weight * np.sinc(KX / (2 * np.pi)) * np.sinc(KY / (2 * np.pi))
+    wave = _core.operators.heated_wave(COATED._core.stack, heating(COATED), Q, 1j * speed * U, z)
+    cx, cy = KX / Q, KY / Q
+    modes = [wave[0], wave[1] * cx**2 + wave[2] * cy**2, wave[3], -1j * wave[4] * cx]
+    modes += [-1j * wave[4] * cy, cx * cy * (wave[1] - wave[2])]
+    cell = Cell(COATED, 9, 5, velocity, at=(4, 2))
+    T, stress = cell.temperature(z), cell.stress(z)
+    found = [T, stress[0], stress[2], stress[4], stress[3], stress[5]]
+    scales = [cell.temperature(0.0).max(), *[np.abs(stress).max()] * 5]
+    for i, j in [(0, 0), (1, 1), (3, 2)]:
+        phase = weight * np.exp(1j * (KX * x[i] + KY * y[j]))
+        for field, mode, scale in zip(found, modes, scales, strict=True):
+            value = field[int(x[i] + 4), int(y[j] + 2)]
+            assert abs(value - (phase * mode).sum().real) < 1e-6 * scale
+
+
 def test_slow_motion_is_rest_and_fast_motion_keeps_heat_in_the_coating():
     rest = Cell(COATED, 6, 3)
     slow = Cell(COATED, 11, 3, (1e-9, 0.0), at=(5, 0))

@@ -107,6 +107,14 @@ def test_unusable_arguments_are_refused(dented):
     other = sc.Grid(25, 21, CELL, CELL, dz=5e-6)
     with pytest.raises(ValueError, match="dented must have the cells of the grid"):
         roll_over(other, BALL, STEEL, dented, gap, load=1.0, distance=6e-5, step=6e-6)
+    with pytest.raises(ValueError, match=r"body2 must be elastic-plastic, .* no dent remains"):
+        indent(GRID, BALL, [Particle(**PARTICLE)])
+    outside = Particle(**PARTICLE, x=80e-6)
+    with pytest.raises(ValueError, match=r"^x of particles\[1\] must be between -7\.5e-05 and 7"):
+        indent(GRID, STEEL, [Particle(**PARTICLE), outside])
+    harder = sc.Material.swift(210e9, 0.3, 1280e6, 4.0, 0.095)
+    with pytest.raises(ValueError, match=r"body2 must be the body with the dents, .* got Material"):
+        roll_over(GRID, BALL, harder, dented, gap, load=1.0, distance=6e-5, step=6e-6)
     with pytest.raises(ValueError, match="density must give at most 10000"):
         particles(1.0, 1.0, 1e9, 5e-6, seed=1)
 

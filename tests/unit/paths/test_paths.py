@@ -101,7 +101,7 @@ class TestHeat:
             {"load": 2.0, "duration": 0.5},
         ]
 
-    @pytest.mark.parametrize("duration", [0.0, -1.0, float("nan")])
+    @pytest.mark.parametrize("duration", [-1.0, float("nan")])
     def test_bad_duration(self, duration):
         with pytest.raises(ValueError, match="duration must be"):
             paths.hold(load=1.0, duration=duration)
@@ -234,7 +234,7 @@ def test_ramp_and_hold_while_the_bodies_move():
         {"load": 2.0, "advance": (-0.5, 1.5)},
     ]
     assert paths.hold(load=0.0, advance=(1.0, 1.0)) == [{"load": 0.0, "advance": (1.0, 1.0)}]
-    with pytest.raises(ValueError, match=r"advance must have shape \(2,\), got \(3,\)"):
+    with pytest.raises(ValueError, match=r"advance must be a pair \(body 1, body 2\)"):
         paths.hold(load=1.0, advance=(1.0, 2.0, 3.0))
 
 
@@ -307,3 +307,27 @@ def test_a_tangential_path_comes_to_its_force():
         paths.tangential(load=1.0)
     with pytest.raises(ValueError, match="start must be 0 if shift is given"):
         paths.tangential(load=1.0, shift=(1e-6, 0.0), start=(1.0, 0.0))
+
+
+class TestTimes:
+    def test_creep(self):
+        steps = paths.creep(3.0, until=100.0, per_decade=4, first=1.0)
+        assert steps[0] == {"load": 3.0, "duration": 0.0}
+        times = np.cumsum([step["duration"] for step in steps])
+        np.testing.assert_allclose(times[1:], np.logspace(0, 2, 9), rtol=1e-12)
+
+    def test_stress_relaxation(self):
+        assert {step["approach"] for step in paths.stress_relaxation(1e-6, until=1.0)} == {1e-6}
+
+    def test_oscillation(self):
+        steps = paths.oscillation(2.0, 1.0, frequency=0.5, periods=2, increments=4)
+        np.testing.assert_allclose([step["load"] for step in steps], 2 * [3.0, 2.0, 1.0, 2.0])
+        assert {step["duration"] for step in steps} == {0.5}
+        with pytest.raises(ValueError, match="amplitude must be <= mean"):
+            paths.oscillation(1.0, 2.0, frequency=1.0, periods=1)
+
+    def test_first_duration(self):
+        steps = paths.hold(load=1.0, increments=3, duration=9.0, first_duration=1.0)
+        np.testing.assert_allclose([step["duration"] for step in steps], [1.0, 2.0, 6.0])
+        with pytest.raises(ValueError, match="first_duration must be < duration"):
+            paths.hold(load=1.0, increments=3, duration=1.0, first_duration=1.0)

@@ -146,11 +146,40 @@ cycles = 2
 }
 
 
+CASES["creeping"] = """title = "creeping"
+[grid]
+nx = 24
+ny = 24
+dx = 80e-6
+dy = 80e-6
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = 2.4e9
+nu = 0.4
+relaxation = {times = [0.1, 10.0], shares = [0.3, 0.4]}
+[surface]
+shape = "paraboloid"
+Rx = 10e-3
+[[path]]
+load = 20.0
+increments = 1
+duration = 0.0
+[[path]]
+load = 20.0
+increments = 16
+duration = 300.0
+first_duration = 0.01
+"""
 EQUAL_IMAGES = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {
     "long": ("axis_stress", "load_approach", "pressure", "sections"),
     "fretting": ("gap_map", "pressure", "pressure_map"),
+    "creeping": (
+        "gap_map", "pressure", "pressure_map", "load_approach", "imprint", "imprint_map",
+    ),
     "fatigue": (
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
         "imprint_map", "residual", "sections",

@@ -43,18 +43,31 @@ def test_ratio_is_the_bound_over_the_pressure_and_does_not_grow(law):
     assert law.ratio(0.0) >= ratios[0]
 
 
+def example(constant, number):
+    """A valid value of a parameter."""
+    value = min(float(number), constant.le or math.inf)
+    return (value,) if constant.many else value
+
+
 @pytest.mark.parametrize("law", LAWS.values(), ids=list(LAWS))
 def test_parameters_of_a_class_are_those_of_the_core(law):
     assert list(law.constants) == [field.name for field in dataclasses.fields(law)]
-    found = law(*range(1, 1 + len(law.constants)))
-    for number, name in enumerate(law.constants, 1):
-        assert getattr(found, name) == number
-        with pytest.raises(ValueError, match=f"^{name} must be a .*number >= 0"):
-            law(**dict.fromkeys(law.constants, 1.0) | {name: -0.5})
-        with pytest.raises(ValueError, match=f"^{name} must be"):
-            law(**dict.fromkeys(law.constants, 1.0) | {name: math.nan})
-        with pytest.raises(TypeError, match=f"^{name} must be a number"):
-            law(**dict.fromkeys(law.constants, 1.0) | {name: "much"})
+    values = {name: example(c, n) for n, (name, c) in enumerate(law.constants.items(), 1)}
+    found = law(**values)
+    for name, constant in law.constants.items():
+        assert getattr(found, name) == values[name]
+
+        def refuse(error, message, value, name=name, many=constant.many):
+            with pytest.raises(error, match=f"^{name}.* {message}"):
+                law(**values | {name: [value] if many else value})
+
+        refuse(ValueError, "must be", math.nan)
+        refuse(TypeError if not constant.many else (TypeError, ValueError), "must be", "much")
+        if constant.ge is not None or constant.gt is not None:
+            limit = constant.gt if constant.ge is None else constant.ge
+            refuse(ValueError, "must be", limit - 0.5)
+        if constant.gt is not None:
+            refuse(ValueError, "must be", constant.gt)
 
 
 @each
@@ -70,7 +83,29 @@ def test_a_law_without_limits_prevents_slip_and_one_of_zero_has_no_friction(law)
         assert kind(**others, **{name: math.inf}).prevents_slip == (not others)
 
 
-@pytest.mark.parametrize("law", [*BOUNDS, friction_law(0.3)], ids=repr)
+ANISOTROPIC = sc.Anisotropic(0.1, MU, 0.5)
+MAP = sc.MappedCoulomb([[0.1, 0.2], [MU, 0.0]], x=[0.0, 1e-3], y=[-1e-3, 0.0], body=1)
+FALLING = sc.FallingCoulomb(0.1, 0.2, 1e-3)
+
+
+@pytest.mark.parametrize("law", [ANISOTROPIC, MAP, FALLING], ids=repr)
+def test_the_bound_is_the_largest_in_any_direction_place_and_slip_rate(law):
+    np.testing.assert_allclose(law.bound(PRESSURE), MU * PRESSURE, rtol=1e-15)
+    assert law.ratio(1e9) == pytest.approx(MU)
+    assert not law.prevents_slip
+    assert not law.is_frictionless
+    assert law.needs_duration == (law is FALLING)
+    assert law.varies_along_x == (law is MAP)
+    table = law._repr_html_()
+    assert all(name in table for name in law.constants)
+
+
+ACROSS = sc.MappedCoulomb([0.1, 0.2], y=[0.0, 1e-3])
+
+
+@pytest.mark.parametrize(
+    "law", [*BOUNDS, friction_law(0.3), ANISOTROPIC, MAP, ACROSS, FALLING], ids=repr
+)
 def test_a_law_outlives_trees_attributes_copies_and_pickles(law):
     assert law_of(law.to_tree()) == law
     assert law_of_attributes(attributes_of(law) | {"body1_law": "elastic"}) == law

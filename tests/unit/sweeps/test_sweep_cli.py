@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The command ``samcontact sweep``: values from the command line, its table, files, exit codes."""
 
+import csv
 import os
 import signal
 import subprocess
 import sys
 import time
 
+import matplotlib.image as plt
 import pytest
 
 import samcontact as sc
@@ -46,11 +48,16 @@ def test_the_command_end_to_end(case_file, tmp_path):
     assert outcome.stdout.splitlines()[-1] == str(out / "sweep.nc")
     assert "path[0]." in outcome.stdout
     assert outcome.stdout.count("done") == 2
+    with open(out / "sweep.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["path[0].load [N]"] for row in rows] == ["300.0", "600.0"]
+    assert plt.imread(out / "sweep.png").shape[2] == 4
     with results.open_results(out / "sweep.nc") as found:
         assert found.sizes == {"path[0].load": 2, "contact.friction": 1, "increment": 3}
         # the table shows the peak, not the end
         peak = float(found["max_pressure"].sel({"path[0].load": 300.0, "increment": 2})[0])
         assert f"{peak * 1e-6:.1f}" in outcome.stdout
+        assert float(rows[0]["max_pressure [Pa]"]) == peak
         expected = sc.sweep(
             load_case(case_file),
             {"path[0].load": [300, 600], "contact.friction": [0.1]},
@@ -63,7 +70,8 @@ def test_the_command_reports_failed_cases(case_file, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     outcome = invoke("sweep", case_file, "--set", "path[0].load=300,9e13", "--quiet")
     assert outcome.exit_code == 1
-    assert outcome.stdout == "results/case/sweep/sweep.nc\n"
+    written = [f"results/case/sweep/sweep.{ending}" for ending in ("csv", "nc")]
+    assert outcome.stdout.splitlines() == written  # one case is no curve
     assert outcome.stderr.startswith("1 of 2 cases failed\n  GridTooSmallError: at load ")
     with results.open_results("results/case/sweep/sweep.nc") as found:
         assert found["status"].values.tolist() == ["done", "failed"]
@@ -111,3 +119,41 @@ def test_ctrl_c_also_ends_the_workers(case_file, tmp_path):
 )
 def test_bad_use_of_the_command(case_file, arguments, message):
     check_failure(invoke("sweep", case_file, *arguments, "--quiet"), 2, message)
+
+
+BEARING = """title = "bearing"
+[bearing]
+designation = "6208"
+radial_load = 1e3
+[body1]
+material = "52100"
+[body2]
+material = "52100"
+hardness = {surface = 390.0, core = 250.0, depth = 1e-3, limit = 320.0}
+[fatigue]
+steady_axis = "x"
+exposure = {}
+[output]
+figures = false
+"""
+
+
+def test_fields_of_a_bearing_and_of_its_hardness_with_units(tmp_path):
+    file, out = tmp_path / "case.toml", tmp_path / "out"
+    file.write_text(BEARING)
+    outcome = invoke(
+        "sweep", file, "--set", "bearing.radial_load=9 kN,18 kN", "--set",
+        "body2.hardness.depth=1 mm,2e-3", "--output", out, "--quiet",
+    )  # fmt: skip
+    assert outcome.exit_code == 0, outcome.output
+    with results.open_results(out / "sweep.nc") as found:
+        loads, depths = (found[n] for n in ("bearing.radial_load", "body2.hardness.depth"))
+        assert (loads.values.tolist(), loads.attrs["units"]) == ([9e3, 18e3], "N")
+        assert (depths.values.tolist(), depths.attrs["units"]) == ([1e-3, 2e-3], "m")
+        peak = found["load"].max("increment")
+        assert peak.values[:, 0] == pytest.approx([5e3, 10e3])  # 5/9 on one ball
+        exposure = found["exposure_yield"].values
+        assert exposure[0, 0] > exposure[0, 1]  # a deeper case is stronger
+    wrong = invoke("sweep", file, "--set", "bearing.radial_laod=1e3,2e3", "--output", out)
+    assert "bearing.radial_laod: unknown field; did you mean bearing.radial_load?" in wrong.stderr
+    assert not (out / "sweep.png").exists()

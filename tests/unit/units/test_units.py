@@ -191,12 +191,14 @@ def test_without_pint(tmp_path, monkeypatch):
 # depends on its segment
 NUMBERS = {
     *("nu", "C", "n", "recovery", "m", "floor", "hurst", "friction", "coulomb", "lateral_creepage"),
-    *("coefficient", "partition"),
+    *("coefficient", "partition", "spread", "depth_ratio"),
     *("tol", "increment_tol", "rate", "plastic_strain", "factor"),
     *("dang_van", "crossland", "findley", "fatemi_socie"),
     *("image_tol", "exponent", "slide_to_roll", "start", "width", "depth", "threshold"),
+    "shares",
     *("HV", "surface", "core", "limit", "slope", "weibull", "depth_exponent"),
     *("inner_conformity", "outer_conformity", "profile_shift", "relief_exponent", "load_factor"),
+    *("mu_x", "mu_y", "body", "kinetic", "drop"),
 }
 
 

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/joint/joint_solver.hpp"
+#include "samcontact/contact/laws/friction_conditions.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/attraction.hpp"
 #include "samcontact/contact/tangential/shear_solver.hpp"
@@ -50,6 +52,22 @@ struct PartialSlipSolution {
   JointWork joint = {};  // of the solution for both together; no steps: the sweeps converged
   /// Message that this state with the smallest error has not converged; empty: converged.
   std::string stall_warning = {};
+  /// Slip rate that the friction of each cell follows [i][j] [m/s]; empty: the law does not depend
+  /// on it.
+  Field slip_rate = {};
+  /// Largest decrease of the bound of a cell due to the slip that a unit decrease of its shear
+  /// causes; at 1 and above, both stick and slip may be solutions.
+  double falling_number = 0.0;
+  int rate_iterations = 0;  // of the slip rate
+};
+
+/// Solution for an initial pressure, a start and the conditions of friction.
+using SolveUnder =
+    std::function<PartialSlipSolution(Field, const PartialSlipStart&, const FrictionConditions&)>;
+/// Whether the contact is in steady rolling, and the tolerance of the solution.
+struct RateSettings {
+  bool rolls = false;
+  double tol = 1e-8;
 };
 
 class PartialSlipContact {
@@ -68,13 +86,15 @@ class PartialSlipContact {
   /// ConvergenceError.
   PartialSlipSolution solve(const Field& gap, const Drive& drive, const TangentialDrive& tangential,
                             const ContactHistory& before, const PartialSlipStart& start,
-                            const ContactSettings& settings) const;
+                            const ContactSettings& settings,
+                            const FrictionConditions& conditions = {}) const;
 
   /// Solves steady rolling towards +x with creepages along x and y and a spin, per distance rolled
   /// [-, -, 1/m], or with the corresponding forces. Slip [-] and friction work [N] of the solution
   /// are per distance rolled as well. Throws as solve() does.
   PartialSlipSolution roll(const Field& gap, const Drive& drive, const TangentialDrive& creepage,
-                           const PartialSlipStart& start, const ContactSettings& settings) const;
+                           const PartialSlipStart& start, const ContactSettings& settings,
+                           const FrictionConditions& conditions = {}) const;
 
   const Grid& grid() const { return grid_; }
   const FrictionLaw& friction() const { return friction_; }
@@ -84,7 +104,13 @@ class PartialSlipContact {
 
  private:
   class Sweeps;
+  PartialSlipSolution with_conditions(const SolveUnder& solve, Field pressure,
+                                      const PartialSlipStart& start,
+                                      const FrictionConditions& given,
+                                      const RateSettings& settings) const;
   void require_contact(const Field& gap, const Drive& drive, const ContactHistory& before) const;
+  /// Largest displacement of a cell under its own unit shear, in the last solve [m/Pa].
+  double self_influence(bool rolls) const { return shear_.self_influence(rolls); }
   /// Completes the solution for the repulsion: edge of the grid, attraction, errors.
   PartialSlipSolution finished(PartialSlipSolution solution, const Drive& drive,
                                const Attraction& attraction, const ContactSettings& settings) const;

@@ -12,7 +12,7 @@ class PartialSlipContact::Sweeps {
  public:
   Sweeps(const PartialSlipContact& contact, const Field& gap, const Drive& drive,
          const TangentialDrive& tangential, const ContactHistory& before,
-         const ContactSettings& settings, bool rolls = false);
+         const FrictionConditions& friction, const ContactSettings& settings, bool rolls = false);
 
   /// Coupled bodies interact through raised_, which is iterated until it equals the displacement
   /// due to the shear.
@@ -68,6 +68,7 @@ class PartialSlipContact::Sweeps {
   const RigidModes modes_;
   const TangentialDrive& tangential_;
   const ContactHistory& before_;
+  const FrictionConditions& friction_;
   const ContactSettings& settings_;
   const bool rolls_;
   const std::size_t n_;

@@ -25,7 +25,8 @@ class Body {
  public:
   // NOLINTNEXTLINE(*-explicit-constructor): a material is a body
   Body(Material substrate) : substrate_(std::move(substrate)) {}
-  /// Throws std::invalid_argument like Stack::of.
+  /// Throws std::invalid_argument like Stack::of, and for materials that relax differently, or
+  /// relax and flow plastically.
   Body(Material substrate, std::vector<MaterialLayer> layers);
 
   bool operator==(const Body&) const = default;
@@ -43,6 +44,9 @@ class Body {
   Stack stack() const;
 
   bool is_plastic() const;
+  /// Relaxation of all deformable materials of the body.
+  const Relaxation& relaxation() const { return material(0).relaxation; }
+  bool is_viscoelastic() const { return relaxation().is_on(); }
   bool has_initial_stress() const;
   /// Minimum strain at yield of all materials, initial yield stress / 3 G [-]; infinite if all are
   /// elastic.

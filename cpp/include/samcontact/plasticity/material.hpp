@@ -10,6 +10,7 @@
 #include "samcontact/base/elastic.hpp"
 #include "samcontact/base/free_faces.hpp"
 #include "samcontact/base/over_depth.hpp"
+#include "samcontact/base/relaxation.hpp"
 #include "samcontact/base/thermal.hpp"
 #include "samcontact/plasticity/hardening.hpp"
 
@@ -44,6 +45,7 @@ struct Material {
   std::optional<OverDepth> yield_profile = {};  // factor of the yield stress [-]; none: 1
   std::optional<InitialStress> initial_stress = {};
   FreeFaces free_faces = {};
+  Relaxation relaxation = {};
 
   /// Both throw std::invalid_argument with the name of the parameter, its value and the allowed
   /// range.
@@ -70,8 +72,13 @@ struct Material {
   /// rigid or plastic material, and unless low < high.
   Material with_free_faces(const FreeFaces& faces) const;
 
+  /// Copy of an elastic material that relaxes. Throws std::invalid_argument for a rigid or plastic
+  /// material, and for one with free faces or initial stress.
+  Material with_relaxation(const Relaxation& terms) const;
+
   bool operator==(const Material&) const = default;
   bool is_plastic() const { return hardening.yields(); }
+  bool is_viscoelastic() const { return relaxation.is_on(); }
   /// Factor of the yield stress at a depth.
   double yield_factor(double z) const { return yield_profile ? yield_profile->at(z) : 1.0; }
   /// Minimum initial yield stress over all depths [Pa].

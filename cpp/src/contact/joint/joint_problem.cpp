@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
@@ -91,6 +92,30 @@ void update_errors(const JointProblem& problem, JointState& state) {
 
 }  // namespace
 
+void JointProblem::use(CircleCoordinates coordinates) {
+  circle = std::move(coordinates);
+  circle.apply(free_slip.data(), size());
+  circle.apply(motion.data(), size());
+  for (Mode& mode : modes) circle.apply(mode.direction.data(), size());
+}
+
+void JointProblem::displace(const Field& tractions, Field& displacement, ComplexField& work) const {
+  const Field* acting = &tractions;
+  if (circle.is_on()) {
+    displacement = tractions;
+    circle.apply(displacement.data() + size(), size());
+    acting = &displacement;
+  }
+  operators->displacement.apply(acting->data(), displacement.data(), work);
+  circle.apply(displacement.data() + size(), size());
+}
+
+void JointProblem::precondition(Field& displacement, ComplexField& work) const {
+  circle.undo(displacement.data() + size(), size());
+  operators->preconditioner.apply(displacement.data(), displacement.data(), work);
+  circle.undo(displacement.data() + size(), size());
+}
+
 double JointState::shear(std::size_t i) const {
   const std::size_t n = states.size();
   return length_of(tractions[n + i], tractions[2 * n + i]);
@@ -156,7 +181,7 @@ void put_on_lines(const FrictionCone& cone, JointState& state) {
 void evaluate(const JointProblem& problem, JointState& state, ComplexField& work) {
   const std::size_t n = problem.size();
   state.displacement.resize(3 * n);
-  problem.operators->displacement.apply(state.tractions.data(), state.displacement.data(), work);
+  problem.displace(state.tractions, state.displacement, work);
   state.gap.resize(n);
   state.slip = problem.free_slip;
   for_each_cell(n, [&](std::size_t i) {

@@ -161,7 +161,7 @@ Field JointStep::right_side() const {
 
 void JointStep::apply(const Field& v, Field& out) {
   expand(v, box_);
-  problem_.operators->displacement.apply(box_.data(), box_.data(), work_);
+  problem_.displace(box_, box_, work_);
   reduce(box_, out);
   const std::size_t m = cells_.size();
   double* b = slot(out, 1);
@@ -190,7 +190,7 @@ void JointStep::precondition_cells(const Field& v, Field& out) {
     box_[n_ + i] = normal_ * (slips(i) ? -across * state_.direction[n_ + i] : b[k]);
     box_[2 * n_ + i] = normal_ * (slips(i) ? across * state_.direction[i] : c[k]);
   });
-  problem_.operators->preconditioner.apply(box_.data(), box_.data(), work_);
+  problem_.precondition(box_, work_);
   reduce(box_, out);
   double *p = slot(out, 0), *t = slot(out, 1);
   for_each_cell(std::ssize(cells_), [&](std::size_t k) {

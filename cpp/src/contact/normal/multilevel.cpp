@@ -101,7 +101,7 @@ class Rounds {
     solution_.tractions.pressure = std::move(pressure);
     solution_.gap.resize(initial_gap.size());
     solution_.rounding = rounding;
-    met_ = modes_.meet_anywhere(solution_.tractions.pressure);
+    met_ = modes_.meet_anywhere(initial_gap_, solution_.tractions.pressure);
   }
 
   /// One round without a check: the start of the next finer grid.
@@ -148,7 +148,7 @@ class Rounds {
 
   void keep_load() {
     Field& p = solution_.tractions.pressure;
-    if (!modes_.is_met(p, max_load_error)) modes_.meet_anywhere(p);
+    if (!modes_.is_met(p, max_load_error)) modes_.meet_anywhere(initial_gap_, p);
   }
 
   /// Part of a surface field over the box.
@@ -310,10 +310,11 @@ Solution Multilevel::solve_with_ends(const Field& initial_gap, const RigidModes&
                                                 normal.value / finest_->grid().cell_area()
                                           : std::max(0.0, normal.value - lowest);
   double beyond = far_off * (closed + (highest - lowest));
+  const RigidModes bodies = modes.within(highest);
   for (int n = 0; n < max_attempts; ++n, beyond *= further_off) {
     Field gap = initial_gap;
     for (double& g : gap) g = std::isinf(g) ? highest + beyond : g;
-    Solution solution = finest_->solve(gap, modes, pressure, tol, max_iterations);
+    Solution solution = finest_->solve(gap, bodies, pressure, tol, max_iterations);
     bool touches = false;
     for (std::size_t i = 0; i < gap.size(); ++i) {
       if (!std::isinf(initial_gap[i])) continue;

@@ -32,7 +32,7 @@ class ConjugateGradient {
         g_(size_),
         t_(size_, 0.0),
         q_(size_) {
-    modes_.meet_anywhere(p_);
+    modes_.meet_anywhere(initial_gap_, p_);
     refresh();
   }
 

@@ -158,17 +158,24 @@ double RigidModes::scale(Field& pressure) const {
   return normal_.is_force() ? scale_to_sum(pressure, normal_.value / cell_area_) : 1.0;
 }
 
-bool RigidModes::meet_anywhere(Field& pressure) const {
+RigidModes RigidModes::within(double largest_gap) const {
+  RigidModes part = *this;
+  part.largest_gap_ = largest_gap;
+  return part;
+}
+
+bool RigidModes::meet_anywhere(const Field& gap, Field& pressure) const {
   const auto is_zero = [](double p) { return p == 0; };
   if (tilts() && std::all_of(pressure.begin(), pressure.end(), is_zero)) {
-    // The largest rectangle of cells around the line of action.
+    // The largest rectangle of cells around the line of action, without cells that have no body:
+    // their gaps would dominate the tilt.
     const double along_y = free_[0] ? shorter_arm(arms_[0]) : INFINITY;
     const double along_x = free_[1] ? shorter_arm(arms_[1]) : INFINITY;
     const std::size_t ny = arms_[0].size();
     for_each_cell(std::ssize(pressure), [&](std::ptrdiff_t i) {
       const bool inside = std::fabs(arms_[0][i % ny]) <= along_y + 0.5 * size_[0] &&
                           std::fabs(arms_[1][i / ny]) <= along_x + 0.5 * size_[1];
-      pressure[i] = inside ? 1.0 : 0.0;
+      pressure[i] = inside && gap[i] <= largest_gap_ ? 1.0 : 0.0;
     });
   }
   if (meet(pressure)) return true;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "samcontact/base/errors.hpp"
+#include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/tangential/projected_gradient.hpp"
 
@@ -19,6 +20,19 @@ namespace {
 /// determine the motion.
 constexpr double min_margin = 1e-8;
 
+/// Friction limits for the bounds of all cells [Pa]: tangential force in the direction in which it
+/// is largest, and torque.
+struct LargestForces {
+  double along, torque;
+};
+LargestForces largest_forces(const Grid& grid, const Field& bound, const Stretch& stretch) {
+  const std::vector<double> x = grid.x(), y = grid.y();
+  return {grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) { return bound[at]; }),
+          grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) {
+            return bound[at] * stretch.length(-y[at % grid.ny], x[at / grid.ny]);
+          })};
+}
+
 double force_of(const Given& given) { return given.is_force() ? given.value : 0.0; }
 
 constexpr const char* beyond =
@@ -26,14 +40,14 @@ constexpr const char* beyond =
 
 /// Throws std::invalid_argument if forces that are below the friction limits individually exceed
 /// them together: for some motion their power is larger than the friction power.
-void require_held_together(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                           const FrictionLaw& friction) {
+void require_held_together(const Grid& grid, const TangentialDrive& drive, const Field& bound,
+                           const Stretch& stretch) {
   const std::vector<double> xs = grid.x(), ys = grid.y();
   ShearProblem problem;
-  for (std::size_t at = 0; at < pressure.size(); ++at) {
-    if (!in_contact(pressure[at])) continue;
+  for (std::size_t at = 0; at < bound.size(); ++at) {
+    if (!(bound[at] > 0)) continue;
     problem.cells.push_back(at);
-    problem.bound.push_back(friction.bound(pressure[at]));
+    problem.bound.push_back(bound[at]);
   }
   const std::size_t m = problem.size();
   if (m == 0) return;
@@ -51,6 +65,7 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
   }
   Field shear(2 * m, 0.0), slip(2 * m, 0.0);
   std::vector<double> motion(problem.modes.size(), 0.0);
+  stretch_to_circle(problem, stretch);
   if (project(problem, shear, motion)) return;
   double power = 0.0, heat = 0.0;
   for (std::size_t k = 0; k < motion.size(); ++k) {
@@ -67,8 +82,19 @@ void require_held_together(const Grid& grid, const TangentialDrive& drive, const
       " %: reduce them, or prescribe the motion instead");
 }
 
-void require_shorter(const TangentialDrive& drive, double limit, const MotionNames& motions) {
+/// Part of the largest force of friction that it can have in the direction of the prescribed force.
+double part_along(const TangentialDrive& drive, const Stretch& stretch) {
+  const double x = force_of(drive[0]), y = force_of(drive[1]), length = std::hypot(x, y);
+  if (!stretch.is_on() || length == 0) return 1.0;
+  if (drive[0].is_force() && drive[1].is_force()) return length / stretch.inverse().length(x, y);
+  // The other component follows from a motion.
+  return stretch.length(x / length, y / length);
+}
+
+void require_shorter(const TangentialDrive& drive, const Stretch& stretch, double largest,
+                     const MotionNames& motions) {
   const double force = std::hypot(force_of(drive[0]), force_of(drive[1]));
+  const double limit = largest * part_along(drive, stretch);
   require(force == 0 || force < limit * (1 - min_margin), "tangential_load",
           "less than " + to_short_text(limit, 6) + " N" + beyond, force,
           std::string("prescribe ") + motions.along + " instead");
@@ -93,20 +119,22 @@ void require_attainable(const Grid& grid, const TangentialDrive& drive, const Fi
 void require_held(const TangentialDrive& drive, const FrictionLaw& friction, double load,
                   const MotionNames& motions) {
   const double ratio = friction.ratio(0.0);
-  if (!std::isinf(ratio)) require_shorter(drive, ratio * load, motions);
+  if (!std::isinf(ratio)) require_shorter(drive, friction.stretch(), ratio * load, motions);
 }
 
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                  const FrictionLaw& friction, const MotionNames& motions) {
+                  const FrictionLaw& friction, const Field& factor, const MotionNames& motions) {
   if (friction.prevents_slip()) return require_attainable(grid, drive, pressure, motions);
-  const LargestForces limits = largest_forces(grid, pressure, friction);
-  require_shorter(drive, limits.along, motions);
+  Field bound = friction.bound(pressure);
+  for (std::size_t at = 0; at < factor.size(); ++at) bound[at] *= factor[at];
+  const LargestForces limits = largest_forces(grid, bound, friction.stretch());
+  require_shorter(drive, friction.stretch(), limits.along, motions);
   const double torque = force_of(drive[2]);
   require(torque == 0 || std::fabs(torque) < limits.torque * (1 - min_margin), "torque",
           "less in magnitude than " + to_short_text(limits.torque, 6) + " N m" + beyond, torque,
           std::string("prescribe ") + motions.rotation + " instead");
   const bool pulled = force_of(drive[0]) != 0 || force_of(drive[1]) != 0;
-  if (torque != 0 && pulled) require_held_together(grid, drive, pressure, friction);
+  if (torque != 0 && pulled) require_held_together(grid, drive, bound, friction.stretch());
 }
 
 }  // namespace samcontact::contact

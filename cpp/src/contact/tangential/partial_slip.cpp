@@ -188,11 +188,18 @@ bool PartialSlipIteration::slide_uniformly(double tol) {
            static_cast<double>(m_);
   };
   std::array<double, 2> slide_direction{mean(0), mean(1)}, force{};
+  int pulled = 0;
   for (const ShearProblem::Mode& mode : problem_.modes) {
     if (mode.axis == 2) continue;
-    slide_direction[mode.axis] = 0.0;
-    force[mode.axis] = mode.target / total_bound;
+    ++pulled;
+    const double x = mode.direction[0], y = mode.direction[m_], size = length_of(x, y);
+    const double along = (slide_direction[0] * x + slide_direction[1] * y) / size;
+    slide_direction[0] -= along * x / size;
+    slide_direction[1] -= along * y / size;
+    force[0] = mode.target / total_bound * x / (size * size);
+    force[1] = mode.target / total_bound * y / (size * size);
   }
+  if (pulled > 1) return false;  // both directions of the shear are given
   const double length = std::hypot(slide_direction[0], slide_direction[1]);
   if (!(length * problem_.stiffness > tol * shear_scale(problem_, r_.shear, r_.slip))) return false;
   for (double& w : slide_direction) w /= length;

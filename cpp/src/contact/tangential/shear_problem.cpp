@@ -16,16 +16,18 @@ constexpr double zero_displacement = 1e-8;
 
 }  // namespace
 
-void ShearApplier::scatter(const Field& v) {
+void ShearApplier::scatter(const Field& v, const Stretch& stretch) {
   const std::size_t m = problem_.size(), n = problem_.box_size;
   for_each_cell(2 * n, [&](std::size_t i) { box_[i] = 0.0; });
   for_each_cell(m, [&](std::size_t c) {
     box_[problem_.cells[c]] = v[c];
     box_[n + problem_.cells[c]] = v[m + c];
   });
+  stretch.apply(box_);
 }
 
-void ShearApplier::gather(const Field& box, Field& v, std::size_t carried) const {
+void ShearApplier::gather(const Field& box, Field& v, const Stretch& stretch,
+                          std::size_t carried) const {
   const std::size_t m = problem_.size(), n = problem_.box_size;
   for_each_cell(m, [&](std::size_t c) {
     v[c] = box[problem_.cells[c]];
@@ -34,30 +36,31 @@ void ShearApplier::gather(const Field& box, Field& v, std::size_t carried) const
     v[c] -= box[problem_.cells[c] + carried];
     v[m + c] -= box[n + problem_.cells[c] + carried];
   });
+  stretch.apply(v);
 }
 
 void ShearApplier::displacement(const Field& v, Field& u) {
   const auto& exact = problem_.operators->displacement;
-  scatter(v);
+  scatter(v, problem_.stretch);
   exact.apply(box_.data(), box_.data(), work_);
-  gather(box_, u, problem_.carried);
+  gather(box_, u, problem_.stretch, problem_.carried);
   ++applications_;
   operations_ += exact.cost();
 }
 
 void ShearApplier::near(const Field& v, Field& u) {
   const auto& cheap = problem_.operators->near;
-  scatter(v);
+  scatter(v, problem_.stretch);
   cheap.apply(box_.data(), near_.data(), work_);
-  gather(near_, u, problem_.carried);
+  gather(near_, u, problem_.stretch, problem_.carried);
   operations_ += cheap.cost();
 }
 
 void ShearApplier::precondition(const Field& r, Field& z) {
   const auto& preconditioner = problem_.operators->preconditioner;
-  scatter(r);
+  scatter(r, inverse_);
   preconditioner.apply(box_.data(), box_.data(), work_);
-  gather(box_, z);
+  gather(box_, z, inverse_);
   operations_ += preconditioner.cost();
 }
 
@@ -68,6 +71,15 @@ bool gives_way_to_uniform_shear(const Grid& box,
   ComplexField work;
   displacement.apply(shear.data(), shear.data(), work);
   return longest(shear) < zero_displacement * displacement.self_influence();
+}
+
+void stretch_to_circle(ShearProblem& problem, const Stretch& stretch) {
+  problem.stretch = stretch;
+  stretch.apply(problem.free_slip);
+  for (ShearProblem::Mode& mode : problem.modes) {
+    stretch.apply(mode.direction);
+    stretch.apply(mode.own_arms);
+  }
 }
 
 double ShearProblem::Mode::missing(const Field& shear) const { return target - dot(arms(), shear); }
@@ -86,11 +98,14 @@ void add_scaled(double factor, const Field& x, Field& y) {
 void apply_slip_part(const ShearProblem& problem, Field& slip) {
   const Field& share = problem.slip_part;
   const std::size_t m = share.size() / 3;
+  if (m == 0) return;
+  problem.stretch.inverse().apply(slip);
   for_each_cell(m, [&](std::size_t i) {
     const double x = slip[i], y = slip[m + i];
     slip[i] = share[i] * x + share[m + i] * y;
     slip[m + i] = share[m + i] * x + share[2 * m + i] * y;
   });
+  problem.stretch.apply(slip);
 }
 
 void add_motion(const ShearProblem& problem, std::size_t mode, double motion, Field& slip) {

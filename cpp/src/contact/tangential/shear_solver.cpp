@@ -31,6 +31,7 @@ struct BoxTask {
   Field slip_part;  // three components; empty: none
   double x0, y0;    // of the first cell
   bool rolls;
+  Field factor;  // of the bounds; empty: 1
 };
 
 struct BoxStart {
@@ -148,9 +149,13 @@ ShearProblem ShearSolver::Level::problem_of(const BoxTask& task, const FrictionL
   problem.stiffness = stiffness_of(task.pressure);
   const double pressure = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
   problem.bound = friction.bound(std::move(problem.bound));
+  for (std::size_t c = 0; c < m && !task.factor.empty(); ++c) {
+    problem.bound[c] *= std::max(task.factor[problem.cells[c]], smallest_factor);
+  }
   const double bound = largest_of(m, [&](std::size_t c) { return problem.bound[c]; });
   problem.smallest_shear = smallest_fraction * std::min(bound, pressure);
   if (task.rolls) let_roll(problem);
+  stretch_to_circle(problem, friction.stretch());
   return problem;
 }
 
@@ -183,7 +188,8 @@ BoxStart ShearSolver::Level::coarse_start(const BoxTask& task, const FrictionLaw
                        task.slip_part.empty() ? Field{} : by_component(task.slip_part, coarsen, 3),
                        task.x0 + 0.5 * box_.dx,
                        task.y0 + 0.5 * box_.dy,
-                       task.rolls};
+                       task.rolls,
+                       task.factor.empty() ? Field{} : coarsen(task.factor)};
   Answer answer = coarser_->solve(coarse, friction, drive, {},
                                   std::max(coarse_shear_tol(coarser_->box()), tol), coarse_steps);
   operations += answer.operations;
@@ -229,9 +235,13 @@ ShearSolver::Level::Answer ShearSolver::Level::solve(const BoxTask& task,
       if (!start.slipping.empty()) begin.slipping.push_back(start.slipping[problem.cells[c]]);
     }
   }
+  const Stretch& stretch = problem.stretch;
+  stretch.inverse().apply(begin.shear);
   ShearApplier applier(problem);
   const auto iterate = task.rolls ? solve_steady_rolling : solve_partial_slip;
   answer.result = iterate(problem, applier, std::move(begin), tol, max_steps);
+  stretch.apply(answer.result.shear);
+  stretch.inverse().apply(answer.result.slip);
   if (task.rolls) {
     for (double& slip : answer.result.slip) slip /= box_.dx;
   }
@@ -268,6 +278,13 @@ std::shared_ptr<const ShearSolver::Level> ShearSolver::level(const Box& box, int
   const Grid grid = Box{0, 0, box.nx, box.ny, 0}.grid(grid_);
   kept = std::make_shared<const Level>(grid, margin, influence_);
   return kept;
+}
+
+double ShearSolver::self_influence(bool rolls) const {
+  const std::lock_guard lock(kept_->mutex);
+  if (!kept_->level) return 0.0;
+  const auto& displacement = kept_->level->operators().displacement;
+  return displacement.self_influence() - (rolls ? displacement.neighbour_influence() : 0.0);
 }
 
 namespace {
@@ -336,7 +353,8 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
                task.slip_part != nullptr ? by_component(*task.slip_part, boxed, 3) : Field{},
                grid_.x()[box.i0],
                grid_.y()[box.j0],
-               task.rolls};
+               task.rolls,
+               task.factor.empty() ? Field{} : boxed(task.factor)};
   if (!task.free_slip.empty()) part.free_slip = by_component(task.free_slip, boxed);
   PreviousDisplacement own;
   PreviousDisplacement& slid = task.slid != nullptr ? *task.slid : own;
@@ -347,7 +365,6 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
     level_of_box->operators().displacement.apply(slid.displacement.data(), slid.displacement.data(),
                                                  work);
   }
-  // Relative displacement due to the previous shear is not slip.
   if (!slid.displacement.empty()) add_scaled(1.0, slid.displacement, part.free_slip);
   const Level::Answer answer = level_of_box->solve(
       part, task.friction, task.drive, start_in(box, grid_, task, shear, motion), tol, max_steps);
@@ -369,14 +386,6 @@ ShearSolution ShearSolver::solve(const ShearTask& task, const Field& shear,
   return solution;
 }
 
-TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
-                                 const std::array<double, 3>& values) {
-  const auto given = [&](int k) {
-    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
-  };
-  return {given(0), given(1), given(2)};
-}
-
 std::array<double, 3> forces(const Grid& grid, const Field& shear) {
   const std::size_t n = grid.surface_size();
   const std::vector<double> x = grid.x(), y = grid.y();
@@ -385,15 +394,6 @@ std::array<double, 3> forces(const Grid& grid, const Field& shear) {
           area * ordered_sum(n, [&](std::size_t at) { return shear[n + at]; }),
           area * ordered_sum(n, [&](std::size_t at) {
             return x[at / grid.ny] * shear[n + at] - y[at % grid.ny] * shear[at];
-          })};
-}
-
-LargestForces largest_forces(const Grid& grid, const Field& pressure, const FrictionLaw& friction) {
-  const std::vector<double> x = grid.x(), y = grid.y();
-  const Field bound = friction.bound(pressure);
-  return {grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) { return bound[at]; }),
-          grid.cell_area() * ordered_sum(bound.size(), [&](std::size_t at) {
-            return bound[at] * std::hypot(x[at / grid.ny], y[at % grid.ny]);
           })};
 }
 

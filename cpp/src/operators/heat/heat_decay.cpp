@@ -14,13 +14,13 @@ Complex grown(Complex z) {
 
 }  // namespace
 
-Decay::Decay(const HeatLevel& level, double x, double speed)
+Decay::Decay(const HeatLevel& level, double x, const PlaneVector& speed)
     : nodes_(level.rates.size()), grown_nodes_(level.rates.size()), x_(x) {
   decay_.reserve(level.modes.size());
   modes_.reserve(level.modes.size());
   grown_.reserve(level.modes.size());
   for (const HeatMode& mode : level.modes) {
-    decay_.push_back(mode.decay + Complex{0.0, mode.w1 * speed});
+    decay_.push_back(mode.decay + Complex{0.0, mode.w1 * speed[0] + mode.w2 * speed[1]});
     modes_.push_back(std::exp(-decay_.back() * x));
     grown_.push_back(grown(decay_.back() * x));
   }
@@ -31,10 +31,12 @@ Decay::Decay(const HeatLevel& level, double x, double speed)
   }
 }
 
-ComplexField phases_of(const HeatLevel& level, double cells) {
+ComplexField phases_of(const HeatLevel& level, const PlaneVector& motion) {
   ComplexField phases;
   phases.reserve(level.modes.size());
-  for (const HeatMode& mode : level.modes) phases.push_back(std::polar(1.0, -mode.w1 * cells));
+  for (const HeatMode& mode : level.modes) {
+    phases.push_back(std::polar(1.0, -(mode.w1 * motion[0] + mode.w2 * motion[1])));
+  }
   return phases;
 }
 

@@ -15,7 +15,11 @@ namespace {
 /// Minimum diffusion length in the shortest step [cells].
 constexpr double min_diffusion_length = 0.02;
 /// Number of values that describe the motion on a track.
-constexpr std::size_t path_numbers = 5;
+constexpr std::size_t path_numbers = 10;
+
+PlaneVector sum(const PlaneVector& a, const PlaneVector& b) { return {a[0] + b[0], a[1] + b[1]}; }
+
+bool is_finite(const PlaneVector& v) { return std::isfinite(v[0]) && std::isfinite(v[1]); }
 
 }  // namespace
 
@@ -32,9 +36,10 @@ HeatHistory::HeatHistory(const Grid& grid, const Stack& elastic, const Heating& 
           "in [1e-10, 1e-2]", settings.tolerance);
   require(std::isfinite(speed_x) && std::isfinite(speed_y), "speed", "finite",
           std::hypot(speed_x, speed_y));
-  require(std::isfinite(settings.track) && settings.track >= 0, "track", "finite and >= 0",
-          settings.track);
-  require(settings.track == 0 || (speed_x == 0 && speed_y == 0), "speed", "0 with a track",
+  for (const double length : settings.track) {
+    require(std::isfinite(length) && length >= 0, "track", "finite and >= 0", length);
+  }
+  require(!settings.follows() || (speed_x == 0 && speed_y == 0), "speed", "0 with a track",
           std::hypot(speed_x, speed_y));
   // Otherwise wavenumbers far beyond those of the cells are needed: time and memory without bounds.
   double diffusivity = heating.thermal.substrate.diffusivity;
@@ -60,10 +65,10 @@ HeatHistory::HeatHistory(const Grid& grid, const Stack& elastic, const Heating& 
   flux_.assign(grid.surface_size(), 0.0);
 }
 
-void HeatHistory::add(const double* flux, double dt, double speed_x) {
+void HeatHistory::add(const double* flux, double dt, const PlaneVector& speed) {
   require(std::isfinite(dt) && dt >= 0, "dt", "finite and >= 0", dt);
-  require(std::isfinite(speed_x) && (speed_x == 0 || plan_->settings.track > 0), "speed_x",
-          "0 without a track", speed_x);
+  require(is_finite(speed) && (speed == PlaneVector{} || plan_->settings.follows()), "speed",
+          "0 without a track", std::hypot(speed[0], speed[1]));
   if (dt == 0) return;
   ComplexField amplitudes;
   plan_->modes.project(flux, amplitudes);
@@ -76,18 +81,18 @@ void HeatHistory::add(const double* flux, double dt, double speed_x) {
   newest_ = std::move(amplitudes);
   flux_.assign(flux, flux + flux_.size());
   duration_ = dt;
-  speed_ = speed_x / plan_->grid.dx;
-  moved_ = 0;
-  extend_to(position_ - speed_ * dt);
+  speed_ = {speed[0] / plan_->grid.dx, speed[1] / plan_->grid.dx};
+  moved_ = {};
+  extend_to({position_[0] - speed_[0] * dt, position_[1] - speed_[1] * dt});
 }
 
-void HeatHistory::move(double cells) {
-  require(std::isfinite(cells), "motion", "finite", cells);
-  extend_to(position_ + cells);
-  position_ += cells;
-  moved_ += cells;
+void HeatHistory::move(const PlaneVector& by) {
+  require(is_finite(by), "motion", "finite", std::hypot(by[0], by[1]));
+  extend_to(sum(position_, by));
+  position_ = sum(position_, by);
+  moved_ = sum(moved_, by);
   for (const HeatLevel& level : plan_->modes.levels()) {
-    const ComplexField phases = phases_of(level, cells);
+    const ComplexField phases = phases_of(level, by);
     for (const HeatBlock& block : level.blocks) {
       for (ComplexField& modes : modes_) {
         Complex* c = modes.data() + block.offset;
@@ -99,17 +104,29 @@ void HeatHistory::move(double cells) {
   }
 }
 
-/// Extends the path of the body to a position [cells].
-void HeatHistory::extend_to(double position) {
-  const double track = plan_->settings.track, dx = plan_->grid.dx;
-  if (track == 0) return;
-  const double first = std::min(first_, position), last = std::max(last_, position);
-  require((last - first) * dx <= track * (1 + 1e-9), "heat.track",
-          "at least the length of the path of each heated body, so far " +
-              to_short_text((last - first) * dx, 6) + " m",
-          track);
+/// Extends the path of the body to a position [dx].
+void HeatHistory::extend_to(const PlaneVector& position) {
+  if (!plan_->settings.follows()) return;
+  const double dx = plan_->grid.dx;
+  PlaneVector first, last;
+  for (int k = 0; k < 2; ++k) {
+    first[k] = std::min(first_[k], position[k]);
+    last[k] = std::max(last_[k], position[k]);
+    const double length = (last[k] - first[k]) * dx, track = plan_->settings.track[k];
+    require(length <= track * (1 + 1e-9), k == 0 ? "heat.track" : "heat.track along y",
+            "at least the length of the path of each heated body" +
+                std::string(k == 0 ? "" : " along y") + ", so far " + to_short_text(length, 6) +
+                " m",
+            track);
+  }
   first_ = first;
   last_ = last;
+}
+
+/// Speed during the newest flux, per unit of time of the modes.
+PlaneVector HeatHistory::aged_speed() const {
+  const double unit = plan_->aged(1.0);
+  return {speed_[0] / unit, speed_[1] / unit};
 }
 
 /// Near fields after the newest flux.
@@ -132,7 +149,7 @@ void HeatHistory::absorb(const HeatLevel& level, std::size_t number, std::size_t
   const ComplexField phases = phases_of(level, moved_);
   const auto age = [&](double x) {
     const Decay decay(level, x);
-    const Decay since = speed_ == 0 ? decay : Decay(level, x, speed_ / plan_->aged(1.0));
+    const Decay since = speed_ == PlaneVector{} ? decay : Decay(level, x, aged_speed());
     for (int g = 0; g < generations; ++g) {
       const bool adds = g == youngest_[number];
       for (const HeatBlock& block : level.blocks) {
@@ -180,7 +197,8 @@ bool HeatHistory::newest_by_modes(double ahead) const {
   // Tables require a uniform motion since the beginning of the newest flux.
   constexpr double rounding = 1e-6;
   return ahead >= plan_->settings.shortest * (1 - 1e-12) ||
-         std::abs(moved_ - speed_ * ahead) > rounding;
+         std::abs(moved_[0] - speed_[0] * ahead) > rounding ||
+         std::abs(moved_[1] - speed_[1] * ahead) > rounding;
 }
 
 Field HeatHistory::temperature(double ahead, std::span<const double> depths) const {
@@ -198,7 +216,7 @@ Field HeatHistory::stress(double ahead, std::span<const double> depths) const {
 
 std::size_t HeatHistory::size() const {
   return 2 * (modes_.size() * plan_->modes.size() + newest_.size()) + flux_.size() + near_.size() +
-         1 + 2 * filled_.size() + (plan_->settings.track > 0 ? path_numbers : 0);
+         1 + 2 * filled_.size() + (plan_->settings.follows() ? path_numbers : 0);
 }
 
 std::vector<double> HeatHistory::state() const {
@@ -211,8 +229,10 @@ std::vector<double> HeatHistory::state() const {
     const auto* numbers = reinterpret_cast<const double*>(modes.data());
     state.insert(state.end(), numbers, numbers + 2 * modes.size());
   }
-  if (plan_->settings.track > 0) {
-    state.insert(state.end(), {speed_, moved_, position_, first_, last_});
+  if (plan_->settings.follows()) {
+    for (const PlaneVector& part : {speed_, moved_, position_, first_, last_}) {
+      state.insert(state.end(), part.begin(), part.end());
+    }
   }
   return state;
 }
@@ -220,7 +240,7 @@ std::vector<double> HeatHistory::state() const {
 void HeatHistory::set_state(std::span<const double> state) {
   const std::size_t plane = flux_.size(), levels = filled_.size();
   const int generations = plan_->modes.generations();
-  const std::size_t path = plan_->settings.track > 0 ? path_numbers : 0;
+  const std::size_t path = plan_->settings.follows() ? path_numbers : 0;
   const std::size_t size =
       1 + plane + near_.size() + 2 * levels + 2 * plan_->modes.size() * generations + path;
   require(state.size() == size, "number of values in the heat state", std::to_string(size),
@@ -241,7 +261,9 @@ void HeatHistory::set_state(std::span<const double> state) {
     take(reinterpret_cast<double*>(modes.data()), 2 * modes.size());
   plan_->modes.project(flux_.data(), newest_);
   if (path == 0) return;
-  for (double* part : {&speed_, &moved_, &position_, &first_, &last_}) *part = *from++;
+  for (PlaneVector* part : {&speed_, &moved_, &position_, &first_, &last_}) {
+    for (double& value : *part) value = *from++;
+  }
 }
 
 }  // namespace samcontact::operators

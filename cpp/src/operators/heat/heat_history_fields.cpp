@@ -40,8 +40,7 @@ class HeatHistory::LevelSum {
         old_(history.generations_of(number, moment.ahead)),
         since_(level_, history.plan_->aged(history.duration_ + moment.ahead)),
         after_(level_, history.plan_->aged(moment.ahead)),
-        during_(level_, history.newest_part(level_, moment.ahead),
-                history.speed_ / history.plan_->aged(1.0)),
+        during_(level_, history.newest_part(level_, moment.ahead), history.aged_speed()),
         phases_(phases_of(level_, history.moved_)),
         response_(history.plan_->response->level(number, first, moment.quantity, depths)) {}
 
@@ -224,7 +223,8 @@ void HeatHistory::add_newest(HeatQuantity quantity, double ahead, std::span<cons
     if (age == 0) continue;
     const double sign = age == ahead ? -1 : 1;
     Heating heating = plan.heating;
-    heating.speed_x += speed_ * grid.dx;
+    heating.speed_x += speed_[0] * grid.dx;
+    heating.speed_y += speed_[1] * grid.dx;
     heating.age = age;
     heating.period_x = grid.period.x * grid.dx;
     heating.period_y = grid.period.y * grid.dy;

@@ -100,7 +100,7 @@ HeatModes::HeatModes(const Grid& grid, double speed_x, double speed_y,
       periods_{grid.period.x * 1.0, grid.period.y * cell_y_},
       resolution_(resolution),
       scales_(resolution,
-              is_moving_ || periods_.is_on() || resolution.track > 0 || resolution.is_layered()),
+              is_moving_ || periods_.is_on() || resolution.follows() || resolution.is_layered()),
       transform_(padded(grid)) {
   const double mx = transform_.mx(), my = transform_.my() * cell_y_;
   double spread = 128 * std::sqrt(resolution.longest * resolution.contrast);
@@ -147,7 +147,7 @@ void HeatModes::add_periodic(double spread) {
 fft::PaddedTransform HeatModes::padded(const Grid& grid) const {
   const double x = grid.nx, y = grid.ny * cell_y_;
   const double clear = std::hypot(std::max(x, y), scales_.is_split ? scales_.split_reach() : 0);
-  double px = x + clear + resolution_.track, py = y + clear;
+  double px = x + clear + resolution_.track[0], py = y + clear + resolution_.track[1];
   if (is_moving_) {
     // As in set_reach().
     const double vx = std::abs(speed_x_), vy = std::abs(speed_y_);
@@ -168,7 +168,7 @@ void HeatModes::set_reach(HeatLevel& level, double shrink) const {
   const double x = transform_.nx(), y = transform_.ny() * cell_y_;
   const double px = transform_.mx() / shrink, py = transform_.my() * cell_y_ / shrink;
   level.generation = std::numeric_limits<double>::infinity();
-  const double free_x = px - x - resolution_.track, free_y = py - y;
+  const double free_x = px - x - resolution_.track[0], free_y = py - y - resolution_.track[1];
   level.clear = periods_.x > 0 ? free_y : periods_.y > 0 ? free_x : std::min(free_x, free_y);
   if (is_moving_) {
     // With generations of a path g along the faster direction (in grids): dropped ones have moved 2

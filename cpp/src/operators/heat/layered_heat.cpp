@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -21,14 +20,6 @@ using kernels::Parity;
 
 /// Decay exponent beyond which the reflection of a wave is below rounding.
 constexpr double deepest_heat_wave = 42.0;
-
-void require_supported(const Heating& heating) {
-  if (heating.age == Heating::infinity() && heating.speed_x != 0 && heating.speed_y != 0) {
-    throw std::invalid_argument(
-        "the velocity of a layered body in the steady "
-        "state must be along x or along y");
-  }
-}
 
 /// Highest wavenumber at which a field at a depth differs from that of a homogeneous body.
 double highest_heat_wave(const HeatedStack& stack, int layer, double z) {
@@ -119,7 +110,6 @@ ParityParts layered_heat_displacement(const Stack& elastic, const Heating& heati
   ParityParts parts =
       heat_displacement(heating.in(stack.thermal[0]), stack.elastic.elastic(0).nu, dx, dy, offsets);
   if (stack.is_uniform()) return parts;
-  require_supported(heating);
   const double distance = 2 * stack.elastic.thickness();
   double far = 0.0;
   if (heating.is_steady_at_rest()) {
@@ -158,7 +148,6 @@ std::array<ParityParts, 6> layered_heat_stress(const Stack& elastic, const Heati
   if (own.is_rigid()) return {};
   auto parts = heat_stress(heating.in(stack.thermal[layer]), own, dx, dy, z, offsets);
   if (stack.is_uniform()) return parts;
-  require_supported(heating);
   const auto modes = [&]<class Scalar>(Scalar) {
     return HeatStressModes<Scalar>{HeatedWave<Scalar>(stack), HeatedWave<Scalar>(stack.only(layer)),
                                    heating.factor, z, layer};
@@ -185,7 +174,6 @@ ParityParts layered_heat_temperature(const Heating& heating, double dx, double d
   const Heating own = heating.in(stack.thermal[layer]);
   ParityParts parts = heat_temperature(own, dx, dy, z, offsets);
   if (stack.is_uniform()) return parts;
-  require_supported(heating);
   double top = 0.0;
   for (int n = 0; n < layer; ++n) top += stack.elastic.layers[n].thickness;
   const auto modes = [&]<class Scalar>(Scalar) {

@@ -19,8 +19,8 @@ double size_of(const Field& table) {
 
 }  // namespace
 
-TangentialInfluence::TangentialInfluence(SharedMedium body1, SharedMedium body2)
-    : body1_(std::move(body1)), body2_(std::move(body2)) {}
+TangentialInfluence::TangentialInfluence(SharedMedium body1, SharedMedium body2, double layer)
+    : body1_(std::move(body1)), body2_(std::move(body2)), layer_(layer) {}
 
 Field TangentialInfluence::table(Traction traction, Axis axis, const Grid& grid,
                                  const CellOffsets& offsets) const {
@@ -30,6 +30,14 @@ Field TangentialInfluence::table(Traction traction, Axis axis, const Grid& grid,
   const bool same = *body1_ == *body2_;
   const Field other = same ? sum : body1_->compliance(traction, axis, grid, offsets);
   for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += sign * other[n];
+  const bool along = (traction == Traction::shear_x && axis == Axis::x) ||
+                     (traction == Traction::shear_y && axis == Axis::y);
+  // A thin layer deforms only below the loaded cell.
+  for (std::size_t n = 0; n < sum.size() && along && layer_ > 0; ++n) {
+    if (offsets.x[n % offsets.x.size()] == 0 && offsets.y[n / offsets.x.size()] == 0) {
+      sum[n] += layer_;
+    }
+  }
   return sum;
 }
 

@@ -22,19 +22,24 @@ int row_of(const Grid& grid, int i) {
 
 }  // namespace
 
+Travel scaled(const Travel& travel, double by) {
+  return {{by * travel.x[0], by * travel.x[1]}, {by * travel.y[0], by * travel.y[1]}};
+}
+
 Travel advanced(const Travel& travel, const Travel& by) {
-  return {snapped(travel[0] + by[0]), snapped(travel[1] + by[1])};
+  return {{snapped(travel.x[0] + by.x[0]), snapped(travel.x[1] + by.x[1])},
+          {snapped(travel.y[0] + by.y[0]), snapped(travel.y[1] + by.y[1])}};
 }
 
 Placement::Placement(const Travel& travel, int followed) {
   if (followed < 0) {
-    for (int b = 0; b < 2; ++b) first[b] = static_cast<int>(std::lround(-travel[b]));
+    for (int b = 0; b < 2; ++b) first[b] = static_cast<int>(std::lround(-travel.x[b]));
     return;
   }
-  first[followed] = static_cast<int>(std::lround(-travel[followed]));
-  origin = -travel[followed] - first[followed];
+  first[followed] = static_cast<int>(std::lround(-travel.x[followed]));
+  origin = -travel.x[followed] - first[followed];
   const int other = 1 - followed;
-  const double place = snapped(-travel[other] - origin);
+  const double place = snapped(-travel.x[other] - origin);
   first[other] = static_cast<int>(std::lround(place));
   offset[other] = place - first[other];
 }

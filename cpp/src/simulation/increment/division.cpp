@@ -175,9 +175,10 @@ Target Division::part_of(const State& from, double start, double end) const {
   for (auto& given : part.tangential) {
     if (!given.is_force()) given.value *= 1.0 - start;
   }
+  part.lasts *= end - start;
+  if (from.setup().has_time()) part.duration *= end - start;
   if (!from.setup().transient_heating.is_on()) return part;
-  part.duration *= end - start;
-  const Travel by{(end - start) * target_.advance[0], (end - start) * target_.advance[1]};
+  const Travel by = scaled(target_.advance, end - start);
   part.past = from.heat_so_far(by);
   for (int b = 0; b < 2; ++b) {
     operators::Heating& heat = part.heating[b];
@@ -185,23 +186,25 @@ Target Division::part_of(const State& from, double start, double end) const {
     if (part.duration == 0) heat.age = from.setup().transient_heating.shortest;  // without flux
     if (!from.setup().transient_heating.follows()) continue;
     const bool loaded = !target_.is_load() || target_.drive.normal.value != 0;
-    heat.speed_x = loaded ? by[b] * from.setup().grid.dx / part.duration : 0.0;
+    heat.speed_x = loaded ? by.x[b] * from.setup().grid.dx / part.duration : 0.0;
+    heat.speed_y = loaded ? by.y[b] * from.setup().grid.dy / part.duration : 0.0;
   }
   part.past_symmetry = common(part.past_symmetry, from.heat_symmetry_so_far());
   if (from.setup().transient_heating.follows() && by != Travel{}) {
-    part.past_symmetry = common(part.past_symmetry, fft::Symmetry::y);
+    part.past_symmetry =
+        common(part.past_symmetry, by.is_along_x() ? fft::Symmetry::y : fft::Symmetry::none);
   }
   return part;
 }
 
 State Division::moved_to(const State& from, double end) const {
-  const Travel to = advanced(from_.travel, {end * target_.advance[0], end * target_.advance[1]});
+  const Travel to = advanced(from_.travel, scaled(target_.advance, end));
   return from.travel == to ? from : from.moved(to);
 }
 
 State Division::increment(const State& from, const Target& part) {
   State state = solve_increment({from, part, scans_(part.heating), settings_, counters_});
-  state.duration = part.duration;
+  if (from.setup().transient_heating.is_on()) state.duration = part.duration;
   iterations_ += state.plastic_iterations;
   return state;
 }
@@ -209,7 +212,8 @@ State Division::increment(const State& from, const Target& part) {
 State Division::solve(const State& from, double start, double end) {
   const Target part = part_of(from, start, end);
   State state = increment(moved_to(from, end), part);
-  if (from.setup().transient_heating.is_on()) state.time = from.time + part.duration;
+  const bool passes = from.setup().has_time() && std::isfinite(part.duration);
+  if (passes) state.time = from.time + part.duration;
   return state;
 }
 
@@ -226,6 +230,7 @@ std::optional<State> Division::extrapolate(const State& once, double end, double
   // Stress above the yield stress after the extrapolation causes further plastic flow.
   const State sum = extrapolated(moved_to(moment_, end), once, twice);
   Target rest = part_of(moment_, done_, end);
+  if (!from_.setup().transient_heating.is_on()) rest.duration = 0.0;  // passed already
   for (auto& given : rest.tangential) {
     if (!given.is_force()) given.value = 0.0;
   }

@@ -20,11 +20,12 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
                      ? seen_from_body(task.target.tractions, task.setup().grid,
                                       task.from.placement().origin)
                      : operators::Tractions{task.from.tractions.pressure, {}, {}}),
+      relaxing_(task_),
       sources_(task.setup(), task.from.travel,
                given_heat(task.setup(), task.target.heating, task.target.past, task.target.duration,
                           task.target.slip_power),
-               task.from.eigenstrain, task.from.method),
-      slip_(task),
+               task.from.eigenstrain, task.from.method, relaxing_.remembered()),
+      slip_(task_, relaxing_),
       symmetry_(symmetry_of(task, tractions_, sources_)),
       mirror_images_(bodies_are_mirror_images(task, sources_)),
       guess_(task, symmetry_),
@@ -71,8 +72,9 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
     if (slip_.is_on()) {
       solution = slip_.solve(gap, tractions_.pressure, settings);
     } else {
-      const auto solver = task_.setup().cache.solver(task_.target.heating);
-      solution = solver->solve(gap, task_.target.drive, tractions_.pressure, settings);
+      const auto contact =
+          task_.setup().cache.contact(task_.target.heating, relaxing_.compliances());
+      solution = contact.solve(gap, task_.target.drive, tractions_.pressure, settings);
     }
     ++task_.counters.contact_solves;
     task_.counters.contact_iterations += solution.iterations;
@@ -199,6 +201,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
     known = known && (moves || !state.plastic[bodies_[b].index()]);
   }
   slip_.remember(tractions_, state);
+  relaxing_.remember(tractions_, state);
   if (known) state.contact_gap = result.contact.gap;
   return state;
 }

@@ -2,14 +2,17 @@
 #include "samcontact/simulation/increment/slip_history.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/contact/lagged_displacement.hpp"
+#include "samcontact/contact/slip_rate.hpp"
 #include "samcontact/operators/surface/surface_displacement.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/sources/given_heat.hpp"
 #include "samcontact/simulation/state/surface_fields.hpp"
 
 namespace samcontact::simulation {
@@ -17,7 +20,7 @@ namespace {
 
 /// Mean travel of both bodies in the increment [m].
 double mean_travel(const State& state) {
-  return 0.5 * (state.advance[0] + state.advance[1]) * state.setup().grid.dx;
+  return 0.5 * (state.advance.x[0] + state.advance.x[1]) * state.setup().grid.dx;
 }
 
 /// If the travel of a body differs from that of the tractions by this much, its displacement is
@@ -97,7 +100,7 @@ Field displaced_otherwise(const Setup& setup, int body, const operators::Tractio
 /// Slip due to the difference between the travel of the bodies [cells] and the whole cells by which
 /// the tractions move; empty: none.
 Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
-                     const Travel& travel, int cells) {
+                     const std::array<double, 2>& travel, int cells) {
   const bool cut = is_cut(tractions.pressure, setup.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
@@ -109,6 +112,52 @@ Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
                         displaced_otherwise(setup, b, tractions, travel[b], cells), slip);
   }
   return slip;
+}
+
+/// Cells by which the surface of the followed body moves through the grid in an increment.
+int cells_moved(const IncrementTask& task) {
+  const Travel& by = task.from.advance;
+  const Placement then = task.setup().placement(advanced(task.from.travel, scaled(by, -1.0)));
+  const Placement now = task.from.placement();
+  const int followed = std::max(task.setup().followed(), 0);
+  return then.first[followed] - now.first[followed] -
+         static_cast<int>(std::lround(now.origin - then.origin));
+}
+
+/// Temperature rise of the hotter surface in each cell [K].
+Field hotter_surface(const IncrementTask& task) {
+  const Target& target = task.target;
+  const std::array surface{0.0};
+  Field rise(task.setup().grid.surface_size(), 0.0);
+  const auto heat =
+      given_heat(task.setup(), target.heating, target.past, target.duration, target.slip_power);
+  for (const GivenHeat& body : heat) {
+    if (!body.is_on()) continue;
+    const Field own = body.temperature(surface, 0.0);
+    for (std::size_t i = 0; i < rise.size(); ++i) rise[i] = std::max(rise[i], own[i]);
+  }
+  return rise;
+}
+
+/// Place, temperature and slip rate of the cells, as far as the friction law depends on them.
+contact::FrictionConditions conditions_of(const IncrementTask& task) {
+  const Setup& setup = task.setup();
+  contact::FrictionConditions conditions;
+  if (const contact::MappedCoulomb* map = setup.friction.map()) {
+    const Placement place = task.from.placement();
+    const int body = map->body == 1 ? 0 : 1;
+    const double moved = place.first[body] + place.offset[body];
+    conditions.factor = contact::factor_on(*map, setup.grid, moved * setup.grid.dx);
+  }
+  if (const contact::ThermalCoulomb* law = setup.friction.thermal()) {
+    conditions.factor = hotter_surface(task);
+    for (double& value : conditions.factor) value = law->factor(value);
+  }
+  if (setup.friction.rates().is_on()) {
+    conditions.duration = task.target.lasts;
+    conditions.slip_rate = moved(task.from.slip_rate, setup.grid, cells_moved(task));
+  }
+  return conditions;
 }
 
 /// State from which the shear of the increment starts, before the displacement due to plastic
@@ -124,18 +173,15 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
     before.gap = simulation::gap(task.from);
   } else {
     // Tractions of a moved state lie at its contact, not at the new positions of their cells.
-    const Placement then = task.setup().placement(advanced(task.from.travel, {-by[0], -by[1]}));
-    const Placement now = task.from.placement();
     const int followed = std::max(task.setup().followed(), 0);
-    const int cells = then.first[followed] - now.first[followed] -
-                      static_cast<int>(std::lround(now.origin - then.origin));
+    const int cells = cells_moved(task);
     const auto carried = taken_along(task.from.tractions, grid, cells);
     before.has_moved = true;
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
     // Fractions of a cell move the grid, not the surface of the body that it follows.
-    const double own = task.setup().followed() < 0 ? 0.5 * (by[0] + by[1]) : by[followed];
-    const Travel travel{by[0] - own + cells, by[1] - own + cells};
+    const double own = task.setup().followed() < 0 ? 0.5 * (by.x[0] + by.x[1]) : by.x[followed];
+    const std::array travel{by.x[0] - own + cells, by.x[1] - own + cells};
     before.free_slip = slip_of_travel(task.setup(), task.from.tractions, travel, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
@@ -147,7 +193,7 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
 contact::TangentialDrive tangential_drive(const IncrementTask& task) {
   contact::TangentialDrive drive = task.target.tangential;
   if (!drive[0].is_force()) {
-    drive[0].value += (task.from.advance[0] - task.from.advance[1]) * task.setup().grid.dx;
+    drive[0].value += (task.from.advance.x[0] - task.from.advance.x[1]) * task.setup().grid.dx;
   }
   // Slip due to rotation is evaluated at the mean positions of particles during the increment.
   if (!drive[1].is_force())
@@ -168,11 +214,17 @@ bool is_free_of_shear(const IncrementTask& task) {
                      is_zero);
 }
 
-SlipHistory::SlipHistory(const IncrementTask& task)
+SlipHistory::SlipHistory(const IncrementTask& task, const RelaxingBodies& relaxing)
     : task_(task), on_(task.setup().friction.sticks() && !task.target.is_prescribed()) {
   if (!on_) return;
+  contact_ = task.setup().slipping(relaxing.compliances());
   before_ = contact_before(task);
+  conditions_ = conditions_of(task);
   travel_slip_ = before_.free_slip;
+  const Field of_memory = relaxing.slip();
+  if (of_memory.empty()) return;
+  travel_slip_.resize(of_memory.size(), 0.0);
+  contact::add_scaled(1.0, of_memory, travel_slip_);
 }
 
 Field& SlipHistory::begin_slip() {
@@ -216,10 +268,12 @@ contact::Solution SlipHistory::solve_cold(const Field& gap, const Field& start,
                                           const contact::ContactSettings& settings) {
   const contact::PartialSlipStart first{start, shear_.shear, shear_.sticking, shear_.motion,
                                         jointly_};
-  contact::PartialSlipSolution found = task_.setup().partial_slip->solve(
-      gap, task_.target.drive, tangential_drive(task_), before_, first, settings);
+  contact::PartialSlipSolution found = contact_->solve(
+      gap, task_.target.drive, tangential_drive(task_), before_, first, settings, conditions_);
   shear_ = std::move(found.tangential);
   stall_warning_ = std::move(found.stall_warning);
+  slip_rate_ = std::move(found.slip_rate);
+  falling_number_ = found.falling_number;
   jointly_ = found.joint.steps > 0;
   joint_steps_ += found.joint.steps;
   task_.counters.joint_steps += found.joint.steps;
@@ -240,6 +294,8 @@ void SlipHistory::remember(const operators::Tractions& tractions, State& state) 
     return;
   }
   state.slip = shear_.slip;
+  state.slip_rate = slip_rate_;
+  state.falling_number = falling_number_;
   state.joint_steps = joint_steps_;
   state.stall_warning = stall_warning_;
   state.converged = stall_warning_.empty();

@@ -73,8 +73,9 @@ std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const
       !(body.history() && body.history()->reaches_beyond(Zones(before))))
     return before;
   std::vector<Box> boxes = body.history() ? body.history()->zones().boxes() : std::vector<Box>{};
-  if (task_.from.travel != Travel{}) {
-    const Grid& grid = task_.setup().grid;
+  const Grid& grid = task_.setup().grid;
+  // Strain far outside the grid moved there, or was set there.
+  if (task_.from.travel != Travel{} || is_unbounded(around(boxes), grid)) {
     for (Box& box : boxes) box = box.intersected({0, box.j0, grid.nx, box.ny, box.nz});
     std::erase_if(boxes, [](const Box& box) { return box.empty(); });
   }

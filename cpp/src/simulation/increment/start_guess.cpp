@@ -11,10 +11,10 @@ double StartGuess::part_of_last_motion() const {
   const auto& last = task_.from.last_flow;
   const Travel& by = task_.from.advance;
   if (!last || by == Travel{} || last->symmetry != symmetry_) return 0.0;
-  const int main = std::fabs(last->advance[0]) > std::fabs(last->advance[1]) ? 0 : 1;
-  const double ratio = by[main] / last->advance[main];
+  const int main = std::fabs(last->advance.x[0]) > std::fabs(last->advance.x[1]) ? 0 : 1;
+  const double ratio = by.x[main] / last->advance.x[main];
   const bool same_direction =
-      std::fabs(by[1 - main] - ratio * last->advance[1 - main]) <= 1e-6 * std::fabs(by[main]);
+      std::fabs(by.x[1 - main] - ratio * last->advance.x[1 - main]) <= 1e-6 * std::fabs(by.x[main]);
   if (!same_direction || !(ratio > 0 && ratio <= 2)) return 0.0;
   const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
   const double normal = task_.target.drive.normal.value;
@@ -40,7 +40,7 @@ double StartGuess::part_of_last_load() const {
 bool StartGuess::is_steady() const {
   const auto& reliefs = task_.setup().reliefs;
   const auto moves = [&](int b) {
-    return !reliefs[b].heights.empty() && task_.from.advance[b] != 0;
+    return !reliefs[b].heights.empty() && task_.from.advance.moves(b);
   };
   return part_of_last_motion() > 0 && !moves(0) && !moves(1);
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/operators/medium/finite_body.hpp"
+#include "samcontact/operators/medium/scaled_medium.hpp"
 #include "samcontact/simulation/setup/yield_scan.hpp"
 
 namespace samcontact::simulation {
@@ -38,6 +40,71 @@ std::shared_ptr<const contact::ContactSolver> OperatorCache::solver(
     solver_heating_ = heating;
   }
   return solver_;
+}
+
+std::optional<double> OperatorCache::common_factor(const operators::HeatingPair& heating,
+                                                   const Compliances& compliances) const {
+  if (heating[0].is_on() || heating[1].is_on() || contact_law_->attracts()) return {};
+  if (media_[0]->is_rigid() || compliances[0] == compliances[1]) return compliances[1];
+  if (media_[1]->is_rigid()) return compliances[0];
+  if (friction_.slides()) return {};
+  for (const auto& medium : media_) {
+    if (operators::faced_body(*medium)) return {};
+  }
+  const auto ratio = media_[0]->normal_ratio(operators::Traction::pressure, *media_[1]);
+  if (!ratio) return {};
+  return (*ratio * compliances[0] + compliances[1]) / (*ratio + 1.0);
+}
+
+contact::ScaledContact OperatorCache::contact(const operators::HeatingPair& heating,
+                                              const Compliances& compliances) const {
+  if (compliances == elastic_compliances) return {solver(heating)};
+  if (const auto factor = common_factor(heating, compliances)) return {solver(heating), *factor};
+  const std::lock_guard lock(mutex_);
+  if (!scaled_solver_ || scaled_heating_ != heating || scaled_by_ != compliances) {
+    scaled_solver_ = std::make_shared<const contact::ContactSolver>(
+        grid_, operators::scaled_medium(media_[0], compliances[0]),
+        operators::scaled_medium(media_[1], compliances[1]), friction_, heating, contact_law_);
+    scaled_heating_ = heating;
+    scaled_by_ = compliances;
+  }
+  return {scaled_solver_};
+}
+
+std::shared_ptr<const contact::PartialSlipContact> OperatorCache::partial_slip(
+    const Compliances& compliances) const {
+  const std::lock_guard lock(mutex_);
+  if (!slipping_ || slipping_by_ != compliances) {
+    slipping_ = std::make_shared<const contact::PartialSlipContact>(
+        grid_, operators::scaled_medium(media_[0], compliances[0]),
+        operators::scaled_medium(media_[1], compliances[1]), friction_, contact_law_);
+    slipping_by_ = compliances;
+  }
+  return slipping_;
+}
+
+std::shared_ptr<const operators::BodyDisplacement> OperatorCache::displacement(int body) const {
+  const std::lock_guard lock(mutex_);
+  auto& own = displacements_[body];
+  if (!own && media_[0] == media_[1]) own = displacements_[1 - body];
+  if (!own) own = std::make_shared<const operators::BodyDisplacement>(grid_, media_[body]);
+  return own;
+}
+
+std::shared_ptr<const operators::BodyDisplacement> OperatorCache::displacement(int body, int nx,
+                                                                               int ny) const {
+  if (nx == grid_.nx && ny == grid_.ny) return displacement(body);
+  const std::lock_guard lock(mutex_);
+  const auto fits = [&](const auto& kept) {
+    return kept && kept->grid().nx == nx && kept->grid().ny == ny;
+  };
+  auto& own = small_displacements_[body];
+  const auto& other = small_displacements_[1 - body];
+  if (fits(own)) return own;
+  if (fits(other) && media_[0] == media_[1]) return own = other;
+  const Grid part = Box{0, 0, nx, ny, 0}.grid(grid_);
+  own = std::make_shared<const operators::BodyDisplacement>(part, media_[body]);
+  return own;
 }
 
 std::shared_ptr<const operators::Temperature> OperatorCache::temperature(
@@ -154,6 +221,10 @@ std::size_t OperatorCache::bytes() const {
   for (const auto& scan : zone_scans_) bytes += scan ? scan->bytes() : 0;
   for (const Kept& k : kept_) bytes += k.operators->bytes();
   for (const auto& kept : temperatures_) bytes += kept->bytes();
+  for (int b = 0; b < 2; ++b) {
+    const auto& kept = displacements_[b];
+    if (kept && (b == 0 || kept != displacements_[0])) bytes += kept->bytes();
+  }
   const std::lock_guard heat_lock(heat_mutex_);
   for (int b = 0; b < 2; ++b) {
     if (heat_stress_[b] && (b == 0 || heat_stress_[1] != heat_stress_[0])) {

@@ -67,7 +67,7 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       initial_gap(std::move(initial_gap_)),
       contact_law(std::move(contact_law_)),
       friction(friction_),
-      partial_slip(friction.sticks() ? std::make_unique<const contact::PartialSlipContact>(
+      partial_slip(friction.sticks() ? std::make_shared<const contact::PartialSlipContact>(
                                            grid_, media[0], media[1], friction, contact_law)
                                      : nullptr),
       transient_heating(transient_heating_),
@@ -85,9 +85,14 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
 int Setup::followed() const {
   // Without plastic strain or relief all positions on a body are equivalent.
   const auto has_history = [this](int body) {
-    return bodies[body].is_plastic() || !reliefs[body].heights.empty();
+    return bodies[body].is_plastic() || !reliefs[body].heights.empty() || friction_moves_with(body);
   };
   return has_history(1) ? 1 : has_history(0) ? 0 : -1;
+}
+
+bool Setup::friction_moves_with(int body) const {
+  const contact::MappedCoulomb* map = friction.map();
+  return map != nullptr && map->x.size() > 1 && map->body == body + 1;
 }
 
 Placement Setup::placement(const Travel& travel) const {
@@ -95,8 +100,8 @@ Placement Setup::placement(const Travel& travel) const {
   if (body >= 0 || !friction.sticks()) return {travel, body};
   // Under partial slip the shear is transported with the surface, by the mean travel of both
   // bodies.
-  const double mean = 0.5 * (travel[0] + travel[1]);
-  return {Travel{mean, mean}, 1};
+  const double mean = 0.5 * (travel.x[0] + travel.x[1]);
+  return {Travel{{mean, mean}, {}}, 1};
 }
 
 Field Setup::relief(int body, const Travel& travel) const {
@@ -129,7 +134,9 @@ Field Setup::gap(const Travel& travel) const {
 
 fft::Symmetry Setup::symmetry(const Travel& travel) const {
   const bool moved = travel != Travel{};
-  const auto symmetry = moved ? common(symmetry_, fft::Symmetry::y) : symmetry_;
+  const auto symmetry = !moved                ? symmetry_
+                        : travel.is_along_x() ? common(symmetry_, fft::Symmetry::y)
+                                              : fft::Symmetry::none;
   const bool flat = reliefs[0].heights.empty() && reliefs[1].heights.empty();
   if (flat) return symmetry;
   const auto of_gap = common(symmetry, symmetry_of(gap(travel), grid));
@@ -156,7 +163,7 @@ Strength Setup::strength(int body, const Travel& travel) const {
 
 operators::HeatHistory Setup::heat_history(int body, const operators::Heating& heating) const {
   operators::Heating source = heating;
-  if (transient_heating.follows()) source.speed_x = 0.0;
+  if (transient_heating.follows()) source.speed_x = source.speed_y = 0.0;
   return heat_of(*media[body])
       ->history(grid, source,
                 {.shortest = transient_heating.shortest,

@@ -81,8 +81,8 @@ std::shared_ptr<const PlasticState> sum_of(const std::shared_ptr<const PlasticSt
 void require_followed(const Eigenstrains& strains, const Setup& setup, const Travel& travel) {
   if (setup.followed() >= 0) return;
   for (int b = 0; b < 2; ++b) {
-    const bool follows =
-        setup.friction.sticks() ? travel[0] == travel[1] : travel[b] == std::round(travel[b]);
+    const bool follows = setup.friction.sticks() ? travel.x[0] == travel.x[1]
+                                                 : travel.x[b] == std::round(travel.x[b]);
     if (!strains[b] || follows) continue;
     throw std::invalid_argument(
         "a body with an eigenstrain must advance by whole cells (under partial slip, both bodies "

@@ -48,14 +48,46 @@ class InitialStress : public Source {
   mutable std::array<std::optional<Strength>, 2> strength_;
 };
 
+/// Displacement of viscoelastic bodies that past tractions still cause. It has no stress: the
+/// stress in these bodies is that of the present tractions.
+class Remembered : public Source {
+ public:
+  Remembered(const Setup& setup, std::array<operators::Tractions, 2> tractions)
+      : setup_(setup), tractions_(std::move(tractions)) {}
+
+  bool acts_on(int body) const override { return !tractions_[body].pressure.empty(); }
+  bool remains() const override { return true; }
+  fft::Symmetry symmetry() const override {
+    return common(symmetry_of(tractions_[0], setup_.grid), symmetry_of(tractions_[1], setup_.grid));
+  }
+  void displace(int body, Field& sum) const override {
+    if (!acts_on(body)) return;
+    Field& own = displacement_[body];
+    if (own.empty()) {
+      const auto displacement = setup_.cache.displacement(body);
+      own = (*displacement)(tractions_[body], operators::shear_sign(body), operators::Axis::z);
+    }
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own[i];
+  }
+
+ private:
+  const Setup& setup_;
+  std::array<operators::Tractions, 2> tractions_;
+  mutable std::array<Field, 2> displacement_;  // empty until first used
+};
+
 }  // namespace
 
 Sources::Sources(const Setup& setup, const Travel& travel, const std::array<GivenHeat, 2>& heat,
-                 const Eigenstrains& eigenstrains, operators::ResidualMethod method) {
+                 const Eigenstrains& eigenstrains, operators::ResidualMethod method,
+                 std::array<operators::Tractions, 2> memory) {
   all_.push_back(std::make_unique<Undeformed>(setup, travel));
   all_.push_back(std::make_unique<HeatSource>(setup.grid, heat, setup.placement(travel).offset));
   all_.push_back(std::make_unique<InitialStress>(setup, travel));
   all_.push_back(std::make_unique<Eigenstrain>(setup, travel, method, eigenstrains));
+  if (!memory[0].pressure.empty() || !memory[1].pressure.empty()) {
+    all_.push_back(std::make_unique<Remembered>(setup, std::move(memory)));
+  }
 }
 
 bool Sources::all_remain(int body) const {

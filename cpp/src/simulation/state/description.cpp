@@ -56,6 +56,17 @@ void require_consistent(const PlasticIncrementGuess& flow) {
   require_that(fits, "the plastic strain increment of the last increment is invalid");
 }
 
+void require_consistent(const TractionMemory* memory, const State& state, int body) {
+  if (memory == nullptr) return;
+  const Grid& grid = state.setup().grid;
+  const std::size_t terms = state.setup().bodies[body].relaxation().terms();
+  const Box& box = memory->box;
+  require_that(terms > 0 && box.nx >= 0 && box.ny >= 0 && box.nz == 1 && memory->kinds >= 0 &&
+                   memory->kinds < 8 && (box.empty() || Box::surface(grid).contains(box)) &&
+                   memory->values.size() == memory->count() * (terms + 1) * box.surface_size(),
+               "the traction memory of a body does not match the grid and its relaxation");
+}
+
 }  // namespace
 
 PlasticRecord record(const PlasticState& history) {
@@ -108,8 +119,10 @@ void require_consistent(const State& state) {
     require_that(field->empty() || fits(*field),
                  "shear, gap or slip power does not match the grid");
   }
-  for (const double travel : state.travel) {
-    require(std::fabs(travel) < largest_index, "travel", in_range, travel);
+  for (const auto& travels : {state.travel.x, state.travel.y}) {
+    for (const double travel : travels) {
+      require(std::fabs(travel) < largest_index, "travel", in_range, travel);
+    }
   }
   require(state.method == ResidualMethod::exact || state.method == ResidualMethod::fast,
           "residual_method", "0 or 1", static_cast<int>(state.method));
@@ -126,6 +139,7 @@ void require_consistent(const State& state) {
                                 state.softening[b]->box.contains(around(state.flow_boxes[b]))),
         "the softening of a body does not match the grid");
   }
+  for (int b = 0; b < 2; ++b) require_consistent(state.memory[b].get(), state, b);
   if (state.last_flow) require_consistent(*state.last_flow);
 }
 

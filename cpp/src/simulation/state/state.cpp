@@ -51,7 +51,9 @@ PastHeat State::heat_so_far() const {
     flux.resize(tractions.pressure.size(), 0.0);
     for (double& q : flux) q *= heating[b].factor;
     history->add(flux.data(), duration,
-                 setup_->transient_heating.follows() ? heating[b].speed_x : 0.0);
+                 setup_->transient_heating.follows()
+                     ? operators::PlaneVector{heating[b].speed_x, heating[b].speed_y}
+                     : operators::PlaneVector{});
     so_far[b] = std::move(history);
   }
   return so_far;
@@ -60,15 +62,16 @@ PastHeat State::heat_so_far() const {
 PastHeat State::heat_so_far(const Travel& by) const {
   PastHeat moved = heat_so_far();
   if (!setup_->transient_heating.follows()) return moved;
-  const bool shared = moved[0] == moved[1] && by[0] == by[1];
+  const bool shared = moved[0] == moved[1] && by.x[0] == by.x[1] && by.y[0] == by.y[1];
   for (int b = 0; b < 2; ++b) {
-    if (!moved[b] || by[b] == 0) continue;
+    if (!moved[b] || !by.moves(b)) continue;
     if (b == 1 && shared) {
       moved[1] = moved[0];
       continue;
     }
     auto history = std::make_shared<operators::HeatHistory>(*moved[b]);
-    history->move(by[b]);
+    const Grid& grid = setup_->grid;
+    history->move({by.x[b], by.y[b] * grid.dy / grid.dx});
     moved[b] = std::move(history);
   }
   return moved;
@@ -92,13 +95,15 @@ contact::AboutAxes State::moment() const {
 State State::moved(const Travel& to) const {
   State state = *this;
   state.travel = to;
-  state.advance = {to[0] - travel[0], to[1] - travel[1]};
+  state.advance = {{to.x[0] - travel.x[0], to.x[1] - travel.x[1]},
+                   {to.y[0] - travel.y[0], to.y[1] - travel.y[1]}};
   const Grid& grid = setup_->grid;
   const Placement from = placement(), place = state.placement();
   const auto cells = static_cast<int>(std::lround(place.origin - from.origin));
   state.tractions.pressure = simulation::moved(tractions.pressure, grid, cells);
   state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
   state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
+  state.slip_rate = simulation::moved(slip_rate, grid, cells);
   state.contact_gap.clear();
   require_followed(eigenstrain, *setup_, to);
   for (int b = 0; b < 2; ++b) {
@@ -113,6 +118,35 @@ State State::moved(const Travel& to) const {
     state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by, 0);
   }
   return state;
+}
+
+std::array<operators::Tractions, 2> State::delayed() const {
+  std::array<operators::Tractions, 2> delayed;
+  for (int b = 0; b < 2; ++b) {
+    if (!memory[b]) continue;
+    delayed[b] = equivalent_tractions(b);
+    const auto subtract = [](const Field& present, Field& from) {
+      if (present.empty() || from.empty()) return;
+      contact::add_scaled(-1.0, present, from);
+    };
+    subtract(tractions.pressure, delayed[b].pressure);
+    subtract(tractions.shear_x, delayed[b].shear_x);
+    subtract(tractions.shear_y, delayed[b].shear_y);
+  }
+  return delayed;
+}
+
+operators::Tractions State::equivalent_tractions(int body) const {
+  if (!memory[body]) return tractions;
+  return equivalent(*memory[body], RelaxingBody(*setup_, body));
+}
+
+double State::viscous_work(int body) const {
+  if (!memory[body]) return 0.0;
+  const double stored = stored_energy(*memory[body], RelaxingBody(*setup_, body));
+  const double lost = memory[body]->supplied - stored;
+  // Rounding of the difference must not appear as a gain of energy.
+  return std::fabs(lost) <= 1e-12 * stored ? std::max(lost, 0.0) : lost;
 }
 
 operators::Tractions State::tractions_on(int body) const {

@@ -27,8 +27,9 @@ State State::widened(std::shared_ptr<const Setup> to) const {
   }
   State state = *this;
   const Box before = Box::surface(from).moved(i, j);
-  for (Field* field : {&state.tractions.pressure, &state.tractions.shear_x,
-                       &state.tractions.shear_y, &state.slip, &state.slip_power}) {
+  for (Field* field :
+       {&state.tractions.pressure, &state.tractions.shear_x, &state.tractions.shear_y, &state.slip,
+        &state.slip_power, &state.slip_rate}) {
     const std::size_t parts = field->size() / from.surface_size(), n = grid.surface_size();
     const Field known = std::exchange(*field, Field(parts * n, 0.0));
     for (std::size_t part = 0; part < parts; ++part) {
@@ -40,6 +41,11 @@ State State::widened(std::shared_ptr<const Setup> to) const {
   for (int b = 0; b < 2; ++b) {
     const bool shared = b == 1 && plastic[0] == plastic[1];
     if (plastic[b]) state.plastic[b] = shared ? state.plastic[0] : plastic[b]->moved(i, j);
+    if (memory[b]) {
+      TractionMemory wider = *memory[b];
+      wider.box = wider.box.moved(i, j);
+      state.memory[b] = std::make_shared<const TractionMemory>(std::move(wider));
+    }
     if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(i, j);
     for (Box& box : state.flow_boxes[b]) box = box.moved(i, j);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "samcontact/operators/surface/surface_displacement.hpp"
+#include "samcontact/simulation/cells/traction_window.hpp"
 #include "samcontact/simulation/state/flow_zones.hpp"
 #include "samcontact/simulation/strain/acting_strain.hpp"
 
@@ -72,6 +73,30 @@ void add(Field& sum, const Field& part) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += part[i];
 }
 
+/// Displacement of a viscoelastic body that remains at first after unloading and then recovers.
+Field recovering_displacement(const State& state, int body, operators::Axis axis,
+                              const Box& region) {
+  const Grid& grid = state.setup().grid;
+  const operators::Tractions delayed = state.delayed()[body];
+  const double sign = operators::shear_sign(body);
+  Box whole = Box::surface(grid), surface = region;
+  surface.nz = 1;
+  Field u;
+  if (whole.contains(surface)) {
+    u = (*state.setup().cache.displacement(body))(delayed, sign, axis);
+  } else {
+    whole = whole.united(surface);
+    Grid wide = grid;
+    wide.nx = whole.nx;
+    wide.ny = whole.ny;
+    u = operators::surface_displacement(wide, *state.setup().media[body], {},
+                                        window(delayed, grid, whole), sign, axis);
+  }
+  Field out(surface.surface_size());
+  extract(u.data(), whole, out.data(), surface);
+  return out;
+}
+
 }  // namespace
 
 Field gap(const State& state) {
@@ -94,6 +119,7 @@ Field residual_displacement(const State& state, int body, operators::Axis axis, 
   if (const auto& strain = state.eigenstrain[body]) {
     add(out, displacement_of(*strain, state.setup(), body, state.method, axis, region));
   }
+  if (state.memory[body]) add(out, recovering_displacement(state, body, axis, region));
   return out;
 }
 
@@ -102,6 +128,9 @@ Field residual_displacement(const State& state, int body, operators::Axis axis) 
   if (const auto& strain = state.eigenstrain[body]) {
     const double offset = state.placement().offset[body];
     add(out, displacement_of(*strain, state.setup(), body, state.method, axis, offset));
+  }
+  if (state.memory[body]) {
+    add(out, recovering_displacement(state, body, axis, Box::surface(state.setup().grid)));
   }
   return out;
 }

@@ -10,6 +10,7 @@
 #include "samcontact/contact/joint/joint_preconditioner.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
+#include "samcontact/contact/laws/stretch.hpp"
 #include "samcontact/contact/normal/drive.hpp"
 #include "samcontact/operators/surface/relative_displacement.hpp"
 
@@ -52,6 +53,8 @@ struct JointOperators {
 /// Fields over the n cells of a grid; vectors are [2][cell], tractions [3][cell] as (p, s_x, s_y).
 ///
 ///   g = gap + K p + B s - approach - tilts,  w = free_slip + rigid motion - (B'p + C s)
+///
+/// Shears and slips are in the coordinates in which the admissible shears are circles.
 struct JointProblem {
   /// Rigid motion with a prescribed force.
   struct Mode {
@@ -72,8 +75,15 @@ struct JointProblem {
   /// Scale of shear per scale of slip of the contact [Pa/m].
   double stiffness = 0.0;
   double rounding = 0.0;  // gaps up to this value count as closed [m]
+  CircleCoordinates circle = {};
 
   std::size_t size() const { return gap.size(); }
+  /// Sets the coordinates, and changes the slips of the problem to them.
+  void use(CircleCoordinates coordinates);
+  /// Displacement due to tractions, and tractions by the preconditioner, in these coordinates;
+  /// [3][cell], may be the same array.
+  void displace(const Field& tractions, Field& displacement, ComplexField& work) const;
+  void precondition(Field& displacement, ComplexField& work) const;
 };
 
 /// Iterate, and the fields due to its tractions and motions.

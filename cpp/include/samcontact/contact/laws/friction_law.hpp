@@ -6,17 +6,38 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "samcontact/base/law_parameters.hpp"
+#include "samcontact/contact/laws/stretch.hpp"
 #include "samcontact/fft/mirrored_transform.hpp"
 #include "samcontact/operators/influence/tractions.hpp"
 
 namespace samcontact::contact {
+
+/// Dependence of a coefficient of friction on the slip rate.
+struct SlipRateLaw {
+  double kinetic = 0.0, drop = 0.0;  // [-]
+  double half_speed = 1.0;           // [m/s]
+  double memory = 0.0;               // slip distance over which rates are averaged [m]; 0: none
+
+  bool is_on() const { return drop > 0; }
+  /// Coefficient at a slip rate [m/s].
+  double coefficient(double rate) const { return kinetic + drop * std::exp2(-rate / half_speed); }
+  /// Coefficient relative to that without slip.
+  double factor(double rate) const { return coefficient(rate) / (kinetic + drop); }
+  /// Decrease of the coefficient with the slip rate [s/m].
+  double fall(double rate) const {
+    return drop * std::numbers::ln2 / half_speed * std::exp2(-rate / half_speed);
+  }
+};
 
 /// Body 1 slides over body 2 towards +x everywhere: the shear is mu p and is not an unknown.
 struct FullSliding {
@@ -85,6 +106,122 @@ struct CappedCoulomb {
   bool operator==(const CappedCoulomb&) const = default;
 };
 
+/// Elastic layer of wear particles between the bodies, which yields at a shear strength; the shear
+/// is at most mu p.
+struct ThirdBody {
+  static constexpr auto name = "third_body",
+                        says = "Elastic layer between the bodies that yields at a shear strength.";
+  static constexpr bool sticks = true;
+  double coefficient, strength, shear_modulus, thickness;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{""});
+    visit("strength", law.strength, Allowed{.unit = "Pa", .infinite = "an elastic layer"});
+    visit("shear_modulus", law.shear_modulus, Allowed::positive("Pa"));
+    visit("thickness", law.thickness, Allowed{"m"});
+  }
+  double bound(double pressure) const { return std::min(coefficient * pressure, strength); }
+  double ratio(double pressure) const {
+    return strength > 0 ? std::min(coefficient, strength / pressure) : 0.0;
+  }
+  double compliance() const { return thickness / shear_modulus; }
+  bool operator==(const ThirdBody&) const = default;
+};
+
+/// Shear s in an ellipse with the half-axes mu_x p and mu_y p; slip along the normal of the
+/// ellipse.
+struct Anisotropic {
+  static constexpr auto name = "anisotropic",
+                        says = "Anisotropic friction: shear stress within an ellipse.";
+  static constexpr bool sticks = true;
+  double mu_x, mu_y, angle;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("mu_x", law.mu_x, Allowed::positive(""));
+    visit("mu_y", law.mu_y, Allowed::positive(""));
+    visit("angle", law.angle,
+          Allowed{.unit = "rad", .low = -std::numbers::pi, .high = std::numbers::pi});
+  }
+  double bound(double pressure) const { return std::max(mu_x, mu_y) * pressure; }
+  double ratio(double) const { return std::max(mu_x, mu_y); }
+  Stretch stretch() const { return Stretch::ellipse(mu_x, mu_y, angle); }
+  bool operator==(const Anisotropic&) const = default;
+};
+
+/// Coulomb friction with a coefficient that varies over the surface of a body: bilinear between the
+/// points (x, y), constant beyond them.
+struct MappedCoulomb {
+  static constexpr auto name = "mapped_coulomb",
+                        says = "Coulomb friction with a coefficient that depends on the place.";
+  static constexpr bool sticks = true;
+  std::vector<double> coefficient;  // [x][y]
+  std::vector<double> x, y;         // empty: no variation along this axis
+  double body;                      // 1 or 2
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("coefficient", law.coefficient, Allowed{""});
+    visit("x", law.x, Allowed{.unit = "m", .low = -std::numeric_limits<double>::infinity()});
+    visit("y", law.y, Allowed{.unit = "m", .low = -std::numeric_limits<double>::infinity()});
+    visit("body", law.body, Allowed{.unit = "", .low = 1, .high = 2});
+  }
+  /// Throws std::invalid_argument for points that do not increase or do not match the coefficients.
+  void check() const;
+  double largest() const;
+  double bound(double pressure) const { return largest() * pressure; }
+  double ratio(double) const { return largest(); }
+  /// Coefficient at a point of the body, relative to the largest.
+  double factor(double at_x, double at_y) const;
+  bool operator==(const MappedCoulomb&) const = default;
+};
+
+/// Coulomb friction with a coefficient that depends on the temperature rise of the surfaces: linear
+/// between points, constant beyond them.
+struct ThermalCoulomb {
+  static constexpr auto name = "thermal_coulomb",
+                        says = "Coulomb friction with a coefficient that depends on temperature.";
+  static constexpr bool sticks = true;
+  std::vector<double> temperature, coefficient;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("temperature", law.temperature,
+          Allowed{.unit = "K", .low = -std::numeric_limits<double>::infinity()});
+    visit("coefficient", law.coefficient, Allowed{""});
+  }
+  /// Throws std::invalid_argument for temperatures that do not increase or do not match.
+  void check() const;
+  double largest() const;
+  double bound(double pressure) const { return largest() * pressure; }
+  double ratio(double) const { return largest(); }
+  /// Coefficient at a temperature rise [K], relative to the largest.
+  double factor(double rise) const;
+  bool operator==(const ThermalCoulomb&) const = default;
+};
+
+/// Coulomb friction that falls from kinetic + drop to kinetic as the slip rate increases; the drop
+/// is halved at half_speed.
+struct FallingCoulomb {
+  static constexpr auto name = "falling_coulomb",
+                        says = "Coulomb friction that falls with increasing slip rate.";
+  static constexpr bool sticks = true;
+  double kinetic, drop, half_speed, memory;
+
+  template <class Self, class Visit>
+  static void parameters(Self& law, const Visit& visit) {
+    visit("kinetic", law.kinetic, Allowed{""});
+    visit("drop", law.drop, Allowed{""});
+    visit("half_speed", law.half_speed, Allowed::positive("m/s"));
+    visit("memory", law.memory, Allowed{"m"});
+  }
+  double bound(double pressure) const { return (kinetic + drop) * pressure; }
+  double ratio(double) const { return kinetic + drop; }
+  SlipRateLaw rates() const { return {kinetic, drop, half_speed, memory}; }
+  bool operator==(const FallingCoulomb&) const = default;
+};
+
 /// Description of a law for callers that create it by name.
 struct FrictionDescription {
   std::string name, says;
@@ -95,23 +232,36 @@ struct FrictionDescription {
 /// One of the laws, with checked parameters.
 class FrictionLaw {
  public:
-  using Laws = std::variant<FullSliding, Coulomb, Tresca, CappedCoulomb>;
-  using Values = std::map<std::string, double>;
+  using Laws = std::variant<FullSliding, Coulomb, Tresca, CappedCoulomb, Anisotropic, MappedCoulomb,
+                            FallingCoulomb, ThirdBody, ThermalCoulomb>;
+  using Values = std::map<std::string, std::vector<double>>;
 
   /// Throws std::invalid_argument with the name of the parameter, its value and the allowed range.
   explicit FrictionLaw(Laws law);
+  /// values: one for each parameter that is a number.
   static FrictionLaw named(const std::string& name, const Values& values);
   static std::vector<FrictionDescription> descriptions();
 
   /// Whether cells stick below the bound, so that the shear is an unknown.
   bool sticks() const;
-  /// Maximum shear under a pressure [Pa]; 0 out of contact, infinite if slip is prevented.
+  /// Maximum shear under a pressure [Pa], in the direction in which it is largest; 0 out of
+  /// contact, infinite if slip is prevented.
   double bound(double pressure) const;
   /// Maximum shear of each cell [Pa].
   Field bound(Field pressure) const;
   /// Ratio of the maximum shear to a pressure >= 0 [-]. The ratio does not increase with the
   /// pressure, so friction carries at most ratio(0) times the load.
   double ratio(double pressure) const;
+  /// Ellipse of the admissible shears.
+  Stretch stretch() const;
+  /// Coefficient that depends on the place; null: it does not.
+  const MappedCoulomb* map() const { return std::get_if<MappedCoulomb>(&law_); }
+  /// Coefficient that depends on the temperature; null: it does not.
+  const ThermalCoulomb* thermal() const { return std::get_if<ThermalCoulomb>(&law_); }
+  /// Tangential displacement of a layer between the bodies per unit shear [m/Pa].
+  double compliance() const;
+  /// Dependence on the slip rate.
+  SlipRateLaw rates() const;
   bool is_frictionless() const { return bound(1.0) == 0; }
   bool prevents_slip() const;
 
@@ -123,7 +273,8 @@ class FrictionLaw {
   /// Tractions on body 2 that follow from a pressure [Pa]: with the shear of full sliding, or
   /// without shear.
   operators::Tractions tractions(Field pressure) const;
-  /// Mirror planes of these tractions.
+  /// Mirror planes of these tractions, and of the shear that partial slip adds to a symmetric
+  /// contact.
   fft::Symmetry symmetry() const;
 
   bool operator==(const FrictionLaw&) const = default;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -30,6 +31,8 @@ class RigidModes {
   RigidModes over(const Box& box) const;
   /// Box that contains the cells next to the line of action of the load.
   Box united(Box box) const;
+  /// Modes of bodies that do not exist in cells with larger gaps than this one.
+  RigidModes within(double largest_gap) const;
 
   /// Makes a pressure >= 0 meet the prescribed load and moments: scales it, and for moments
   /// multiplies it by the exponential of a plane. Without a prescribed load nothing changes. False,
@@ -38,8 +41,8 @@ class RigidModes {
   /// Scales a pressure to the prescribed load, and returns the factor; 1 without a prescribed load.
   double scale(Field& pressure) const;
   /// Like meet(), except that a pressure that cannot meet the moments is replaced by one over all
-  /// cells.
-  bool meet_anywhere(Field& pressure) const;
+  /// cells. gap: by cell, of the undeformed bodies.
+  bool meet_anywhere(const Field& gap, Field& pressure) const;
   /// Whether load and moments are met except for rounding.
   bool is_met(const Field& pressure, double tol) const;
 
@@ -112,7 +115,7 @@ class RigidModes {
   double factor(const AboutAxes& exponents, std::size_t cell) const;
 
   Given normal_{};
-  double cell_area_ = 0.0;
+  double cell_area_ = 0.0, largest_gap_ = INFINITY;
   std::array<double, 2> size_{};  // of a cell along y and x, the directions of the arms [m]
   std::array<bool, 2> free_{};
   AboutAxes centre_{};  // y and -x of the line of action [m]; 0 for a held tilt

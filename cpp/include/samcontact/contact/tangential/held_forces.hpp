@@ -19,9 +19,10 @@ inline constexpr MotionNames increment_motions{"shift", "twist"},
 void require_held(const TangentialDrive& drive, const FrictionLaw& friction, double load,
                   const MotionNames& motions);
 
+/// factor: of the bounds of the cells; empty: 1.
 /// Throws std::invalid_argument if forces or torque exceed the friction limit under a given
 /// pressure, individually or together, or if a law without slip cannot attain a prescribed motion.
 void require_held(const Grid& grid, const TangentialDrive& drive, const Field& pressure,
-                  const FrictionLaw& friction, const MotionNames& motions);
+                  const FrictionLaw& friction, const Field& factor, const MotionNames& motions);
 
 }  // namespace samcontact::contact

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
+#include "samcontact/contact/laws/stretch.hpp"
 #include "samcontact/contact/tangential/tangential_preconditioner.hpp"
 
 namespace samcontact::contact {
@@ -20,7 +21,9 @@ constexpr double smallest_fraction = 1e-12;
 ///   min 1/2 s'C s - s'b   over |s_i| <= bound_i,  direction_k's = target_k
 ///
 /// The slip w = b + sum of motion_k direction_k - C s is minus the gradient, and the motions are
-/// the multipliers of the forces, except for newly contacting cells.
+/// the multipliers of the forces, except for newly contacting cells. If the admissible shears form
+/// an ellipse, all vectors are in the coordinates in which it is a circle: s stands for M^-1 s, C
+/// for M C M, and slips for M times the slip (`stretch_to_circle`).
 struct ShearProblem {
   /// Rigid motion with a prescribed force.
   struct Mode {
@@ -48,6 +51,7 @@ struct ShearProblem {
   /// Fraction of the slip due to a rigid motion that occurs in contact, as a symmetric matrix for
   /// each cell, [xx, xy, yy][cell]; empty: 1.
   Field slip_part;
+  Stretch stretch = {};  // M
   /// Scale of shear per scale of slip of the contact [Pa/m].
   double stiffness = 0.0;
   /// Shear below this counts as zero [Pa].
@@ -60,7 +64,10 @@ struct ShearProblem {
 class ShearApplier {
  public:
   explicit ShearApplier(const ShearProblem& problem)
-      : problem_(problem), box_(2 * problem.box_size, 0.0), near_(box_.size()) {}
+      : problem_(problem),
+        inverse_(problem.stretch.inverse()),
+        box_(2 * problem.box_size, 0.0),
+        near_(box_.size()) {}
 
   /// u = C v on the cells in contact; both may be the same field.
   void displacement(const Field& v, Field& u);
@@ -80,11 +87,13 @@ class ShearApplier {
   double operations() const { return operations_; }
 
  private:
-  void scatter(const Field& v);
+  /// Both multiply the vectors by a matrix.
+  void scatter(const Field& v, const Stretch& stretch);
   /// Values of the box at the cells, less those `carried` cells ahead.
-  void gather(const Field& box, Field& v, std::size_t carried = 0) const;
+  void gather(const Field& box, Field& v, const Stretch& stretch, std::size_t carried = 0) const;
 
   const ShearProblem& problem_;
+  const Stretch inverse_;
   Field box_, near_;
   ComplexField work_;
   int applications_ = 0;
@@ -95,6 +104,10 @@ class ShearApplier {
 /// layers lie on a rigid base.
 bool gives_way_to_uniform_shear(const Grid& box,
                                 const operators::TangentialDisplacement& displacement);
+
+/// Sets the ellipse of the admissible shears, and changes free slip and motions to the coordinates
+/// in which it is a circle.
+void stretch_to_circle(ShearProblem& problem, const Stretch& stretch);
 
 /// Length of a vector; hypot takes ten times as long, for a range that shear and slip do not need.
 inline double length_of(double x, double y) { return std::sqrt(x * x + y * y); }

@@ -9,6 +9,7 @@
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/base/grid.hpp"
+#include "samcontact/contact/laws/friction_conditions.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
 #include "samcontact/contact/normal/drive.hpp"
 #include "samcontact/contact/tangential/shear_problem.hpp"
@@ -21,8 +22,13 @@ using TangentialDrive = std::array<Given, 3>;
 inline constexpr TangentialDrive held{Given::motion(0), Given::motion(0), Given::motion(0)};
 
 /// Drive along x, along y and about z: a value for each, and whether it is a force or a motion.
-TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
-                                 const std::array<double, 3>& values);
+inline TangentialDrive tangential_drive(const std::array<bool, 3>& is_force,
+                                        const std::array<double, 3>& values) {
+  const auto given = [&](int k) {
+    return is_force[k] ? Given::force(values[k]) : Given::motion(values[k]);
+  };
+  return {given(0), given(1), given(2)};
+}
 
 /// Tangential displacement due to the shear before an increment, in a box, for several solves of
 /// the increment.
@@ -30,6 +36,8 @@ struct PreviousDisplacement {
   Box box;
   Field displacement;  // [2][i][j] [m]
 };
+
+inline const Field no_field{};
 
 /// Vector fields are [2][i][j] on the grid.
 struct ShearTask {
@@ -51,6 +59,8 @@ struct ShearTask {
   /// Whether the contact is in steady rolling towards +x. Motions, free_slip, slip and
   /// friction_work are then per distance rolled [-, -, 1/m, N]; the motions are creepages and spin.
   bool rolls = false;
+  /// Bound of each cell [i][j], relative to that of the law; empty: 1.
+  const Field& factor = no_field;
 };
 
 struct ShearSolution {
@@ -84,6 +94,10 @@ class ShearSolver {
   ShearSolution solve(const ShearTask& task, const Field& shear,
                       const std::array<double, 3>& motion, double tol, int max_steps) const;
 
+  /// Displacement of a cell under its own unit shear on the last box; in rolling, less that of the
+  /// cell ahead [m/Pa]. 0 before the first solve.
+  double self_influence(bool rolls) const;
+
  private:
   class Level;
   std::shared_ptr<const Level> level(const Box& box, int margin) const;
@@ -100,10 +114,4 @@ constexpr double spin_lead = 1.0 / 6;
 
 /// Forces of a shear [2][i][j] on a grid about its origin [N, N, N m].
 std::array<double, 3> forces(const Grid& grid, const Field& shear);
-/// Friction limits under a pressure: tangential force, and torque.
-struct LargestForces {
-  double along, torque;
-};
-LargestForces largest_forces(const Grid& grid, const Field& pressure, const FrictionLaw& friction);
-
 }  // namespace samcontact::contact

@@ -13,8 +13,8 @@ namespace samcontact::operators {
 /// of factors that depend on the mode and on the node.
 class Decay {
  public:
-  /// speed: additional speed along x [dx per unit of x].
-  Decay(const HeatLevel& level, double x, double speed = 0.0);
+  /// speed: additional speed along x and y [dx per unit of x].
+  Decay(const HeatLevel& level, double x, const PlaneVector& speed = {});
   Complex factor(std::size_t mode, std::size_t node) const { return modes_[mode] * nodes_[node]; }
   /// rate: that of the node.
   Complex integral(std::size_t mode, std::size_t node, double rate) const {
@@ -29,7 +29,7 @@ class Decay {
   double x_;
 };
 
-/// Factors of the modes of a level due to a motion by some cells along x.
-ComplexField phases_of(const HeatLevel& level, double cells);
+/// Factors of the modes of a level due to a motion along x and y [dx].
+ComplexField phases_of(const HeatLevel& level, const PlaneVector& motion);
 
 }  // namespace samcontact::operators

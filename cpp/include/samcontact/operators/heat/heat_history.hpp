@@ -25,9 +25,11 @@ struct HeatHistorySettings {
   double longest = 0.0;
   double tolerance = 1e-6;  // approximate, relative to the largest value
   bool in_depth = true;     // false: only the surface displacement and fields at z = 0
-  /// Longest distance along x between two positions of a body that move() moves back and forth
-  /// [m]; such a body has no constant speed. 0: it moves at constant speed, or not at all.
-  double track = 0.0;
+  /// Longest distances along x and y between two positions of a body that move() moves along a path
+  /// that may turn [m]; such a body has no constant speed. 0: it moves at constant speed, or not at
+  /// all.
+  PlaneVector track{};
+  bool follows() const { return track != PlaneVector{}; }
 };
 
 struct Heating;
@@ -40,12 +42,12 @@ class HeatHistory {
   HeatHistory(const Grid& grid, const Stack& elastic, const Heating& heating,
               const HeatHistorySettings& settings);
 
-  /// Advances the time by dt [s], with the flux [i][j] into the body [W/m^2]. speed_x: with a
-  /// track, speed at which move() has just moved the body in this time [m/s].
-  void add(const double* flux, double dt, double speed_x = 0.0);
-  /// Moves the body, with its heat, by some cells along x. Throws std::invalid_argument beyond the
+  /// Advances the time by dt [s], with the flux [i][j] into the body [W/m^2]. speed: with a track,
+  /// speed along x and y at which move() has just moved the body in this time [m/s].
+  void add(const double* flux, double dt, const PlaneVector& speed = {});
+  /// Moves the body, with its heat, along x and y [dx]. Throws std::invalid_argument beyond the
   /// track.
-  void move(double cells);
+  void move(const PlaneVector& by);
 
   // Fields `ahead` seconds after the present time, without heat flux until then.
 
@@ -69,7 +71,8 @@ class HeatHistory {
   void add_newest(HeatQuantity quantity, double ahead, std::span<const double> depths,
                   Field& out) const;
   bool newest_by_modes(double ahead) const;
-  void extend_to(double position);
+  void extend_to(const PlaneVector& position);
+  PlaneVector aged_speed() const;
   std::vector<const Complex*> generations_of(std::size_t number, double ahead) const;
   double newest_part(const HeatLevel& level, double ahead) const;
   HeatProfiles profiles(const Moment& moment, std::vector<double> depths) const;
@@ -92,8 +95,8 @@ class HeatHistory {
   double duration_ = 0;         // [s]
 
   // With a track: speed of the body during the newest flux [dx/s], its motion since then, its
-  // position, and the ends of its path [cells].
-  double speed_ = 0, moved_ = 0, position_ = 0, first_ = 0, last_ = 0;
+  // position, and the ends of its path along x and y [dx].
+  PlaneVector speed_{}, moved_{}, position_{}, first_{}, last_{};
 };
 
 }  // namespace samcontact::operators

@@ -11,8 +11,8 @@
 //
 // A moving body carries its heat away; on a periodic lattice it would return. Each level therefore
 // stores its heat in a few generations by age, and drops the oldest once it is farther away than
-// the range of the kernels of the level. If the body moves back and
-// forth along a track, nothing is dropped, and the periods contain the track.
+// the range of the kernels of the level. If the body moves along a path that may turn, nothing is
+// dropped, and the periods contain the path.
 //
 // Wavenumbers far beyond the highest wavenumber of the grid matter only for heat younger than the
 // time to diffuse across a cell. For a body at rest and such short time steps, they are left to
@@ -28,6 +28,7 @@
 // Lengths are in units of dx; times t stand for kappa t / dx^2.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -36,6 +37,9 @@
 #include "samcontact/fft/padded_transform.hpp"
 
 namespace samcontact::operators {
+
+/// Along x and y.
+using PlaneVector = std::array<double, 2>;
 
 /// Wavenumber (w1, w2) of the lattice of a level, with indices (a, b), b >= 0.
 struct HeatMode {
@@ -74,11 +78,13 @@ struct HeatResolution {
   double longest;   // maximum age of heat
   double tolerance;
   bool in_depth;  // whether fields below the surface are required
-  double track;   // length along x over which a body moves back and forth; 0: it does not
+  /// Lengths along x and y over which a body moves on a path that may turn; 0: it does not.
+  PlaneVector track;
   /// Of layers: length over which they differ from the substrate, and largest over smallest
   /// diffusivity. 0 and 1: homogeneous.
   double layers = 0.0, contrast = 1.0;
   bool is_layered() const { return layers > 0; }
+  bool follows() const { return track != PlaneVector{}; }
 };
 
 /// Periods of the surface [dx]; 0: not periodic.

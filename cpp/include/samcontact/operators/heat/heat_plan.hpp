@@ -69,8 +69,11 @@ struct HeatPlan {
     return heating;
   }
   HeatResolution resolution() const {
-    HeatResolution resolution{aged(settings.shortest), aged(settings.longest), settings.tolerance,
-                              settings.in_depth, settings.track / grid.dx};
+    HeatResolution resolution{aged(settings.shortest),
+                              aged(settings.longest),
+                              settings.tolerance,
+                              settings.in_depth,
+                              {settings.track[0] / grid.dx, settings.track[1] / grid.dx}};
     if (stack.is_uniform()) return resolution;
     resolution.layers = longest_heat_length(stack) / grid.dx;
     const auto most = std::ranges::max(stack.thermal, {}, &Thermal::diffusivity);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "samcontact/base/thermal_stack.hpp"
+#include "samcontact/kernels/oblique_wake_sums.hpp"
 #include "samcontact/kernels/rings.hpp"
 #include "samcontact/kernels/wake_sums.hpp"
 #include "samcontact/operators/heat/heating.hpp"
@@ -121,6 +122,48 @@ inline double part_of(int flip, const kernels::Parity& rest, std::complex<double
   }
 }
 
+/// Parities of the parts of all components, [flip][component].
+inline std::vector<kernels::Parity> parities_of(const std::vector<kernels::Parity>& rest,
+                                                const std::vector<int>& flips) {
+  std::vector<kernels::Parity> parities;
+  for (const int flip : flips) {
+    for (const kernels::Parity& one : rest) {
+      parities.push_back(
+          {one.odd_x != ((flip & 1) != 0), one.odd_y != ((flip & 2) != 0), one.odd_z});
+    }
+  }
+  return parities;
+}
+
+/// Rest of a field in steady motion between x and y, [flip][component][..].
+template <class Modes, class Turn>
+Field sums_in_oblique_motion(const HeatedStack& stack, const HeatedCell& cell, double highest,
+                             double longest, const Components<Turn>& components,
+                             const Modes& modes) {
+  using Complex = std::complex<double>;
+  const auto& [heating, dx, dy, offsets] = cell;
+  const double vx = heating.speed_x, vy = heating.speed_y, slowest = slowest_diffusion(stack);
+  const std::vector<int> flips = flips_of(heating);
+  const std::size_t count = components.parities.size();
+  kernels::ObliqueWaves waves{
+      parities_of(components.parities, flips), {}, highest, longest, vx / slowest, vy / slowest};
+  waves.at = [own = modes, &components, flips, vx, vy, count,
+              in = std::vector<Complex>(components.count),
+              out = std::vector<Complex>(2 * count)](double kx, double ky, double* values) mutable {
+    const double q = std::hypot(kx, ky);
+    own(q, Complex(0.0, kx * vx + ky * vy), in.data());
+    components.turn(in.data(), kx / q, ky / q, out.data());
+    own(q, Complex(0.0, kx * vx - ky * vy), in.data());
+    components.turn(in.data(), kx / q, ky / q, out.data() + count);
+    for (const int flip : flips) {
+      for (std::size_t c = 0; c < count; ++c) {
+        *values++ = part_of(flip, components.parities[c], out[c], out[count + c]);
+      }
+    }
+  };
+  return kernels::oblique_wake_sums(waves, dx, dy, offsets.x, offsets.y);
+}
+
 /// Rest of a field of a moving body that has been heated for a time, [flip][component][..].
 template <class Modes, class Turn>
 Field sums_since(const HeatedStack& stack, const HeatedCell& cell, double highest, double longest,
@@ -141,12 +184,7 @@ Field sums_since(const HeatedStack& stack, const HeatedCell& cell, double highes
                            {std::fabs(vx) * age, std::fabs(vy) * age, speed / slowest},
                            heating.period_x,
                            heating.period_y};
-  for (const int flip : flips) {
-    for (const kernels::Parity& rest : components.parities) {
-      waves.parities.push_back(
-          {rest.odd_x != ((flip & 1) != 0), rest.odd_y != ((flip & 2) != 0), rest.odd_z});
-    }
-  }
+  waves.parities = parities_of(components.parities, flips);
   const std::size_t count = components.parities.size();
   waves.at = [&table, &components, flips, vx, vy, count, weights = std::vector<double>{},
               in = std::vector<Complex>(2 * components.count),
@@ -175,7 +213,16 @@ inline void add_to_parts(const double* from, int flip, std::size_t plane,
   }
 }
 
-/// Adds the rest of a field in steady motion.
+/// Adds sums [flip][component][..] to all parts of fields.
+inline void add_all_parts(const Heating& heating, const double* from, std::size_t plane,
+                          std::span<ParityParts* const> into) {
+  for (const int flip : flips_of(heating)) {
+    add_to_parts(from, flip, plane, into);
+    from += plane * into.size();
+  }
+}
+
+/// Adds the rest of a field in steady motion along x or y.
 template <class Modes, class Turn>
 void add_in_motion(const HeatedStack& stack, const HeatedCell& cell, double highest,
                    const Components<Turn>& components, const Modes& modes,
@@ -212,6 +259,12 @@ void add_modes(const HeatedStack& stack, const HeatedCell& cell, double highest,
   const std::size_t plane = offsets.x.size() * offsets.y.size();
   double longest = longest_heat_length(stack);
   if (heating.age == Heating::infinity()) {
+    if (heating.speed_x != 0 && heating.speed_y != 0) {
+      const Field sums = sums_in_oblique_motion(stack, cell, highest, longest, components,
+                                                modes(std::complex<double>{}));
+      add_all_parts(heating, sums.data(), plane, into);
+      return;
+    }
     if (heating.is_moving()) {
       add_in_motion(stack, cell, highest, components, modes(std::complex<double>{}), into);
       return;
@@ -229,11 +282,7 @@ void add_modes(const HeatedStack& stack, const HeatedCell& cell, double highest,
   if (heating.is_moving()) {
     const Field sums =
         sums_since(stack, cell, highest, longest, components, modes(std::complex<double>{}));
-    const double* from = sums.data();
-    for (const int flip : flips_of(heating)) {
-      add_to_parts(from, flip, plane, into);
-      from += plane * into.size();
-    }
+    add_all_parts(heating, sums.data(), plane, into);
     return;
   }
   const double extent = std::max({longest, offsets.x.back(), offsets.y.back()});

@@ -16,7 +16,9 @@ namespace samcontact::operators {
 /// body 1.
 class TangentialInfluence {
  public:
-  TangentialInfluence(SharedMedium body1, SharedMedium body2);
+  /// layer: tangential displacement per unit shear of an elastic layer between the bodies, which is
+  /// thin compared with a cell [m/Pa].
+  TangentialInfluence(SharedMedium body1, SharedMedium body2, double layer = 0.0);
 
   /// Table [j][i] [m/Pa]; its parity is given by compliance_parity().
   Field table(Traction traction, Axis axis, const Grid& grid, const CellOffsets& offsets) const;
@@ -28,6 +30,7 @@ class TangentialInfluence {
 
  private:
   SharedMedium body1_, body2_;
+  double layer_;
 };
 
 /// C: shear to relative tangential displacement. Surface vectors are [component][i][j].

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Motion of the bodies through the contact along x; the grid stays with the contact. Along a
-// periodic direction, rows that leave the grid enter it at its other end.
+// Motion of the bodies through the contact; the grid stays with the contact. Along a periodic
+// direction, rows that leave the grid enter it at its other end. Only bodies without a history move
+// along y.
 #pragma once
 
 #include <array>
@@ -10,9 +11,17 @@
 
 namespace samcontact::simulation {
 
-/// Travel of the surface of each body through the contact [cells], positive towards +x.
-using Travel = std::array<double, 2>;
+/// Travel of the surface of each body through the contact [cells], positive towards +x and +y.
+struct Travel {
+  std::array<double, 2> x{}, y{};
 
+  bool moves(int body) const { return x[body] != 0 || y[body] != 0; }
+  bool is_along_x() const { return y == std::array<double, 2>{}; }
+  bool operator==(const Travel&) const = default;
+};
+
+/// Part of a travel.
+Travel scaled(const Travel& travel, double by);
 /// Sum of two travels; values that are whole numbers except for rounding errors are rounded.
 Travel advanced(const Travel& travel, const Travel& by);
 

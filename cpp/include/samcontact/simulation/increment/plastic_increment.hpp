@@ -8,6 +8,7 @@
 #include "samcontact/simulation/body/active_cells.hpp"
 #include "samcontact/simulation/body/plastic_body.hpp"
 #include "samcontact/simulation/increment/increment_task.hpp"
+#include "samcontact/simulation/increment/relaxing_bodies.hpp"
 #include "samcontact/simulation/increment/slip_history.hpp"
 #include "samcontact/simulation/increment/start_guess.hpp"
 #include "samcontact/simulation/increment/zone_manager.hpp"
@@ -69,6 +70,7 @@ class PlasticIncrement {
 
   const IncrementTask task_;
   operators::Tractions tractions_;  // [i][j] of the grid
+  const RelaxingBodies relaxing_;
   const Sources sources_;
   SlipHistory slip_;
   const fft::Symmetry symmetry_;

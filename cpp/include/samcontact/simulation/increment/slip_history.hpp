@@ -3,9 +3,11 @@
 // tangential displacement due to plastic strain enters the stick condition.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "samcontact/simulation/increment/increment_task.hpp"
+#include "samcontact/simulation/increment/relaxing_bodies.hpp"
 
 namespace samcontact::simulation {
 
@@ -19,7 +21,7 @@ bool is_free_of_shear(const IncrementTask& task);
 class SlipHistory {
  public:
   /// Has no effect in full sliding or under prescribed tractions.
-  explicit SlipHistory(const IncrementTask& task);
+  SlipHistory(const IncrementTask& task, const RelaxingBodies& relaxing);
 
   /// Whether shear is an unknown.
   bool is_on() const { return on_; }
@@ -42,7 +44,11 @@ class SlipHistory {
   IncrementTask task_;
   bool on_;
   contact::ContactHistory before_;
-  Field travel_slip_;             // slip due to different travel of the bodies
+  std::shared_ptr<const contact::PartialSlipContact> contact_;  // null: no effect
+  contact::FrictionConditions conditions_;
+  Field slip_rate_;               // of the last solution
+  double falling_number_ = 0.0;   // likewise
+  Field travel_slip_;             // slip due to different travel of the bodies, and to their memory
   contact::ShearSolution shear_;  // of the last solution
   std::string stall_warning_;     // likewise
   int joint_steps_ = 0;           // of all solutions

@@ -23,8 +23,11 @@ struct Target {
   Travel advance{};                     // travel in the increment [cells]
   operators::HeatingPair heating = {};  // proportional to the pressure
   /// Duration of the increment [s]: for transient heating, where it is also the age of the heat,
-  /// and for heat due to slip, where the power is the mean over the increment.
+  /// for heat due to slip, where the power is the mean over the increment, and for viscoelastic
+  /// bodies, whose long-time state is reached for an infinite duration.
   double duration = 0.0;
+  /// Duration of the increment for friction that depends on the slip rate [s]; 0: not needed.
+  double lasts = 0.0;
   PastHeat past = {};     // filled in by the simulation
   Field slip_power = {};  // likewise, power of heat due to slip
   fft::Symmetry past_symmetry = fft::Symmetry::xy;

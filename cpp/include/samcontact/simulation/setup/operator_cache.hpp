@@ -7,13 +7,17 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
 #include "samcontact/contact/contact_solver.hpp"
+#include "samcontact/contact/partial_slip_contact.hpp"
+#include "samcontact/contact/scaled_contact.hpp"
 #include "samcontact/operators/heat/flux_heat.hpp"
 #include "samcontact/operators/heat/temperature.hpp"
+#include "samcontact/operators/surface/body_displacement.hpp"
 #include "samcontact/operators/volume/volume_operators.hpp"
 #include "samcontact/operators/zones/zone_operators.hpp"
 #include "samcontact/simulation/setup/strength.hpp"
@@ -24,6 +28,10 @@ class ZoneScan;
 
 /// Media of the bodies 0 (upper) and 1 (lower); one object if they are equal.
 using Media = std::array<operators::SharedMedium, 2>;
+
+/// Factors on the compliance of the bodies in an increment; 1: elastic.
+using Compliances = std::array<double, 2>;
+inline constexpr Compliances elastic_compliances{1.0, 1.0};
 
 /// Throws std::invalid_argument for a grid without layers or a rigid body.
 void require_volume(const Grid& grid, const Media& media, int body);
@@ -45,6 +53,19 @@ class OperatorCache {
 
   /// Full-sliding contact with this heat; the last one is kept.
   std::shared_ptr<const contact::ContactSolver> solver(const operators::HeatingPair& heating) const;
+  /// Likewise, of bodies whose compliances are multiplied by factors: the elastic solver if it
+  /// serves, else one for these factors, which is kept until they change.
+  contact::ScaledContact contact(const operators::HeatingPair& heating,
+                                 const Compliances& compliances) const;
+
+  /// Partial slip of bodies whose compliances are multiplied by factors; kept until they change.
+  std::shared_ptr<const contact::PartialSlipContact> partial_slip(
+      const Compliances& compliances) const;
+
+  /// Displacement of a body due to tractions; kept, bodies of one medium share it.
+  std::shared_ptr<const operators::BodyDisplacement> displacement(int body) const;
+  /// Likewise, on a rectangle of nx x ny cells; the last one of each body is kept.
+  std::shared_ptr<const operators::BodyDisplacement> displacement(int body, int nx, int ny) const;
 
   /// Operator over the surface cells of a box; the last two are kept.
   std::shared_ptr<const operators::Temperature> temperature(const operators::Heating& heating,
@@ -95,6 +116,10 @@ class OperatorCache {
     std::shared_ptr<const operators::ZoneTables> tables;
   };
 
+  /// Factor on the compliance of both bodies together, if they act as elastic bodies do.
+  std::optional<double> common_factor(const operators::HeatingPair& heating,
+                                      const Compliances& compliances) const;
+
   Grid grid_;
   Media media_;
   contact::FrictionLaw friction_;
@@ -112,6 +137,13 @@ class OperatorCache {
       temperatures_;  // most recently used first
   mutable operators::HeatingPair solver_heating_;
   mutable std::shared_ptr<const contact::ContactSolver> solver_;
+  mutable operators::HeatingPair scaled_heating_;
+  mutable Compliances scaled_by_ = elastic_compliances;
+  mutable std::shared_ptr<const contact::ContactSolver> scaled_solver_;
+  mutable Compliances slipping_by_ = elastic_compliances;
+  mutable std::shared_ptr<const contact::PartialSlipContact> slipping_;
+  using Displacements = std::array<std::shared_ptr<const operators::BodyDisplacement>, 2>;
+  mutable Displacements displacements_, small_displacements_;
 };
 
 }  // namespace samcontact::simulation

@@ -15,11 +15,11 @@ struct TransientHeating {
   /// Shortest time step, and time for which heat is taken into account [s]; 0: no transient
   /// heating.
   double shortest = 0.0, longest = 0.0;
-  /// Longest distance along x between two positions of a body [m] if the heat follows the travel of
-  /// the bodies; 0: the bodies have constant speeds.
-  double track = 0.0;
+  /// Longest distances along x and y between two positions of a body [m] if the heat follows the
+  /// travel of the bodies; 0: the bodies have constant speeds.
+  operators::PlaneVector track{};
   bool is_on() const { return shortest > 0; }
-  bool follows() const { return track > 0; }
+  bool follows() const { return track != operators::PlaneVector{}; }
 };
 
 /// Heat histories by body; null: no history. Shared by states, immutable.

@@ -32,7 +32,7 @@ class Setup {
   const Field initial_gap;
   const contact::SharedContactLaw contact_law;
   const contact::FrictionLaw friction;
-  const std::unique_ptr<const contact::PartialSlipContact> partial_slip;  // null in full sliding
+  const std::shared_ptr<const contact::PartialSlipContact> partial_slip;  // null in full sliding
   const TransientHeating transient_heating;
   const int reach;
   const operators::BandSplit split;  // band decomposition of zones
@@ -41,9 +41,23 @@ class Setup {
   const Reliefs reliefs;
   const OperatorCache cache;
 
+  /// Contact in partial slip of bodies whose compliances are multiplied by factors.
+  std::shared_ptr<const contact::PartialSlipContact> slipping(
+      const Compliances& compliances) const {
+    return compliances == elastic_compliances ? partial_slip : cache.partial_slip(compliances);
+  }
+
+  bool is_viscoelastic() const {
+    return bodies[0].is_viscoelastic() || bodies[1].is_viscoelastic();
+  }
+  /// Whether increments have a duration.
+  bool has_time() const { return transient_heating.is_on() || is_viscoelastic(); }
+
   Placement placement(const Travel& travel) const;
   /// Index of the body whose cells coincide with those of the grid, or -1 if no body has a history.
   int followed() const;
+  /// Whether the friction law varies along x with the material of a body.
+  bool friction_moves_with(int body) const;
   /// Heights of the relief of a body on the grid [i][j]; 0 without a relief.
   Field relief(int body, const Travel& travel) const;
   /// Yield strength of the cells of a body at its position.

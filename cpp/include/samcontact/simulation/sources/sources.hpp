@@ -12,12 +12,15 @@
 
 namespace samcontact::simulation {
 
-/// Undeformed surfaces, heat, initial stress and eigenstrain, added in this order. Not thread-safe.
+/// Undeformed surfaces, heat, initial stress, eigenstrain and memory of viscoelastic bodies, added
+/// in this order. Not thread-safe.
 class Sources {
  public:
-  /// heat: not proportional to the pressure. method: for the stress of eigenstrains.
+  /// heat: not proportional to the pressure. method: for the stress of eigenstrains. memory: of
+  /// viscoelastic bodies, as tractions that cause an elastic displacement; empty: none.
   Sources(const Setup& setup, const Travel& travel, const std::array<GivenHeat, 2>& heat,
-          const Eigenstrains& eigenstrains, operators::ResidualMethod method);
+          const Eigenstrains& eigenstrains, operators::ResidualMethod method,
+          std::array<operators::Tractions, 2> memory = {});
 
   /// Whether all stress of a body that is not due to tractions and plastic strain remains after
   /// unloading.

@@ -73,10 +73,18 @@ void describe(F& f, Visitor& visit) {
   visit("values", f.values);
 }
 
+template <Is<TractionMemory> M, class Visitor>
+void describe(M& m, Visitor& visit) {
+  visit("box", m.box);
+  visit("kinds", m.kinds);
+  visit("values", m.values);
+  visit("supplied", m.supplied);
+}
+
 template <Is<PlasticIncrementGuess> F, class Visitor>
 void describe(F& f, Visitor& visit) {
   visit("mirrored", f.symmetry);
-  visit("advance", f.advance);
+  visit("advance", f.advance.x);
   visit("load", f.load);
   visit("approach", f.approach);
   for (int b = 0; b < 2; ++b) {
@@ -100,11 +108,14 @@ void describe(S& s, Visitor& visit) {
   visit.maybe_nan("approach", s.approach);
   visit("tilt", s.tilt);
   visit("slip", s.slip);
+  visit("slip_rate", s.slip_rate);
+  visit("falling_number", s.falling_number);
   visit("motion", s.motion);
   visit("friction_work", s.friction_work);
   visit("slip_power", s.slip_power);
   visit("shear_symmetry", s.shear_symmetry);
-  visit("travel", s.travel);
+  visit("travel", s.travel.x);
+  visit("lateral_travel", s.travel.y);
   visit("time", s.time);
   visit("duration", s.duration);
   visit("residual_method", s.method);
@@ -120,6 +131,7 @@ void describe(S& s, Visitor& visit) {
     const std::string number = std::to_string(b + 1);
     visit("heat_factor" + number, s.heating[b].factor);
     visit("heat_speed" + number, s.heating[b].speed_x);
+    visit("lateral_heat_speed" + number, s.heating[b].speed_y);
     visit("flow_boxes" + number, s.flow_boxes[b]);
     visit.made("softening" + number, s.softening[b], as_it_is, copied);
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
@@ -127,6 +139,7 @@ void describe(S& s, Visitor& visit) {
     });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+    visit.made("traction_memory" + number, s.memory[b], as_it_is, copied);
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
         [&](const std::vector<double>& numbers) {

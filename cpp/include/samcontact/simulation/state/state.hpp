@@ -11,6 +11,7 @@
 #include "samcontact/simulation/cells/box_field.hpp"
 #include "samcontact/simulation/setup/setup.hpp"
 #include "samcontact/simulation/sources/sources.hpp"
+#include "samcontact/simulation/sources/traction_memory.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
 namespace samcontact::simulation {
@@ -47,8 +48,9 @@ class State {
   fft::Symmetry past_symmetry = fft::Symmetry::xy;  // mirror planes of the earlier heat
   /// Friction power per area due to slip [i][j] [W/m^2]; empty: no heat due to slip.
   Field slip_power;
-  Field slip_work;  // friction work per area in the increment [J/m^2], if it causes heat
-  double time = 0.0, duration = 0.0;  // [s], in transient heating: total, and of the last step
+  Field slip_work;        // friction work per area in the increment [J/m^2], if it causes heat
+  double time = 0.0;      // [s], in transient heating and of viscoelastic bodies
+  double duration = 0.0;  // of the last step [s], in transient heating
   /// Factor of the yield stress over the grid, and beyond it where the body may flow; null: 1.
   std::array<std::shared_ptr<const BoxField>, 2> softening;
   double load = 0.0;          // [N]
@@ -57,12 +59,17 @@ class State {
   /// Partial slip: slip of body 1 relative to body 2 in the last increment [2][i][j] [m], 0 in
   /// sticking cells; empty: no slip.
   Field slip;
+  /// Slip rate that the friction of each cell follows [i][j] [m/s]; empty: the friction law does
+  /// not depend on it.
+  Field slip_rate;
+  double falling_number = 0.0;     // of the last increment, see contact::PartialSlipSolution
   std::array<double, 3> motion{};  // accumulated tangential rigid-body motion [m, m, rad]
   double friction_work = 0.0;      // accumulated since the start [J]
   // Mirror planes of all tangential motion so far.
   fft::Symmetry shear_symmetry = fft::Symmetry::xy;
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
   Eigenstrains eigenstrain;  // prescribed, at its present position
+  TractionMemories memory;   // of viscoelastic bodies; null: no step yet
   operators::ResidualMethod method{};
   Travel travel{};
   Travel advance{};  // travel of the last call of moved()
@@ -112,7 +119,17 @@ class State {
     return simulation::given_heat(*setup_, heating, past, duration, slip_power);
   }
   /// Sources, which refer to this state.
-  Sources sources() const { return {*setup_, travel, given_heat(), eigenstrain, method}; }
+  Sources sources() const {
+    return {*setup_, travel, given_heat(), eigenstrain, method, delayed()};
+  }
+
+  /// Tractions whose elastic displacement a viscoelastic body has in addition to that of the
+  /// present tractions [i][j]; empty: none.
+  std::array<operators::Tractions, 2> delayed() const;
+  /// Tractions whose elastic displacement a body has [i][j].
+  operators::Tractions equivalent_tractions(int body) const;
+  /// Energy dissipated by the viscosity of a body since the start [J].
+  double viscous_work(int body) const;
 
   /// Number of layers of volume fields: that of the grid, or enough for all plastic strain and for
   /// the stress below the contact.

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Raceway dented by a hard particle, then rolled over by a ball."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import samcontact as sc
+
+from .application import Answer, Application, Work, largest
+from .drawing import depth_down, field, lines, panels
+
+E_STAR = sc.hertz.effective_modulus(*[sc.Material.elastic(210e9, 0.3)] * 2)
+HERTZ = sc.hertz.point(4.7625e-3, E_STAR, load=79.0)
+DENT = 160e-6
+"""Position of the particle on the raceway [m]."""
+
+
+def answers(work: Work) -> list[Answer]:
+    found, worst = work.dataset(), work.dataset("fatigue.nc")["dang_van"]
+    peak, error = largest(found, "max_pressure")
+    depth, depth_error = largest(found, "imprint_depth_body2")
+    away = float(found["max_pressure"].values[3])  # loaded, before the pass
+    places = worst.stack(cell=worst.dims)
+    x, y, z = places.cell.values[int(np.argmax(places.values))]
+    return [
+        Answer("depth", "depth of the dent", depth, "m", depth_error),
+        Answer("away", "maximum pressure before the dent", away, "Pa", check="Hertz",
+               expected=HERTZ.p0),
+        Answer("peak", "maximum pressure over the dent", peak, "Pa", error),
+        Answer("dang_van", "Dang Van's stress (slope 0.3), maximum", float(worst.max()), "Pa"),
+        Answer("place", "distance of this maximum from the middle of the dent",
+               math.hypot(x - DENT, y), "m"),
+        Answer("below", "depth of this maximum", float(z), "m"),
+    ]  # fmt: skip
+
+
+def picture(work: Work) -> Figure:
+    found = work.dataset()
+    figure, (above, below) = panels(2, 1, (8.0, 6.4), sharex=True)
+    loaded = found["load"].values > 78.9
+    position = -found["travel_body2"].values[loaded] * 1e6
+    above.plot(position, found["max_pressure"].values[loaded] / 1e9, "o-", label="over the dent")
+    above.axhline(HERTZ.p0 / 1e9, color="k", linestyle="--", label="smooth raceway (Hertz)")
+    lines(above, "", "maximum pressure [GPa]", "position of the ball on the raceway")
+    track = found["track_residual_von_mises_body2"]
+    x, z = found["track_position_body2"].values * 1e6, found["z"].values * 1e6
+    middle = found.sizes["y"] // 2
+    field(below, x, z, track.isel(y=middle).values / 1e6, "residual von Mises [MPa]", "magma_r")
+    depth_down(below, z[-1])
+    below.set_xlim(-40.0, 360.0)
+    lines(below, "position on the raceway [µm]", "depth [µm]", "after the pass", False)
+    return figure
+
+
+APPLICATION = Application(
+    name="dented_raceway",
+    title="Dented raceway, rolled over",
+    kind="dent",
+    gains="The pressure peak and the fatigue stress at a dent of a hard particle when a ball rolls "
+    "over it.",
+    text="The particle leaves a dent of {depth}. The ball then causes {peak} at the shoulder of "
+    "the dent instead of {away} before it. Dang Van's stress is largest, {dang_van}, at {place} "
+    "from the middle of the dent, {below} below the surface: cracks start at the shoulder.",
+    commands=("run dent.toml",),
+    shown=("Estimated grid errors", "Fatigue of body 2"),
+    functions=(
+        ("sc.overrolling.indent", "dents of particles"),
+        ("sc.overrolling.roll_over", "pass over the dents"),
+        ("sc.overrolling.particles", "random particles"),
+        ("sc.fatigue.dang_van", "Dang Van's criterion"),
+    ),
+    guide=("gears, cams, wheels and indenters", "parts.md#dents-of-hard-particles"),
+    limits="The particle is rigid and does not break. The lubricant is not modelled. For several "
+    "dents use a list of particles, or draw them at random by "
+    "[[dents.random]](../case_files.md#dents).",
+    answers=answers,
+    picture=picture,
+    caption="Maximum pressure while the ball passes the dent, and the residual stress below it.",
+)

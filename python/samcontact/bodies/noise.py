@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Noise of measured curves: its size, and least-squares fits that do not decrease."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .._util.checks import FloatArray
+
+MAX_DEVIATIONS = 6.0
+"""Maximum deviation from a fit that counts as noise, in standard deviations of the noise."""
+_NORMAL_MEDIAN = 0.6745  # median magnitude of a normal distribution / standard deviation
+
+
+def noise_of(x: FloatArray, y: FloatArray) -> float:
+    """Standard deviation of the noise of y(x) about the lines through the neighbouring points.
+
+    The median is used, so that a few corners of the curve do not count as noise.
+    """
+    if len(y) < 3:
+        return 0.0
+    share = (x[1:-1] - x[:-2]) / (x[2:] - x[:-2])
+    off = y[1:-1] - (1 - share) * y[:-2] - share * y[2:]
+    weight = np.sqrt(1 + share**2 + (1 - share) ** 2)
+    return float(np.median(np.abs(off) / weight)) / _NORMAL_MEDIAN
+
+
+def non_decreasing(values: FloatArray) -> FloatArray:
+    """Least-squares fit that does not decrease (pooling of adjacent violators)."""
+    means: list[float] = []
+    counts: list[int] = []
+    for value in values.tolist():
+        means.append(value)
+        counts.append(1)
+        while len(means) > 1 and means[-2] > means[-1]:
+            mean, count = means.pop(), counts.pop()
+            total = counts[-1] + count
+            means[-1] += (mean - means[-1]) * count / total
+            counts[-1] = total
+    return np.repeat(np.array(means), counts)
+
+
+def merged(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return each value of a non-decreasing x once, with the mean of its y."""
+    if not (np.diff(x) == 0).any():
+        return x, y
+    distinct, group = np.unique(x, return_inverse=True)
+    return distinct, np.bincount(group, y) / np.bincount(group)

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Steady contact of viscoelastic bodies whose material moves through the contact."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from .. import _core
+from .._util import memory
+from .._util.checks import MAX_STRESS, FloatArray, finite, require_type
+from ..bodies.layered import require_homogeneous
+from ..bodies.material import Material
+from ..bodies.relaxation import creep_terms
+from ..problem.grid import Grid
+from ..solutions.contact_solution import ContactSolution
+from .solver import ContactSolver
+from .tangential_drive import Pressing, TangentialDrive, TangentialDriver, TangentialInput
+
+UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
+"""Tangential drive of a contact without shear."""
+
+Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
+"""Solution on a grid, from the part of the displacement that is not symmetric in motion [m] and the
+fields of a ContactSolution."""
+
+
+class MovingContactSolver(ContactSolver):
+    """Solver for the steady contact of bodies that move along x without friction.
+
+    Parameters
+    ----------
+    grid : Grid
+    bodies : pair of Material
+        Upper and lower body, viscoelastic, elastic or rigid.
+    speeds : pair of float
+        Velocity of the material of each body along +x relative to the contact [m/s].
+    finish : callable
+        Creates the solution.
+    settings
+        `tol`, `on_border` and `max_iterations` of `ContactSolver`.
+    """
+
+    def __init__(
+        self,
+        grid: Grid,
+        bodies: tuple[Material, Material],
+        speeds: tuple[float, float],
+        finish: Finish,
+        **settings: Any,
+    ) -> None:
+        self._moving = bodies, speeds, finish
+        upper, lower = (_effective(body, v, grid) for body, v in zip(bodies, speeds, strict=True))
+        super().__init__(grid, upper, lower, **settings)
+
+    def _new_core(self) -> Any:
+        bodies, speeds, _ = self._moving
+        needed = memory.surface(self.grid, memory.MOVING_CONTACT_BYTES)
+        memory.require_for_grid("a moving viscoelastic contact", self.grid, needed)
+        elastic = (replace(body, relaxation_terms=None)._core for body in bodies)
+        creeps = (moving_creep(body, v) for body, v in zip(bodies, speeds, strict=True))
+        return _core.CreepingContact(self.grid._core, *elastic, *creeps)
+
+    def _over(self, counts: Sequence[int]) -> MovingContactSolver:
+        grid = replace(self.grid, nx=counts[0], ny=counts[1])
+        given = "tol", "on_border", "max_iterations"
+        settings = {name: getattr(self, name) for name in given}
+        return MovingContactSolver(grid, *self._moving, **settings)
+
+    def _solved(
+        self, contact: Pressing, drive: TangentialDriver, start: FloatArray | None
+    ) -> tuple[ContactSolution, str]:
+        settings = self.tol, self.max_iterations, self.on_border == "error"
+        found = self._core.solve(*contact, start, *settings)
+        complaint = found.pop("border_complaint")
+        return self._moving[2](self.grid, self._delayed(found["pressure"]), found), complaint
+
+    def _delayed(self, pressure: FloatArray) -> FloatArray:
+        """Half of the displacement less the displacement in reversed motion [m].
+
+        The rest is due to a symmetric operator and has no force along x.
+        """
+        reversed_pressure = np.ascontiguousarray(pressure[::-1])
+        mirrored = self._core.displacement(reversed_pressure)[::-1]
+        delayed: FloatArray = 0.5 * (self._core.displacement(pressure) - mirrored)
+        return delayed
+
+
+def speed_of(name: str, value: Any) -> float:
+    """Return a velocity [m/s]; raise TypeError or ValueError unless it is a finite number."""
+    given = finite(name, value)
+    if abs(given) > MAX_STRESS:  # products with times and wavenumbers stay finite
+        raise ValueError(f"{name} must be a velocity <= {MAX_STRESS:g} m/s, got {given!r}")
+    return given
+
+
+def pressure_of(start: Any, kind: type[ContactSolution]) -> FloatArray:
+    """Return the pressure of an initial guess; raise TypeError unless it is of this kind."""
+    require_type("start", start, kind)
+    pressure: FloatArray = start.pressure
+    return pressure
+
+
+def moving_creep(body: Material, speed: float) -> _core.MovingCreep:
+    """Return the creep of a body over the distance moved, for the core."""
+    if body.relaxation_terms is None:
+        return _core.MovingCreep([], [], speed > 0)
+    shares, times, _ = creep_terms(body.relaxation_terms)
+    return _core.MovingCreep(shares.tolist(), (abs(speed) * times).tolist(), speed > 0)
+
+
+def _effective(body: Material, speed: float, grid: Grid) -> Material:
+    """Elastic body with the modulus at the frequency of waves as long as half of the grid.
+
+    For estimates of the contact and for warnings only.
+    """
+    if body.relaxation_terms is None:
+        return body
+    omega = 4 * np.pi * abs(speed) / (grid.nx * grid.dx)
+    modulus = np.hypot(body.storage(omega), body.loss(omega))
+    return Material.elastic(float(modulus), body.nu)
+
+
+def require_moving(body1: Any, body2: Any) -> tuple[Material, Material]:
+    """Return both bodies; raise TypeError or ValueError unless they can move steadily."""
+    require_homogeneous("the creep of layers depends on the wavelength", body1, body2)
+    for number, body in ((1, body1), (2, body2)):
+        if body.relaxation_terms is not None and creep_terms(body.relaxation_terms)[2] > 0:
+            raise ValueError(
+                f"body{number} must be a solid in steady motion, with a sum of shares < 1, got "
+                f"shares = {list(body.relaxation_terms[1])!r}: a fluid flows without limit, so "
+                "that its contact never becomes steady"
+            )
+    return body1, body2
+
+
+def is_viscoelastic(*bodies: Any) -> bool:
+    """Whether at least one of the bodies is viscoelastic."""
+    return any(getattr(body, "relaxation_terms", None) is not None for body in bodies)

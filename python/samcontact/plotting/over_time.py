@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Quantities of a contact of viscoelastic bodies over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from .._util.checks import FloatArray, choice
+from .._util.quantities import CONTACT
+from .parts import axes_or_new, finish, new_figure
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+QUANTITIES = ("approach", "contact_radius", "max_pressure", "load")
+_MIN_DECADES = 1.5
+"""Decades of time from which the axis of time is logarithmic."""
+
+
+def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "approach") -> Axes:
+    """Draw a quantity of a contact over time, on a logarithmic axis if it covers decades.
+
+    A dotted line continues the elastic value of steps of no duration at the start.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Results of `samcontact.results.to_dataset` with times: of viscoelastic bodies.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: a new figure.
+    quantity : {"approach", "contact_radius", "max_pressure", "load"}
+        The contact radius is that of a circle of equal area.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        The quantity is unknown, or the dataset has no times.
+    """
+    choice("quantity", quantity, QUANTITIES)
+    if "time" not in dataset:
+        raise ValueError(
+            "dataset must have times, got a run without durations: use viscoelastic bodies or "
+            "heat.history"
+        )
+    time, (values, label) = dataset["time"].values, _values(dataset, quantity)
+    ax = axes_or_new(ax)
+    later = time > 0
+    if is_logarithmic(time):
+        first = np.flatnonzero(~later)
+        if first.size:
+            ax.axhline(values[first[-1]], color="0.5", linewidth=0.9, linestyle=":")
+        ax.plot(time[later], values[later], "-o", markersize=3, linewidth=1.2)
+        ax.set_xscale("log")
+    else:
+        ax.plot(time, values, "-o", markersize=3, linewidth=1.2)
+    ax.set_xlabel(CONTACT["time"].label)
+    ax.set_ylabel(label)
+    return finish(ax)
+
+
+def is_logarithmic(time: FloatArray) -> bool:
+    """Whether times after the start [s] cover so many decades that their axis is logarithmic."""
+    later = time[time > 0]
+    return later.size > 1 and bool(np.log10(later.max() / later.min()) >= _MIN_DECADES)
+
+
+def time_figure(dataset: xr.Dataset) -> Figure:
+    """Return a figure of approach, contact radius and maximum pressure over time."""
+    figure = new_figure(9.0, 3.0)
+    if "time" not in dataset:  # elastic steps only
+        dataset = dataset.assign(time=("increment", np.zeros(dataset.sizes["increment"])))
+    for ax, quantity in zip(figure.subplots(1, 3), QUANTITIES[:3], strict=True):
+        over_time(dataset, ax, quantity=quantity)
+    return figure
+
+
+def _values(dataset: xr.Dataset, quantity: str) -> tuple[FloatArray, str]:
+    if quantity == "contact_radius":
+        return np.sqrt(dataset["contact_area"].values / np.pi) * 1e6, "contact radius [µm]"
+    shown = CONTACT[quantity]
+    return dataset[quantity].values * shown.factor, shown.label

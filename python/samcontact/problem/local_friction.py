@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Friction laws whose bound depends on direction, place, temperature or slip rate, and a layer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .friction import FrictionLaw
+
+__all__ = ["Anisotropic", "FallingCoulomb", "MappedCoulomb", "ThermalCoulomb", "ThirdBody"]
+
+
+@dataclass(frozen=True)
+class Anisotropic(FrictionLaw):
+    """Friction with different coefficients in two perpendicular directions of the surface.
+
+    The shear traction s lies within an ellipse with the half-axes mu_x p and mu_y p. A cell whose
+    shear is on the ellipse slips along the normal of the ellipse (associated flow), so that
+    friction dissipates as much as it can. Equal coefficients give Coulomb friction.
+
+    Attributes
+    ----------
+    mu_x, mu_y : float
+        Coefficients of friction along the two axes of the ellipse [-], > 0.
+    angle : float
+        Angle from the x axis of the grid to the axis with mu_x, about z [rad], in [-pi, pi]. The
+        axes do not turn with the bodies.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A coefficient is not positive and finite, or the angle is out of range.
+
+    Notes
+    -----
+    A. Michalowski and Z. Mroz (1978), Arch. Mech. 30, 259; the page on friction describes the
+    change of coordinates that turns the ellipse into a circle.
+    """
+
+    mu_x: float
+    mu_y: float
+    angle: float = 0.0
+
+
+@dataclass(frozen=True, repr=False)
+class MappedCoulomb(FrictionLaw):
+    """Coulomb friction with a coefficient that varies over the surface of a body.
+
+    The coefficient is bilinear between the points (x, y) and constant beyond them. In a simulation,
+    the points move with the body. In steady rolling, the coefficient may vary along y only.
+
+    Attributes
+    ----------
+    coefficient : sequence of float
+        Coefficients of friction at the points [-], >= 0: one for each x or y, or a table with one
+        row for each x (stored row after row).
+    x, y : sequence of float, optional
+        Increasing positions of the points from the centre of the grid [m]; empty: no variation
+        along this axis.
+    body : {1, 2}, optional
+        Body with which the points move.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A coefficient is negative or infinite, positions do not increase, or the numbers of
+        coefficients and points differ.
+    """
+
+    coefficient: tuple[float, ...]
+    x: tuple[float, ...] = ()
+    y: tuple[float, ...] = ()
+    body: int = 2
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        object.__setattr__(self, "body", int(self.body))
+
+    @property
+    def varies_along_x(self) -> bool:
+        """Whether the friction varies along x with the material of a body."""
+        return len(self.x) > 1
+
+
+@dataclass(frozen=True, repr=False)
+class ThermalCoulomb(FrictionLaw):
+    """Coulomb friction with a coefficient that depends on the temperature of the surfaces.
+
+    For a `Simulation` with `Heat(partition=...)`. The coefficient is linear between the points and
+    constant beyond them, at the temperature rise of the hotter surface at the end of the increment.
+
+    Attributes
+    ----------
+    temperature : sequence of float
+        Increasing temperature rises of the surfaces [K], above the temperature of the unheated
+        bodies.
+    coefficient : sequence of float
+        Coefficients of friction at these temperature rises [-], >= 0.
+
+    Raises
+    ------
+    ValueError, TypeError
+        The temperatures do not increase, a coefficient is negative or infinite, or their numbers
+        differ.
+    """
+
+    temperature: tuple[float, ...]
+    coefficient: tuple[float, ...]
+
+    @property
+    def needs_temperature(self) -> bool:
+        """Whether the shear depends on the temperature of the surfaces."""
+        return True
+
+
+@dataclass(frozen=True)
+class FallingCoulomb(FrictionLaw):
+    """Coulomb friction with a coefficient that falls as the slip rate v increases.
+
+    mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
+    In short increments, a cell may be able to stick as well as to slip: such an increment is
+    refused unless the law has a memory. With a memory d, v is a mean of the slip rates of a
+    material point over its slip path, with weights that decrease by 1/e over the distance d.
+
+    Attributes
+    ----------
+    kinetic : float
+        Coefficient of friction at high slip rates [-], >= 0.
+    drop : float
+        Difference between the coefficients without slip and at high slip rates [-], >= 0.
+    half_speed : float
+        Slip rate at which half of the drop remains [m/s], > 0.
+    memory : float, optional
+        Slip distance over which slip rates are averaged [m]; 0: none.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A parameter is negative, infinite or not a number, or half_speed is 0.
+
+    Notes
+    -----
+    E. A. H. Vollebregt and H. M. Schuttelaars (2012), J. Sound Vib. 331, 2141.
+    """
+
+    kinetic: float
+    drop: float
+    half_speed: float
+    memory: float = 0.0
+
+    @property
+    def needs_duration(self) -> bool:
+        """Whether the shear depends on the slip rate, so that increments need a duration."""
+        return self.drop > 0
+
+
+@dataclass(frozen=True)
+class ThirdBody(FrictionLaw):
+    """Elastic layer between the bodies, such as wear particles or sand, that yields in shear.
+
+    Below its strength, the layer adds thickness/shear_modulus times the shear traction to the
+    relative tangential displacement of each cell. The shear traction is at most min(mu p,
+    strength); at this limit the layer flows or slips, which counts as slip. The layer has no normal
+    compliance.
+
+    Attributes
+    ----------
+    coefficient : float
+        Coefficient of friction mu [-], >= 0 and finite.
+    strength : float
+        Shear strength of the layer [Pa], >= 0. `math.inf` gives a layer that does not yield.
+    shear_modulus : float
+        Shear modulus of the layer [Pa], > 0.
+    thickness : float
+        Thickness of the layer [m], >= 0, much smaller than the contact.
+
+    Raises
+    ------
+    ValueError, TypeError
+        A parameter is out of its range or not a number.
+
+    Notes
+    -----
+    K. Hou, J. Kalousek and E. Magel (1997), Wear 211, 134; the third-body layer of CONTACT without
+    hardening.
+    """
+
+    coefficient: float
+    strength: float
+    shear_modulus: float
+    thickness: float
+
+    @property
+    def compliance(self) -> float:
+        """Tangential displacement of the layer per unit shear [m/Pa]."""
+        return self.thickness / self.shear_modulus

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Quantities of viscoelastic bodies in a state."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .._util.checks import FloatArray, choice
+
+
+class ViscousState:
+    """Memory of viscoelastic bodies at the end of an increment."""
+
+    _core: Any
+
+    def equivalent_pressure(self, body: int = 2) -> FloatArray:
+        """Pressure that displaces an elastic body as this body is displaced [Pa], shape (nx, ny).
+
+        The displacement of a viscoelastic body depends on the history of the pressure; that of an
+        elastic body with its instantaneous modulus is the same under the equivalent pressure. It
+        is the pressure itself for a body that does not relax. Where the contact has been, it
+        exceeds the pressure and decreases with time.
+        """
+        field: FloatArray = self._core.equivalent_pressure(choice("body", body, (1, 2)) - 1)
+        field.flags.writeable = False
+        return field
+
+    def viscous_work(self, body: int = 2) -> float:
+        """Energy dissipated by the viscosity of a body since the start [J]; 0 if it is elastic.
+
+        It is the work of the tractions on the surface of the body less its elastic energy; exact
+        for equivalent tractions linear in each step. The energy requires one convolution for each
+        relaxation time and is computed on access.
+        """
+        return max(self._viscous_work(choice("body", body, (1, 2))), 0.0)
+
+    def _viscous_work(self, body: int) -> float:
+        """Return the viscous work [J], which rounding may make negative."""
+        return float(self._core.viscous_work(body - 1))
+
+    def stored_energy(self, body: int = 2) -> float:
+        """Elastic energy of a viscoelastic body [J]; 0 for other bodies: see `energy.balance`."""
+        memory = getattr(self._core, f"traction_memory{choice('body', body, (1, 2))}")
+        return 0.0 if memory is None else float(memory["supplied"]) - self._viscous_work(body)
