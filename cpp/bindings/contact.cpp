@@ -222,6 +222,30 @@ void bind_creeping(py::module_& m) {
            py::arg("error_on_border"));
 }
 
+void bind_partial_slip(py::module_& m) {
+  m.attr("spin_lead") = contact::spin_lead;
+  py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const contact::FrictionLaw& friction,
+                       const std::shared_ptr<contact::ContactLaw>& law) {
+             return std::make_unique<contact::PartialSlipContact>(
+                 grid, operators::medium_of(body1), operators::medium_of(body2), friction, law);
+           }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
+           py::arg("contact_law"))
+      .def_property_readonly("is_coupled", &contact::PartialSlipContact::is_coupled)
+      .def("solve", &stick_and_slip, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
+           py::arg("tangential"), py::arg("previous_pressure"), py::arg("previous_shear"),
+           py::arg("previous_gap"), py::arg("previous_approach"), py::arg("previous_tilt"),
+           py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
+           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"),
+           py::arg("duration") = 0.0, py::arg("slip_rate") = py::none(), py::arg("selects") = false)
+      .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
+           py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
+           py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),
+           py::arg("error_on_border"), py::arg("accept_stall"), py::arg("duration") = 0.0);
+}
+
 }  // namespace
 
 void bind_contact(py::module_& m) {
@@ -264,28 +288,7 @@ void bind_contact(py::module_& m) {
            py::arg("error_on_border"))
       .def("shear", &shear, py::arg("pressure"));
   bind_creeping(m);
-
-  m.attr("spin_lead") = contact::spin_lead;
-  py::class_<contact::PartialSlipContact>(m, "PartialSlipContact")
-      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
-                       const plasticity::Body& body2, const contact::FrictionLaw& friction,
-                       const std::shared_ptr<contact::ContactLaw>& law) {
-             return std::make_unique<contact::PartialSlipContact>(
-                 grid, operators::medium_of(body1), operators::medium_of(body2), friction, law);
-           }),
-           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("friction"),
-           py::arg("contact_law"))
-      .def_property_readonly("is_coupled", &contact::PartialSlipContact::is_coupled)
-      .def("solve", &stick_and_slip, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
-           py::arg("tangential"), py::arg("previous_pressure"), py::arg("previous_shear"),
-           py::arg("previous_gap"), py::arg("previous_approach"), py::arg("previous_tilt"),
-           py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
-           py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"),
-           py::arg("duration") = 0.0, py::arg("slip_rate") = py::none(), py::arg("selects") = false)
-      .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
-           py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
-           py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"), py::arg("accept_stall"), py::arg("duration") = 0.0);
+  bind_partial_slip(m);
 }
 
 }  // namespace samcontact::bindings

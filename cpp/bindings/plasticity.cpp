@@ -79,14 +79,9 @@ std::tuple<Tensor, double, std::vector<Tensor>> radial_return(
   return {r.increment, r.equivalent, std::move(after)};
 }
 
-void bind_material(py::module_& m) {
-  py::class_<Material>(m, "Material")
-      .def_static("rigid", &Material::make_rigid)
-      .def_static("with_law",
-                  py::overload_cast<double, double, const std::string&,
-                                    const plasticity::Hardening::Values&>(&Material::with_law),
-                  py::arg("E"), py::arg("nu"), py::arg("law"), py::arg("values"))
-      .def("with_backstresses", &with_backstresses, py::arg("terms"))
+/// Materials with an additional property.
+void bind_properties(py::class_<Material>& material) {
+  material.def("with_backstresses", &with_backstresses, py::arg("terms"))
       .def(
           "with_thermal",
           [](const Material& s, double conductivity, double expansion, double diffusivity) {
@@ -116,8 +111,18 @@ void bind_material(py::module_& m) {
           "with_relaxation",
           [](const Material& s, const std::vector<double>& times,
              const std::vector<double>& shares) { return s.with_relaxation({times, shares}); },
-          py::arg("times"), py::arg("shares"))
-      .def_property_readonly("stack", [](const Material& s) { return Stack{{}, s.elastic}; })
+          py::arg("times"), py::arg("shares"));
+}
+
+void bind_material(py::module_& m) {
+  py::class_<Material> material(m, "Material");
+  material.def_static("rigid", &Material::make_rigid)
+      .def_static("with_law",
+                  py::overload_cast<double, double, const std::string&,
+                                    const plasticity::Hardening::Values&>(&Material::with_law),
+                  py::arg("E"), py::arg("nu"), py::arg("law"), py::arg("values"));
+  bind_properties(material);
+  material.def_property_readonly("stack", [](const Material& s) { return Stack{{}, s.elastic}; })
       .def_property_readonly("elastic_constants", [](const Material& s) { return s.elastic; })
       .def_property_readonly("is_plastic", &Material::is_plastic)
       .def(

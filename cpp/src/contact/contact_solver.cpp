@@ -104,9 +104,9 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SharedMedium& bo
 }
 
 ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
-                             const FrictionLaw& friction, SharedContactLaw law)
+                             FrictionLaw friction, SharedContactLaw law)
     : grid_(grid),
-      friction_(friction),
+      friction_(std::move(friction)),
       law_(std::move(law)),
       heated_(influence.is_heated()),
       multilevel_(grid, influence) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/contact/scaled_contact.hpp"
 
-#include <utility>
-
 namespace samcontact::contact {
 
 Drive scaled(Drive drive, double factor) {
-  for (Given* given : {&drive.normal, &drive.tilt[0], &drive.tilt[1]}) {
+  for (Given* given : {&drive.normal, drive.tilt.data(), &drive.tilt[1]}) {
     if (given->is_force()) given->value *= factor;
   }
   return drive;

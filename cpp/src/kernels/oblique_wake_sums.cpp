@@ -170,16 +170,16 @@ class ObliqueSum {
       for (int n = 1; n < wake::power_count; ++n) all[n] = all[n - 1] * x / n;
       return all;
     };
-    const double middle = std::atan(slope_), right = 0.5 * pi;
+    const double middle = std::atan(slope_), quarter = 0.5 * pi;
     const auto radii =
         wake::graded_nodes((1 + 5 * ring::edge) * outer, wake::wide_panel * outer,
                            wake::narrow_panel * outer, wake::smallest_wave / extent_);
     for (const auto& [q, width] : radii) {
       const double finest = std::min(0.25, 0.25 * ring::wake_scale(speed_, q) / q);
       for (const double side : {1.0, -1.0}) {
-        const double length = side > 0 ? right - middle : middle;
+        const double range = side > 0 ? quarter - middle : middle;
         for (const auto& [turn, part] :
-             wake::graded_nodes(length, right, right / 8, std::min(finest, length))) {
+             wake::graded_nodes(range, quarter, quarter / 8, std::min(finest, range))) {
           const double angle = middle + side * turn;  // from w
           const double ku = q * std::sin(angle), kw = q * std::cos(angle);
           at(ku, kw, wave.data());

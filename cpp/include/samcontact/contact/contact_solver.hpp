@@ -62,7 +62,7 @@ class ContactSolver {
 
  private:
   ContactSolver(const Grid& grid, const operators::SurfaceInfluence& influence,
-                const FrictionLaw& friction, SharedContactLaw law);
+                FrictionLaw friction, SharedContactLaw law);
   /// Whether the thermal expansion due to a uniform pressure on the contact exceeds, on average,
   /// its elastic compression.
   bool is_unstable(const Field& pressure) const;

@@ -6,9 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-namespace samcontact::kernels {
-
-namespace wake {
+namespace samcontact::kernels::wake {
 
 /// Width of a panel of quadrature over the distance from the largest offset: that of many nodes
 /// and of few.
@@ -43,6 +41,4 @@ std::vector<Octave> octaves(double highest, double widest, double narrow, double
 /// first: 0 or 1. extent: unit of the offsets.
 Eigen::MatrixXd power_table(const std::vector<double>& offsets, double extent, int first);
 
-}  // namespace wake
-
-}  // namespace samcontact::kernels
+}  // namespace samcontact::kernels::wake

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/operators/heat/heat_decay.hpp"

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/operators/heat/layered_heat.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "samcontact/kernels/heat_steady.hpp"

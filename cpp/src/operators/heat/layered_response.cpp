@@ -6,7 +6,6 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -118,8 +117,8 @@ class RateSums : public LevelResponse {
 
 class LayeredResponse : public HeatResponse {
  public:
-  LayeredResponse(const HeatModes& modes, double dx, double diffusivity, const HeatedStack& stack)
-      : modes_(modes), dx_(dx), unit_(diffusivity / (dx * dx)), stack_(stack) {
+  LayeredResponse(const HeatModes& modes, double dx, double diffusivity, HeatedStack stack)
+      : modes_(modes), dx_(dx), unit_(diffusivity / (dx * dx)), stack_(std::move(stack)) {
     for (const HeatLevel& level : modes.levels()) {
       first_blocks_.push_back(blocks_.size());
       for (const HeatBlock& block : level.blocks) blocks_.push_back(made(level, block));
@@ -143,6 +142,7 @@ class LayeredResponse : public HeatResponse {
                                        const std::vector<double>& depths) const override {
     const HeatLevel& level = modes_.levels()[number];
     std::vector<SharedWeights> all;
+    all.reserve(depths.size());
     for (const double z : depths) all.push_back(weights(quantity, z));
     return std::make_unique<RateSums>(
         level, std::span(blocks_).subspan(first_blocks_[number], level.blocks.size()),
@@ -180,6 +180,7 @@ class LayeredResponse : public HeatResponse {
     const HeatResolution& resolution = modes_.resolution();
     const double least = least_wave / std::sqrt(resolution.longest * resolution.contrast);
     std::vector<double> waves;
+    waves.reserve(block.count);
     for (std::size_t n = 0; n < block.count; ++n) {
       waves.push_back(std::max(level.modes[block.first + n].w, least));
     }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 
 #include "samcontact/operators/surface/track_sum.hpp"
 
@@ -100,6 +99,7 @@ void add_tracks(const Grid& grid, const std::vector<Group>& groups, const Kernel
                                                   CellOffsets::lattice(offsets.nx, offsets.ny));
     for (std::size_t n = 0; n < kernel.size(); ++n) even[n] += group.elastic * kernel[n];
     std::vector<double> decays;
+    decays.reserve(group.terms.size());
     for (const Term& term : group.terms) decays.push_back(grid.dx / term.distance);
     const std::vector<Field> beyond = track_sums(*group.medium, grid, offsets, decays);
     for (std::size_t t = 0; t < group.terms.size(); ++t) {

@@ -145,11 +145,11 @@ constexpr int max_parts = 64;
 
 }  // namespace
 
-Division::Division(const State& from, const Target& target, const Settings& settings,
-                   Counters& counters, ScansOf scans)
+Division::Division(const State& from, const Target& target, Settings settings, Counters& counters,
+                   ScansOf scans)
     : from_(from),
       target_(target),
-      settings_(settings),
+      settings_(std::move(settings)),
       counters_(counters),
       scans_(std::move(scans)),
       moment_(from) {

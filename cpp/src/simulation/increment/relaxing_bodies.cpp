@@ -7,17 +7,16 @@ RelaxingBodies::RelaxingBodies(const IncrementTask& task) : from_(task.from) {
   for (int b = 0; b < 2; ++b) {
     const Relaxation& relaxation = task.setup().bodies[b].relaxation();
     if (!relaxation.is_on()) continue;
-    steps_[b].emplace(relaxation, task.target.duration);
-    compliances_[b] = steps_[b]->compliance;
+    compliances_[b] = steps_[b].emplace(relaxation, task.target.duration).compliance;
   }
 }
 
 std::array<operators::Tractions, 2> RelaxingBodies::remembered() const {
   std::array<operators::Tractions, 2> tractions;
   for (int b = 0; b < 2; ++b) {
-    if (!steps_[b] || !from_.memory[b]) continue;
-    tractions[b] =
-        simulation::remembered(*from_.memory[b], RelaxingBody(from_.setup(), b), *steps_[b]);
+    const auto& step = steps_[b];
+    if (!step || !from_.memory[b]) continue;
+    tractions[b] = simulation::remembered(*from_.memory[b], RelaxingBody(from_.setup(), b), *step);
   }
   return tractions;
 }
@@ -53,9 +52,10 @@ Field RelaxingBodies::slip() const {
 
 void RelaxingBodies::remember(const operators::Tractions& tractions, State& state) const {
   for (int b = 0; b < 2; ++b) {
-    if (!steps_[b]) continue;
+    const auto& step = steps_[b];
+    if (!step) continue;
     state.memory[b] =
-        after_step(from_.memory[b].get(), RelaxingBody(from_.setup(), b), *steps_[b], tractions);
+        after_step(from_.memory[b].get(), RelaxingBody(from_.setup(), b), *step, tractions);
   }
 }
 

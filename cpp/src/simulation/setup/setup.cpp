@@ -58,7 +58,7 @@ fft::Symmetry symmetry_of_faces(const std::array<plasticity::Body, 2>& bodies) {
 }  // namespace
 
 Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
-             Field initial_gap_, const contact::FrictionLaw& friction_, double image_tol,
+             Field initial_gap_, contact::FrictionLaw friction_, double image_tol,
              const TransientHeating& transient_heating_, int reach_, Reliefs reliefs_,
              const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
     : grid(grid_),
@@ -66,7 +66,7 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       media(media_of(body1, body2)),
       initial_gap(std::move(initial_gap_)),
       contact_law(std::move(contact_law_)),
-      friction(friction_),
+      friction(std::move(friction_)),
       partial_slip(friction.sticks() ? std::make_shared<const contact::PartialSlipContact>(
                                            grid_, media[0], media[1], friction, contact_law)
                                      : nullptr),

@@ -18,8 +18,8 @@ SharedMedium finite_body(const Elastic& elastic, const FreeFaces& faces);
 
 /// Elastic constants and faces of a finite body.
 struct FacedBody {
-  Elastic elastic;
-  FreeFaces faces;
+  Elastic elastic = {};
+  FreeFaces faces = {};
 };
 
 /// Faces of a medium made by finite_body(); none for any other medium.

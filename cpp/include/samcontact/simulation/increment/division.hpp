@@ -16,7 +16,7 @@ class Division {
   /// scans: yield scans with the heating of a sub-increment.
   using ScansOf = std::function<const Scans&(const operators::HeatingPair& heating)>;
 
-  Division(const State& from, const Target& target, const Settings& settings, Counters& counters,
+  Division(const State& from, const Target& target, Settings settings, Counters& counters,
            ScansOf scans);
 
   /// State at the target. If the sweeps between pressure and shear stall, sub-increments are tried

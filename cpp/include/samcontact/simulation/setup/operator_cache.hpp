@@ -41,12 +41,12 @@ class OperatorCache {
  public:
   /// image_tol: tolerance of volume operators and zones for periodic images. split: band
   /// decomposition of zones.
-  OperatorCache(const Grid& grid, Media media, const contact::FrictionLaw& friction,
+  OperatorCache(const Grid& grid, Media media, contact::FrictionLaw friction,
                 contact::SharedContactLaw contact_law, double image_tol,
                 const operators::BandSplit& split)
       : grid_(grid),
         media_(std::move(media)),
-        friction_(friction),
+        friction_(std::move(friction)),
         contact_law_(std::move(contact_law)),
         image_tol_(image_tol),
         split_(split) {}

@@ -21,7 +21,7 @@ class Setup {
  public:
   /// reach: distance beyond the grid along x within which plastic strain acts [cells].
   Setup(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
-        Field initial_gap, const contact::FrictionLaw& friction, double image_tol,
+        Field initial_gap, contact::FrictionLaw friction, double image_tol,
         const TransientHeating& transient_heating, int reach, Reliefs reliefs,
         const operators::BandSplit& split = {},
         contact::SharedContactLaw contact_law = contact::hard_contact());
