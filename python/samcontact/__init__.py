@@ -58,12 +58,12 @@ from .bodies.material import Material
 from .contact.solver import ContactSolver
 from .heat import Heat
 from .problem import friction as _friction
-from .problem import local_friction as _local_friction
+from .problem import varying_friction as _varying_friction
 from .problem.contact_law import HardContact, TensileLimit
 from .problem.friction import *  # noqa: F403  (all laws)
 from .problem.grid import Grid
-from .problem.local_friction import *  # noqa: F403  (all laws)
 from .problem.moving_topography import Relief
+from .problem.varying_friction import *  # noqa: F403  (all laws)
 from .restart.file import CheckpointError
 from .simulation.increment_errors import IncrementErrors
 from .simulation.simulation import Simulation
@@ -142,7 +142,7 @@ __all__ = [
     "wear",
 ]
 __all__ += _friction.__all__
-__all__ += _local_friction.__all__
+__all__ += _varying_friction.__all__
 
 if TYPE_CHECKING:
     from . import cases as cases

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,10 +15,10 @@ from ._util.checks import FloatArray, exactly_one, require_type
 from ._util.short_text import in_short
 from .bodies.layered import require_bodies
 from .bodies.material import Material
+from .bodies.viscoelastic import relaxes
 from .contact.moving import (
     UNSHEARED,
     MovingContactSolver,
-    is_viscoelastic,
     pressure_of,
     require_moving,
     speed_of,
@@ -128,21 +128,16 @@ def steady(
     name = exactly_one(load=load, approach=approach)
     normal = NormalDrive.of(name, load if approach is None else approach)
     settings: dict[str, Any] = {
-        "tol": tol,
-        "on_border": on_border,
-        "max_iterations": max_iterations,
-    }
-    if is_viscoelastic(body1, body2):
-        tangential = {
-            "creepage": creepage, "spin": spin, "tangential_load": tangential_load, "torque": torque
-        }  # fmt: skip
-        _require_free(friction, tangential)
+        "tol": tol, "on_border": on_border, "max_iterations": max_iterations
+    }  # fmt: skip
+    if relaxes(body1, body2):
+        _require_free(
+            friction, creepage=creepage, spin=spin, tangential_load=tangential_load, torque=torque
+        )
         _require_rolling(grid, None, None)
         free = _free_solver(grid, require_moving(body1, body2), speed, settings)
         pressed = None if start is None else pressure_of(start, FreeRollingSolution)
-        rolled = solve_driven(free, gap, normal, UNSHEARED, pressed)
-        assert isinstance(rolled, FreeRollingSolution)
-        return rolled
+        return cast("FreeRollingSolution", solve_driven(free, gap, normal, UNSHEARED, pressed))
     law = sticking_law(friction)
     pace = lasting(law, speed, "speed")
     if law.varies_along_x:
@@ -163,7 +158,7 @@ def steady(
     return solution
 
 
-def _require_free(friction: Any, tangential: dict[str, Any]) -> None:
+def _require_free(friction: Any, **tangential: Any) -> None:
     """Raise ValueError unless viscoelastic bodies roll without friction."""
     if type(friction) not in (int, float) or friction != 0:
         raise ValueError(

@@ -37,9 +37,7 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
                                          const std::array<operators::SharedMedium, 2>& bodies,
                                          const FrictionLaw& friction,
                                          const operators::HeatingPair& heating) {
-  if (bodies[0]->is_rigid() && bodies[1]->is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
-  }
+  require_deformable(!bodies[0]->is_rigid() || !bodies[1]->is_rigid());
   operators::SurfaceInfluence influence;
   for (int b = 0; b < 2; ++b) {
     const bool lasts = heating[b].age == operators::Heating::infinity();
@@ -55,8 +53,7 @@ operators::SurfaceInfluence influence_of(const Grid& grid,
   return influence;
 }
 
-}  // namespace
-
+/// Throws std::invalid_argument for an approach at which periodic surfaces touch everywhere.
 void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
   if (grid.period.x == 0 || grid.period.y == 0 || normal.is_force()) return;
   const double mean = ordered_sum(gap.size(), [&](std::size_t i) { return gap[i]; }) / gap.size();
@@ -64,6 +61,28 @@ void require_below_mean(const Grid& grid, const Field& gap, Given normal) {
           "less than the mean gap, " + to_short_text(mean, 6) +
               " m, at which periodic surfaces touch everywhere and any larger load is possible",
           normal.value, "prescribe the load instead");
+}
+
+}  // namespace
+
+void require_deformable(bool any) {
+  if (any) return;
+  throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
+}
+
+void require_possible(const Grid& grid, const ContactLaw& law, const Field& gap,
+                      const Drive& drive) {
+  require_valid(drive, law, grid);
+  require_below_mean(grid, gap, drive.normal);
+}
+
+void require_solvable(const Grid& grid, const ContactLaw& law, const Field& gap, const Drive& drive,
+                      const Field& initial_pressure, const ContactSettings& settings) {
+  require_gap(gap, grid, "gap");
+  if (!initial_pressure.empty()) require_surface(initial_pressure, grid, "initial_pressure");
+  require_possible(grid, law, gap, drive);
+  require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
+  require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
 }
 
 std::string edge_warning(const Grid& grid, const Field& repulsion, const std::string& what) {
@@ -153,12 +172,7 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
 
 Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                               const ContactSettings& settings) const {
-  require_gap(gap, grid_, "gap");
-  if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
-  require_valid(drive, *law_, grid_);
-  require_below_mean(grid_, gap, drive.normal);
-  require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
-  require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
+  require_solvable(grid_, *law_, gap, drive, initial_pressure, settings);
   const Attraction attraction(*law_, grid_, multilevel_.displacement(), gap);
   const Drive repelling = attraction.repelling(drive);
   require_reach(repelling, grid_, gap);

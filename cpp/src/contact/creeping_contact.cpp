@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -17,8 +16,6 @@ namespace {
 /// grids.
 constexpr int coarsest_side = 32;
 constexpr double coarse_tol = 1e-2;
-/// Rounding error of a displacement without mean value, relative to the longest wave.
-constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -30,15 +27,7 @@ class CreepingContact::Level {
   Solution solve(const Field& gap, const Given& normal, Field pressure, double tol,
                  int max_iterations) const {
     const double lowest = *std::min_element(gap.begin(), gap.end());
-    if (normal.is_force() ? normal.value == 0 : normal.value <= lowest) {
-      // Separated, or just touching: nothing to solve.
-      Solution solution;
-      solution.motion.approach = normal.is_force() ? lowest : normal.value;
-      solution.tractions.pressure.assign(gap.size(), 0.0);
-      solution.gap = gap;
-      for (double& g : solution.gap) g -= solution.motion.approach;
-      return solution;
-    }
+    if (auto open = separated(gap, lowest, normal)) return *std::move(open);
     double work = 0.0;
     if (is_zero(pressure)) pressure = coarse_start(gap, normal, max_iterations, work);
     Solution solution = solve_monotone(displacement_, grid_, gap, normal, std::move(pressure),
@@ -77,11 +66,7 @@ class CreepingContact::Level {
   double rounding(const Field& gap, double lowest, const Given& normal) const {
     if (!normal.is_force() || !(grid_.period.x > 0 && grid_.period.y > 0)) return 0.0;
     const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
-    const double of_wave = last_digits * normal.value / area * displacement_.longest_compliance();
-    // Flat surfaces: the rounding error of their distance may exceed their heights.
-    const double of_gap = last_digits * std::fabs(lowest);
-    const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
-    return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
+    return rounding_error(gap, lowest, normal.value / area * displacement_.longest_compliance());
   }
 
   Grid grid_;
@@ -93,10 +78,8 @@ class CreepingContact::Level {
 
 CreepingContact::CreepingContact(const Grid& grid, std::vector<operators::CreepingBody> bodies)
     : grid_(grid), law_(hard_contact()) {
-  if (std::all_of(bodies.begin(), bodies.end(),
-                  [](const auto& body) { return body.medium->is_rigid(); })) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
-  }
+  require_deformable(std::any_of(bodies.begin(), bodies.end(),
+                                 [](const auto& body) { return !body.medium->is_rigid(); }));
   finest_ = std::make_unique<Level>(grid, std::move(bodies));
 }
 CreepingContact::~CreepingContact() = default;
@@ -110,12 +93,7 @@ Field CreepingContact::displacement(const Field& pressure) const {
 
 Solution CreepingContact::solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                                 const ContactSettings& settings) const {
-  require_gap(gap, grid_, "gap");
-  if (!initial_pressure.empty()) require_surface(initial_pressure, grid_, "initial_pressure");
-  require_valid(drive, *law_, grid_);
-  require_below_mean(grid_, gap, drive.normal);
-  require(settings.tol >= 1e-13 && settings.tol < 1, "tol", "in [1e-13, 1)", settings.tol);
-  require(settings.max_iterations > 0, "max_iterations", "an integer > 0", settings.max_iterations);
+  require_solvable(grid_, *law_, gap, drive, initial_pressure, settings);
   Field start = initial_pressure;
   start.resize(gap.size(), 0.0);
   for (double& p : start) p = std::max(p, 0.0);

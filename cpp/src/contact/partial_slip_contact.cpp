@@ -17,9 +17,7 @@ namespace {
 
 operators::SurfaceInfluence frictionless(const operators::SharedMedium& body1,
                                          const operators::SharedMedium& body2) {
-  if (body1->is_rigid() && body2->is_rigid()) {
-    throw std::invalid_argument("body1 and body2 are both rigid: at least one must be deformable");
-  }
+  require_deformable(!body1->is_rigid() || !body2->is_rigid());
   operators::SurfaceInfluence influence;
   influence.add(body1);
   influence.add(body2);
@@ -108,8 +106,7 @@ void PartialSlipContact::require_contact(const Field& gap, const Drive& drive,
     require_vectors(before.shear, grid_, "previous.shear");
     if (!before.gap.empty()) require_gap(before.gap, grid_, "previous.gap");
   }
-  require_valid(drive, *law_, grid_);
-  require_below_mean(grid_, gap, drive.normal);
+  require_possible(grid_, *law_, gap, drive);
 }
 
 PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, const Drive& drive,

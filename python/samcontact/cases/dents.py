@@ -89,11 +89,13 @@ class DentsSection(Section):
         """Return the indentation; `settings`: settings of the simulation in [contact]."""
         drawn = [] if self.random is None else self.random.build()
         given = [one.build() for one in self.particles or ()]
-        rigid = self.E is None or self.nu is None
+        body = None
+        if self.E is not None and self.nu is not None:
+            body = Material.elastic(self.E, self.nu)
         return Indentation(
             particles=(*given, *drawn),
             increments=self.increments,
-            body1=None if rigid else Material.elastic(self.E, self.nu),  # type: ignore[arg-type]
+            body1=body,
             settings={n: v for n, v in settings.items() if n not in NOT_OF_PARTICLES},
         )
 

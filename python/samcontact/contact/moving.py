@@ -15,6 +15,7 @@ from .._util.checks import MAX_STRESS, FloatArray, finite, require_type
 from ..bodies.layered import require_homogeneous
 from ..bodies.material import Material
 from ..bodies.relaxation import creep_terms
+from ..bodies.viscoelastic import instantaneous
 from ..problem.grid import Grid
 from ..solutions.contact_solution import ContactSolution
 from .solver import ContactSolver
@@ -60,7 +61,7 @@ class MovingContactSolver(ContactSolver):
         bodies, speeds, _ = self._moving
         needed = memory.surface(self.grid, memory.MOVING_CONTACT_BYTES)
         memory.require_for_grid("a moving viscoelastic contact", self.grid, needed)
-        elastic = (replace(body, relaxation_terms=None)._core for body in bodies)
+        elastic = (instantaneous(body)._core for body in bodies)
         creeps = (moving_creep(body, v) for body, v in zip(bodies, speeds, strict=True))
         return _core.CreepingContact(self.grid._core, *elastic, *creeps)
 
@@ -135,8 +136,3 @@ def require_moving(body1: Any, body2: Any) -> tuple[Material, Material]:
                 "that its contact never becomes steady"
             )
     return body1, body2
-
-
-def is_viscoelastic(*bodies: Any) -> bool:
-    """Whether at least one of the bodies is viscoelastic."""
-    return any(getattr(body, "relaxation_terms", None) is not None for body in bodies)

@@ -31,13 +31,13 @@ from .display import simulation_rows
 from .engine import Engine
 from .given_strain import Cells, add_eigenstrain, set_plastic_strain
 from .increment_errors import check_errors
-from .relaxing import HasLongTimeState
+from .relaxing import relaxing_step
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
 from .steps import STEP_ARGUMENTS
 
 
-class Simulation(Configured, HasLongTimeState, HtmlTable):
+class Simulation(Configured, HtmlTable):
     """Incremental simulation of the elastic-plastic contact of two bodies.
 
     Each increment solves contact and plastic flow together, implicitly: the plastic strain
@@ -53,7 +53,7 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
         of a grid, ``lambda grid: surfaces.paraboloid(grid, R)``: the grid then grows; see Notes.
-    friction : float or Coulomb, optional
+    friction : float or FrictionLaw, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
     tol : float, optional
@@ -61,14 +61,13 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         the plastic strain increment and of the relative violation of the yield condition.
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
-        plastic strain relative to their maxima. Each sub-increment is solved in one step and in two
-        halves, then extrapolated to second order. If more than 64 are needed, a
-        ValueError states a sufficient tolerance. Default: no subdivision, first order.
+        plastic strain relative to their maxima. Each is solved in one step and in two halves, then
+        extrapolated to second order. If more than 64 are needed, a ValueError states a sufficient
+        tolerance. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
-        Action if the contact reaches the grid edge; with "warn" the grid is never enlarged.
+        Action if the contact reaches the grid edge; "warn" keeps the grid as it is.
     on_stall : {"error", "warn"}, optional
-        Action if pressure and shear of dissimilar bodies in partial slip do not converge; "warn"
-        continues from the state with the smallest error.
+        Action if partial slip of dissimilar bodies does not converge; "warn" takes the best state.
     max_iterations : int, optional
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
@@ -99,11 +98,10 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
 
     Notes
     -----
-    A grid is enlarged on both sides by cells of unchanged size: for a paraboloid, to 1.25 times the
-    Hertz contact (in `run`, at maximum load); otherwise by half along each axis on which contact
-    reaches the edge. `grid` and surface fields then refer to the larger grid. A state keeps its
-    grid; `run` returns all states on the last grid. GridTooSmallError is raised above 64 times the
-    initial number of cells. With a period, heat.history, softening or attraction the grid is fixed.
+    A grid is enlarged by cells of unchanged size: for a paraboloid, to 1.25 times the Hertz contact
+    (in `run`, at maximum load); otherwise by half along each axis on which contact reaches the
+    edge. A state keeps its grid; `run` returns all states on the last grid. GridTooSmallError:
+    above 64 times the cells. With a period, heat.history, softening or attraction it is fixed.
     """
 
     _last = "engine"
@@ -230,7 +228,6 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         Returns
         -------
         State
-            State at the end of the increment.
 
         Raises
         ------
@@ -276,14 +273,13 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         progress : bool, optional
             Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
-            Folder for checkpoints of increments. A repeated call with this folder resumes the run.
+            Folder for checkpoints. A repeated call resumes the run.
 
         Returns
         -------
         list of State
             One per increment. An error or interrupt (Ctrl-C) holds the completed states in its
-            attribute `states`; the simulation stays at the last of these states. The logger
-            "samcontact" records each increment (INFO) and its iterations (DEBUG).
+            attribute `states`. The logger "samcontact" records increments and iterations.
 
         Raises
         ------
@@ -294,8 +290,7 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         Warns
         -----
         UnitWarning, ResolutionWarning, IncrementWarning
-            Issued before the first increment, or at the end for the whole run. The conditions of
-            `step` apply, but with stricter limits of resolution (docs/conventions.md).
+            Issued before the first increment or at the end, at stricter limits than in `step`.
         """
         boolean("progress", progress)
         states: list[State] = []
@@ -308,6 +303,14 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
             attach(error, states=states)
             raise
         return found
+
+    def relax(self, hold: str | None = None) -> State:
+        """Advance viscoelastic bodies to their long-time state, at an unchanged time.
+
+        hold: "load" or "approach", kept constant; default: that of the last step. Raises ValueError
+        without a viscoelastic body, or for a fluid. `State.viscous_work` is that of slow change.
+        """
+        return self.step(**relaxing_step(self.engine, hold))
 
     @property
     def state(self) -> State:
@@ -330,11 +333,13 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
     ) -> None:
         """Set the plastic strain of an elastic-plastic body.
 
+        Raises ValueError for a wrong shape, or values that are not finite or out of range.
+
         Parameters
         ----------
         body : {1, 2}
         strain : array_like, shape (6, nx, ny, nz)
-            Symmetric strain xx, yy, zz, yz, xz, xy [-], in any number of layers from the surface.
+            Strain xx, yy, zz, yz, xz, xy [-], in any number of layers from the surface.
         equivalent : array_like, shape (nx, ny, nz), optional
             Accumulated equivalent plastic strain [-], >= 0; default 0.
         backstress : array_like, shape (terms, 6, nx, ny, nz), optional
@@ -342,11 +347,6 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         first : int, optional
             Grid row of the first row of these fields, possibly negative. The fields may then have
             any length: ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
-
-        Raises
-        ------
-        ValueError
-            A field has the wrong shape, or values that are not finite or out of range.
         """
         set_plastic_strain(self.engine, body, strain, equivalent, backstress, first)
 

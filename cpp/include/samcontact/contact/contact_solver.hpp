@@ -23,8 +23,12 @@ std::string edge_warning(const Grid& grid, const Field& repulsion, const std::st
 /// Error with the message of edge_warning(), which also names the option for a warning instead.
 GridTooSmallError too_small(const Grid& grid, const Field& repulsion, const std::string& warning);
 
-/// Throws std::invalid_argument for an approach at which periodic surfaces touch everywhere.
-void require_below_mean(const Grid& grid, const Field& gap, Given normal);
+/// Throws std::invalid_argument if both bodies are rigid.
+void require_deformable(bool any);
+/// Throws std::invalid_argument unless the contact law allows the drive between these surfaces;
+/// an approach at which periodic surfaces touch everywhere is not allowed.
+void require_possible(const Grid& grid, const ContactLaw& law, const Field& gap,
+                      const Drive& drive);
 
 /// Action if the sweeps between pressure and shear of dissimilar materials stall: an error (fail);
 /// a solution for both together, and an error if it does not converge (join), or instead of this
@@ -37,6 +41,10 @@ struct ContactSettings {
   OnBorder on_border = OnBorder::error;
   AfterStall after_stall = AfterStall::join;
 };
+
+/// Throws std::invalid_argument for input or settings with which a contact cannot be solved.
+void require_solvable(const Grid& grid, const ContactLaw& law, const Field& gap, const Drive& drive,
+                      const Field& initial_pressure, const ContactSettings& settings);
 
 class ContactSolver {
  public:

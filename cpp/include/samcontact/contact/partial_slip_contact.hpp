@@ -56,7 +56,8 @@ struct PartialSlipSolution {
   /// on it.
   Field slip_rate = {};
   /// Largest decrease of the bound of a cell due to the slip that a unit decrease of its shear
-  /// causes; at 1 and above, both stick and slip may be solutions.
+  /// causes. If it is 1 or more, there may be one solution in which the cell sticks and another in
+  /// which it slips.
   double falling_number = 0.0;
   int rate_iterations = 0;  // of the slip rate
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "samcontact/base/reduce.hpp"
@@ -10,6 +11,12 @@
 #include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
+namespace {
+
+/// Rounding error of a displacement without mean value, relative to the longest wave.
+constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
 
 bool all_finite(const Field& field) {
   return std::all_of(field.begin(), field.end(), [](double v) { return std::isfinite(v); });
@@ -20,6 +27,24 @@ bool is_finite(const Solution& solution) {
   return all_finite(solution.tractions.pressure) &&
          std::all_of(solution.gap.begin(), solution.gap.end(), is_gap) &&
          std::isfinite(solution.load);
+}
+
+std::optional<Solution> separated(const Field& gap, double lowest, const Given& normal) {
+  if (normal.is_force() ? normal.value != 0 : normal.value > lowest) return {};
+  Solution solution;
+  solution.motion.approach = normal.is_force() ? lowest : normal.value;
+  solution.tractions.pressure.assign(gap.size(), 0.0);
+  solution.gap = gap;
+  for (double& g : solution.gap) g -= solution.motion.approach;
+  return solution;
+}
+
+double rounding_error(const Field& gap, double lowest, double longest_wave) {
+  const double of_wave = last_digits * longest_wave;
+  // Flat surfaces: the rounding error of their distance may exceed their heights.
+  const double of_gap = last_digits * std::fabs(lowest);
+  const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
+  return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
 }
 
 double contact_mean(const Field& pressure, const Field& field) {

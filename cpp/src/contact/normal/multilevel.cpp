@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <mutex>
 #include <numbers>
 #include <utility>
@@ -40,8 +39,6 @@ constexpr int max_failed_rounds = 2;
 /// displacement has no mean, nothing restrains the mean pressure, and steps along nearly solved
 /// directions are long.
 constexpr double max_load_error = 1e-12;
-/// Rounding error of a gap, and of a displacement relative to that of the longest wave.
-constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
 
 /// Gap assigned to cells without a body, relative to the largest closed gap; larger in each further
 /// attempt.
@@ -250,27 +247,16 @@ double Multilevel::Level::rounding(const Field& gap, double lowest, const RigidM
   if (!normal.is_force() || !(grid_.period.x > 0 && grid_.period.y > 0)) return 0.0;
   const double longest = std::max(grid_.nx * grid_.dx, grid_.ny * grid_.dy);
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
-  const double of_wave = last_digits * normal.value / area *
-                         influence_.wave_compliance(2 * std::numbers::pi / longest);
-  // Flat surfaces: the rounding error of their distance may exceed their heights.
-  const double of_gap = last_digits * std::fabs(lowest);
-  const double heights = *std::max_element(gap.begin(), gap.end()) - lowest;
-  return heights > of_gap ? of_wave : std::max(of_wave, of_gap);
+  return rounding_error(
+      gap, lowest,
+      normal.value / area * influence_.wave_compliance(2 * std::numbers::pi / longest));
 }
 
 Solution Multilevel::Level::solve(const Field& initial_gap, const RigidModes& modes, Field pressure,
                                   double tol, int max_iterations, bool is_start) const {
   const Given& normal = modes.normal();
   const double lowest = *std::min_element(initial_gap.begin(), initial_gap.end());
-  if (normal.is_force() ? normal.value == 0 : normal.value <= lowest) {
-    // Separated, or just touching: nothing to solve.
-    Solution solution;
-    solution.motion.approach = normal.is_force() ? lowest : normal.value;
-    solution.tractions.pressure.assign(initial_gap.size(), 0.0);
-    solution.gap = initial_gap;
-    for (double& g : solution.gap) g -= solution.motion.approach;
-    return solution;
-  }
+  if (auto open = separated(initial_gap, lowest, normal)) return *std::move(open);
   double work = 0.0;
   const bool warm = !is_zero(pressure);
   // Cells of a coarser grid keep their distance from faces only if they fill the grid.

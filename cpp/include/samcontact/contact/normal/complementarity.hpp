@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "samcontact/base/aligned.hpp"
@@ -45,6 +46,14 @@ bool all_finite(const Field& field);
 /// Whether all values of a solution are finite. Comparisons with NaN are false, so a solution with
 /// NaN may appear to have converged.
 bool is_finite(const Solution& solution);
+
+/// Solution of bodies that a drive separates or brings just into touch, without pressure; none if
+/// it presses them together. lowest: smallest gap [m].
+std::optional<Solution> separated(const Field& gap, double lowest, const Given& normal);
+
+/// Gap up to which cells count as closed if the displacement has no mean value [m]: its rounding
+/// error, from that of the longest wave with the mean pressure. lowest: smallest gap [m].
+double rounding_error(const Field& gap, double lowest, double longest_wave);
 
 /// Mean of a field over the cells with pressure; 0 if there are none.
 double contact_mean(const Field& pressure, const Field& field);
