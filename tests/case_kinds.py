@@ -246,11 +246,11 @@ KINDS = {
     "shear strength": STICKS
     | {"contact": {"friction": {"tresca": 1e8}}, "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "hard": STICKS
-    | {"contact": STICKS["contact"] | {"contact_law": {"kind": "hard"}},
+    | {"contact": STICKS["contact"] | {"adhesion": {"kind": "hard"}},
        "path": [{"load": 2.0, "increments": 2}]},
     "attracted": STICKS
     | {"contact": STICKS["contact"]
-       | {"contact_law": {"kind": "tensile_limit", "limit": 1e6}},
+       | {"adhesion": {"kind": "tensile_limit", "limit": 1e6}},
        "path": [{"load": 2.0, "increments": 2}]},
     "fretting": STICKS
     | {"path": [{"load": 2.0, "increments": 2},

@@ -112,7 +112,7 @@ def make_simulation(nz=4, body1=ELASTIC, body2=SWIFT):
         body2=body2,
         initial_gap=gap,
         friction=0.0,
-        contact_law=HardContact(),
+        adhesion=HardContact(),
         tol=1e-6,
         reach=1e-3,
         heat_factor=(0.0, 0.0),

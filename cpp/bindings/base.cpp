@@ -64,6 +64,16 @@ void bind_errors(py::module_& m) {
     type.attr("residual") = 0.0;
     return py::object(type);
   });
+  PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> pull_off_error;
+  pull_off_error.call_once_and_store_result([&] {
+    const py::exception<PullOffError> type(m, "PullOffError", convergence_error.get_stored());
+    type.attr("__doc__") =
+        "Error of a load that pulls two surfaces more than their adhesion bears.\n"
+        "`pull_off` is the largest tension reached [N], `approach` its approach [m].";
+    type.attr("pull_off") = 0.0;
+    type.attr("approach") = 0.0;
+    return py::object(type);
+  });
   PYBIND11_CONSTINIT static py::gil_safe_call_once_and_store<py::object> too_small_error;
   too_small_error.call_once_and_store_result([&] {
     const py::exception<GridTooSmallError> type(m, "GridTooSmallError", PyExc_ValueError);
@@ -79,6 +89,13 @@ void bind_errors(py::module_& m) {
       if (p) std::rethrow_exception(p);
     } catch (const std::bad_alloc&) {
       PyErr_SetString(PyExc_MemoryError, "out of memory: use fewer cells, or close other programs");
+    } catch (const PullOffError& error) {
+      const py::object& type = pull_off_error.get_stored();
+      py::object value = type(error.what());
+      value.attr("iterations") = error.iterations();
+      value.attr("pull_off") = error.force();
+      value.attr("approach") = error.approach();
+      PyErr_SetObject(type.ptr(), value.ptr());
     } catch (const ConvergenceError& error) {
       const py::object& type = convergence_error.get_stored();
       py::object value = type(error.what());

@@ -258,7 +258,21 @@ void bind_contact(py::module_& m) {
                  contact::contact_law(kind, parameters));
            }),
            py::arg("kind"), py::arg("parameters"))
-      .def_property_readonly("attracts", &contact::ContactLaw::attracts);
+      .def_property_readonly("attracts", &contact::ContactLaw::attracts)
+      .def_property_readonly("largest_attraction", &contact::ContactLaw::largest_attraction)
+      .def_property_readonly("steepest_fall", &contact::ContactLaw::steepest_fall)
+      .def_property_readonly("work",
+                             [](const contact::ContactLaw& law) { return law.energy(1e300); });
+
+  m.def(
+      "self_influence",
+      [](const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2) {
+        operators::SurfaceInfluence influence;
+        influence.add(operators::medium_of(body1));
+        influence.add(operators::medium_of(body2));
+        return influence.elastic(grid, operators::CellOffsets::lattice(1, 1))[0];
+      },
+      py::arg("grid"), py::arg("body1"), py::arg("body2"));
 
   py::class_<Drive>(m, "Drive")
       .def(py::init([](bool is_load, double value, const std::array<bool, 2>& is_moment,

@@ -37,7 +37,7 @@ from . import (
     units,
     wear,
 )
-from ._core import ConvergenceError, GridTooSmallError
+from ._core import ConvergenceError, GridTooSmallError, PullOffError
 from ._core import version as __version__
 from ._util.errors import (
     ConvergenceWarning,
@@ -59,6 +59,7 @@ from .contact.solver import ContactSolver
 from .heat import Heat
 from .problem import friction as _friction
 from .problem import varying_friction as _varying_friction
+from .problem.adhesion_laws import Adhesion
 from .problem.contact_law import HardContact, TensileLimit
 from .problem.friction import *  # noqa: F403  (all laws)
 from .problem.grid import Grid
@@ -77,6 +78,7 @@ from .sweeps import SweepInterrupted, sweep
 __all__ = [
     "AccuracyResult",
     "AccuracyWarning",
+    "Adhesion",
     "CheckpointError",
     "ContactSolution",
     "ContactSolver",
@@ -97,6 +99,7 @@ __all__ = [
     "Material",
     "PartialSlipSolution",
     "PlasticStrainWarning",
+    "PullOffError",
     "Relief",
     "ResolutionWarning",
     "RollingSolution",

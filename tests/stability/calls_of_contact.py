@@ -112,7 +112,7 @@ CALLS = [
         {
             "grid": GRID, "body1": HOT, "body2": HOT, **HEATED, "tol": 1e-6,
             "on_border": "error", "on_stall": "error", "max_iterations": 50,
-            "contact_law": sc.HardContact(),
+            "adhesion": sc.HardContact(),
         },
     ),
     *(
@@ -177,7 +177,7 @@ CALLS = [
         {
             **BODIES, "body1": HOT, "body2": HOT, "gap": GAP, **HEATED, **SETTINGS,
             "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3, "zones": "auto",
-            "relief1": FLAT, "relief2": FLAT, "reach": 1e-4, "contact_law": sc.HardContact(),
+            "relief1": FLAT, "relief2": FLAT, "reach": 1e-4, "adhesion": sc.HardContact(),
         },
     ),
     (

@@ -73,6 +73,10 @@ void require_deformable(bool any) {
 void require_possible(const Grid& grid, const ContactLaw& law, const Field& gap,
                       const Drive& drive) {
   require_valid(drive, law, grid);
+  if (law.varies() && drive.tilts_freely()) {
+    throw std::invalid_argument(
+        "moment cannot be combined with an adhesion that depends on the gap: prescribe the tilt");
+  }
   require_below_mean(grid, gap, drive.normal);
 }
 
@@ -133,6 +137,7 @@ ContactSolver::ContactSolver(const Grid& grid, const operators::SurfaceInfluence
     throw std::invalid_argument(
         "heating cannot be combined with a contact law with attraction: use hard contact");
   }
+  if (law_->varies()) adhesive_ = std::make_unique<AdhesiveContact>(grid, influence, law_);
 }
 
 void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
@@ -173,6 +178,7 @@ void ContactSolver::require_solved(const Solution& solution, const Drive& drive,
 Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                               const ContactSettings& settings) const {
   require_solvable(grid_, *law_, gap, drive, initial_pressure, settings);
+  if (adhesive_) return solve_adhesive(gap, drive, initial_pressure, settings);
   const Attraction attraction(*law_, grid_, multilevel_.displacement(), gap);
   const Drive repelling = attraction.repelling(drive);
   require_reach(repelling, grid_, gap);
@@ -192,6 +198,46 @@ Solution ContactSolver::solve(const Field& gap, const Drive& drive, const Field&
   }
   solution.tractions = friction_.tractions(std::move(solution.tractions.pressure));
   return attraction.with_attraction(std::move(solution), drive);
+}
+
+Solution ContactSolver::solve_adhesive(const Field& gap, const Drive& drive,
+                                       const Field& initial_pressure,
+                                       const ContactSettings& settings) const {
+  Field start = initial_pressure;
+  start.resize(gap.size(), 0.0);
+  const auto solve = [&](const Field& separated, double tol) {
+    Solution found = adhesive_->solve(separated, drive, start, tol, settings.max_iterations);
+    start = found.tractions.pressure;
+    return found;
+  };
+  Solution solution;
+  if (multilevel_.displacement().has_rest()) {
+    ComplexField scratch;
+    // Shear is proportional to the repulsion, which takes the place of the pressure.
+    const LaggedContact contact{
+        [&](const Field& repulsion, Field& separation) {
+          multilevel_.displacement().apply_rest(repulsion.data(), separation.data(), scratch);
+        },
+        [&](const Field& lagged, const Field& /*repulsion*/, double tol) {
+          Solution found = solve(lagged, tol);
+          found.tractions.pressure = repulsion(*law_, found.tractions.pressure, found.gap);
+          return found;
+        }};
+    solution = solve_lagged(contact, grid_, gap, drive, Field(gap.size(), 0.0), settings.tol);
+    solution.tractions.pressure = start;
+  } else {
+    solution = solve(gap, settings.tol);
+  }
+  require_solved(solution, drive, settings);
+  const Field pushed = repulsion(*law_, solution.tractions.pressure, solution.gap);
+  solution.edge_warning = edge_warning(grid_, pushed, describe(drive));
+  if (!solution.edge_warning.empty() && settings.on_border == OnBorder::error) {
+    throw too_small(grid_, pushed, solution.edge_warning);
+  }
+  Field pressure = std::move(solution.tractions.pressure);
+  solution.tractions = friction_.tractions(pushed);
+  solution.tractions.pressure = std::move(pressure);
+  return solution;
 }
 
 bool ContactSolver::is_unstable(const Field& pressure) const {

@@ -31,6 +31,7 @@ __all__: list[str] = [
     "Material",
     "MovingCreep",
     "PartialSlipContact",
+    "PullOffError",
     "Settings",
     "Simulation",
     "Stack",
@@ -41,6 +42,7 @@ __all__: list[str] = [
     "hardening_laws",
     "kernels",
     "operators",
+    "self_influence",
     "spin_lead",
     "version",
 ]
@@ -53,6 +55,15 @@ class ConvergenceError(RuntimeError):
 
     iterations: int
     residual: float
+
+class PullOffError(ConvergenceError):
+    """
+    Error of a load that pulls two surfaces more than their adhesion bears.
+    `pull_off` is the largest tension reached [N], `approach` its approach [m].
+    """
+
+    approach: float
+    pull_off: float
 
 class GridTooSmallError(ValueError):
     """
@@ -234,6 +245,12 @@ class ContactLaw:
     def __init__(self, kind: str, parameters: collections.abc.Sequence[float]) -> None: ...
     @property
     def attracts(self) -> bool: ...
+    @property
+    def largest_attraction(self) -> float: ...
+    @property
+    def steepest_fall(self) -> float: ...
+    @property
+    def work(self) -> float: ...
 
 class Drive:
     def __init__(
@@ -610,6 +627,7 @@ def contact_outline(
 ) -> tuple[int, int, int, bool, float]: ...
 def friction_laws() -> list[tuple[str, bool, list[LawParameter]]]: ...
 def hardening_laws() -> list[LawDescription]: ...
+def self_influence(grid: Grid, body1: Body, body2: Body) -> float: ...
 
 spin_lead: float
 version: str

@@ -235,12 +235,12 @@ def _require_law_of_contact(case: Any) -> None:
     law = contact_law_of(case.contact)
     if law.attracts:
         if case.wear is not None:
-            raise ValueError(f'contact.contact_law must be "hard" with [wear], got {law!r}')
+            raise ValueError(f'contact.adhesion must be "hard" with [wear], got {law!r}')
         law.require_possible(NO_HEAT if case.heat is None else case.heat.build(), {})
         if case.moves:
             raise ValueError(
-                f"path: bodies must not move with contact.contact_law = {law!r}: remove "
-                'the motion, or use contact_law = "hard"'
+                f"path: bodies must not move with contact.adhesion = {law!r}: remove "
+                'the motion, or use adhesion = "hard"'
             )
         return
     for index, segment in enumerate(case.path):

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import MISSING, fields
 from functools import reduce
 from operator import or_
 from pathlib import Path
@@ -14,7 +14,8 @@ from pydantic import Field, create_model, model_validator
 from .. import measured, surfaces
 from .._util.checks import FloatArray
 from ..heat import Heat
-from ..problem.contact_law import LAWS, ContactLaw, HardContact, law_of
+from ..problem.adhesion_laws import LAWS, law_of
+from ..problem.contact_law import ContactLaw, HardContact
 from ..problem.friction import FrictionLaw, friction_law
 from ..problem.settings import (
     Allowed,
@@ -185,10 +186,11 @@ class _LawSection(Section):
 
 def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
     """Create the section of a contact law; the constants must be non-negative."""
-    parameters: Any = {
-        item.name: (Annotated[NonNegative, in_unit(item.metadata["unit"])], ...)
-        for item in fields(law)
-    }
+    parameters: Any = {}
+    for item in fields(law):
+        value: Any = list[NonNegative] if item.metadata.get("many") else NonNegative
+        value = Annotated[value, in_unit(item.metadata["unit"])]
+        parameters[item.name] = (value, ...) if item.default is MISSING else (value | None, None)
     kind: Any = (Literal[law.kind], ...)
     return create_model(
         f"{law.__name__}Section",
@@ -247,14 +249,14 @@ if TYPE_CHECKING:
 
     class ContactSection(Section):
         friction: float | FrictionSection = 0.0
-        contact_law: _LawSection | None = None
+        adhesion: _LawSection | None = None
 else:
     ContactSection = settings_section("ContactSection", __name__)
 
 
 def settings_of(section: ContactSection) -> dict[str, Any]:
     """Return the settings in [contact] as keyword arguments of `Simulation`."""
-    laws = {"friction": friction_of(section.friction), "contact_law": contact_law_of(section)}
+    laws = {"friction": friction_of(section.friction), "adhesion": contact_law_of(section)}
     return section.model_dump() | laws
 
 
@@ -265,7 +267,7 @@ def law_of_section(section: ContactSection) -> FrictionLaw:
 
 def contact_law_of(section: ContactSection) -> ContactLaw:
     """Return the contact law of a section [contact]."""
-    return HardContact() if section.contact_law is None else section.contact_law.build()
+    return HardContact() if section.adhesion is None else section.adhesion.build()
 
 
 class HeatSection(Section):

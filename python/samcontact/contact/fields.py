@@ -129,11 +129,11 @@ class ContactFields(Configured):
         If `shear` is None, s_x and s_y follow from the friction law.
         """
         p = np.ascontiguousarray(finite_array("pressure", pressure, self.grid.surface_shape))
-        attracted = self.contact_law.attracts and self.friction != 0
+        attracted = self.adhesion.attracts and self.friction != 0
         if shear is None and not (attracted or self._law.sticks):
             shear = self._core.shear(p)
         elif shear is None:
-            law = f" and contact_law {self.contact_law!r}" if attracted else ""
+            law = f" and adhesion {self.adhesion!r}" if attracted else ""
             raise ValueError(
                 f"shear is required with friction = {self.friction!r}{law}, got None: the pressure "
                 "does not determine the shear; use the shear of a solution"

@@ -67,7 +67,7 @@ class ContactSolver(ContactFields):
         together.
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
-    contact_law : ContactLaw, optional
+    adhesion : ContactLaw, optional
         Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction acts on
         the repulsive part of the pressure only. Attraction acts over the whole grid, which is not
         enlarged.
@@ -93,7 +93,7 @@ class ContactSolver(ContactFields):
         on_stall: str = ContactSettings.on_stall,
         max_iterations: int = ContactSettings.max_iterations,
         heat: Heat | None = None,
-        contact_law: ContactLaw = ContactSettings.contact_law,
+        adhesion: ContactLaw = ContactSettings.adhesion,
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
@@ -105,7 +105,7 @@ class ContactSolver(ContactFields):
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
-        settings = ContactSettings(friction, tol, on_border, on_stall, max_iterations, contact_law)
+        settings = ContactSettings(friction, tol, on_border, on_stall, max_iterations, adhesion)
         self._configure(settings)
         self._law = settings.law
         self.heat = NO_HEAT if heat is None else heat
@@ -123,7 +123,7 @@ class ContactSolver(ContactFields):
                 f"heat.factor must be 0 in a ContactSolver with partial slip, got "
                 f"{self.heat.factor!r} and friction = {friction!r}: use Simulation"
             )
-        self.contact_law.require_possible(self.heat, {})
+        self.adhesion.require_possible(self.heat, {})
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
@@ -132,7 +132,8 @@ class ContactSolver(ContactFields):
     def _new_core(self) -> Any:
         """Return the solver of the core."""
         setup = self.grid._core, self.body1._core, self.body2._core
-        law, contact = self._law.to_core(), self.contact_law.to_core()
+        adhesion = self.adhesion.resolved(self.grid, self.body1, self.body2)
+        law, contact = self._law.to_core(), adhesion.to_core()
         if self._law.sticks:
             return _core.PartialSlipContact(*setup, law, contact)
         return _core.ContactSolver(*setup, law, self._heating, contact)
@@ -257,7 +258,7 @@ class ContactSolver(ContactFields):
         ConvergenceWarning
             With on_stall="warn", instead of a ConvergenceError: `converged` is False.
         """
-        self.contact_law.require_possible(self.heat, {"advance": advance})
+        self.adhesion.require_possible(self.heat, {"advance": advance})
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )
@@ -330,7 +331,7 @@ def solve_driven(  # warnings show the line two calls up
     if callable(gap) and drive.previous is not None and not fits(drive.previous, initial.grid):
         solver = initial._over(drive.previous.grid.surface_shape)
     window = surfaces.over(solver.grid, contact_strip(bodies))
-    pulled = initial.contact_law.attracts
+    pulled = initial.adhesion.attracts
     setup = hertz_estimate.ContactSetup(window.grid, window.initial_gap, bodies, pulled)
     finding = setup.warn_of_units(
         initial.heat, target, is_loaded=drive.previous is not None, stacklevel=3

@@ -174,9 +174,9 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
             "an energy balance is not available with a layer between the bodies "
             f"(friction = {simulation.friction!r}), whose elastic energy is not computed"
         )
-    if simulation.contact_law.attracts:
+    if simulation.adhesion.attracts:
         return (
-            f"contact_law must not attract, got {simulation.contact_law!r}: the energy stored by "
+            f"adhesion must not attract, got {simulation.adhesion!r}: the energy stored by "
             "attraction is not included in the balance"
         )
     if not all(_have_equal_eigenstrain(*pair) for pair in pairwise(states)):

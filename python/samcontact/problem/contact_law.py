@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, astuple, dataclass, field
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,6 +20,10 @@ from .._util.checks import non_negative, require_type
 from .._util.display import HtmlTable
 from .._util.short_text import in_short
 from ..heat import Heat
+
+if TYPE_CHECKING:
+    from ..bodies.layered import Body
+    from .grid import Grid
 
 
 @dataclass(frozen=True)
@@ -48,6 +52,15 @@ class ContactLaw(HtmlTable):
         """Return the kind of the law and the parameters, as a dictionary."""
         return {"kind": self.kind, **asdict(self)}
 
+    @property
+    def varies(self) -> bool:
+        """Whether the attraction depends on the gap: there may be several solutions."""
+        return False
+
+    def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
+        """Return the law as it is solved on a grid between two bodies."""
+        return self
+
     def require_possible(self, heat: Heat, given: Mapping[str, Any]) -> None:
         """Raise ValueError for arguments that an attractive law does not support.
 
@@ -69,17 +82,17 @@ class ContactLaw(HtmlTable):
         require_type("given", given, Mapping)
         if any(heat.factor) or heat.partition is not None:
             raise ValueError(
-                f"heat is not supported with contact_law = {self!r}, got {in_short(heat)}"
+                f"heat is not supported with adhesion = {self!r}, got {in_short(heat)}"
             )
         if given.get("pressure") is not None:
             raise ValueError(
-                f"pressure cannot be combined with contact_law = {self!r}: with a prescribed "
+                f"pressure cannot be combined with adhesion = {self!r}: with a prescribed "
                 "pressure there is no contact to solve"
             )
         travels: Sequence[float] = given.get("advance", (0.0, 0.0))
         if np.any(travels):
             raise ValueError(
-                f"advance must be (0, 0) with contact_law = {self!r}, got {tuple(travels)!r}: "
+                f"advance must be (0, 0) with adhesion = {self!r}, got {tuple(travels)!r}: "
                 "motion through the grid is not supported with attraction"
             )
 
@@ -120,23 +133,6 @@ class TensileLimit(ContactLaw):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "limit", non_negative("limit", self.limit))
-
-
-LAWS: tuple[type[ContactLaw], ...] = (HardContact, TensileLimit)
-"""Contact laws of case files and checkpoints."""
-
-
-def law_of(tree: Mapping[str, Any]) -> ContactLaw:
-    """Return the contact law that `ContactLaw.to_tree` has stored as a dictionary.
-
-    Raises ValueError for an unknown kind of law, and TypeError for wrong parameters.
-    """
-    parameters = dict(tree)
-    kind = parameters.pop("kind")
-    for law in LAWS:
-        if law.kind == kind:
-            return law(**parameters)
-    raise ValueError(f"kind must be one of {[law.kind for law in LAWS]}, got {kind!r}")
 
 
 def require_law(name: str, value: Any) -> ContactLaw:

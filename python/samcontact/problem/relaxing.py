@@ -24,13 +24,13 @@ def possible_heat(
     """Check the heat of a simulation against its bodies, grid and settings, and return it."""
     heat = checked_heat(given, bodies, grid, settings.law)
     if relaxes(*bodies):
-        _require_possible(bodies, settings.contact_law, heat)
+        _require_possible(bodies, settings.adhesion, heat)
     return heat
 
 
-def _require_possible(bodies: tuple[Body, Body], contact_law: ContactLaw, heat: Heat) -> None:
+def _require_possible(bodies: tuple[Body, Body], adhesion: ContactLaw, heat: Heat) -> None:
     """Raise ValueError for settings that are not supported with viscoelastic bodies."""
-    if contact_law.attracts:
+    if adhesion.attracts:
         require_no_relaxation("attraction of viscoelastic bodies is not supported", *bodies)
     for name in ("history", "partition"):
         if getattr(heat, name) is not None:

@@ -89,7 +89,7 @@ class FrictionSetting(RangeSetting):
 
 @dataclass(frozen=True)
 class ContactLawSetting:
-    """Range of the setting `contact_law`: any contact law."""
+    """Range of the setting `adhesion`: any contact law."""
 
     def check(self, name: str, value: Any) -> ContactLaw:
         return require_law(name, value)
@@ -117,7 +117,7 @@ class ContactSettings:
     on_border: str = _setting("error", ChoiceSetting(("error", "warn")))
     on_stall: str = _setting("error", ChoiceSetting(("error", "warn")))
     max_iterations: int = _setting(5000, CountSetting())
-    contact_law: ContactLaw = _setting(HardContact(), ContactLawSetting())  # noqa: RUF009 (a field)
+    adhesion: ContactLaw = _setting(HardContact(), ContactLawSetting())  # noqa: RUF009 (a field)
 
     def __post_init__(self) -> None:
         for item in fields(self):
@@ -170,7 +170,7 @@ class Settings(ContactSettings):
     def to_core(self, dx: float) -> _core.Settings:
         """Return the settings for the core; dx: cell size along x [m]."""
         given = self.arguments()
-        del given["friction"], given["contact_law"]  # passed separately
+        del given["friction"], given["adhesion"]  # passed separately
         given["increment_tol"] = self.increment_tol or 0.0
         given["one_zone"] = given.pop("zones") == "one"
         given["reach"] = round(in_cells("reach", given["reach"], dx))
@@ -185,7 +185,7 @@ class Configured(FixedAttributes):
     on_border: str
     on_stall: str
     max_iterations: int
-    contact_law: ContactLaw
+    adhesion: ContactLaw
     _settings: ContactSettings
 
     def _configure(self, settings: ContactSettings) -> None:

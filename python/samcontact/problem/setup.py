@@ -38,9 +38,13 @@ class SimulationSetup:
         return self.settings.law
 
     @property
-    def contact_law(self) -> ContactLaw:
+    def adhesion(self) -> ContactLaw:
         """Contact law (hard contact or an attractive law)."""
-        return self.settings.contact_law
+        return self.settings.adhesion
+
+    def resolved_adhesion(self, grid: Grid) -> ContactLaw:
+        """Return the contact law as it is solved on a grid."""
+        return self.adhesion.resolved(grid, self.body1, self.body2)
 
     def on_grid(self, grid: Grid, heat: Heat) -> dict[str, Any]:
         """Return the arguments of `Simulation`, with the surfaces as the user gave them."""

@@ -171,7 +171,7 @@ def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:
 
 def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
     add(dataset, "pressure", _SURFACE, np.stack([s.pressure for s in states]))
-    if simulation.contact_law.attracts:
+    if simulation.adhesion.attracts:
         add(dataset, "repulsion", _SURFACE, np.stack([s.repulsion for s in states]))
         energy = [state.attraction_energy for state in states]
         add(dataset, "attraction_energy", "increment", energy)
@@ -335,10 +335,10 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }
-    if simulation.contact_law.attracts:
-        tree = simulation.contact_law.to_tree()
-        attributes["contact_law"] = tree.pop("kind")
-        attributes |= {f"contact_law_{name}": value for name, value in tree.items()}
+    if simulation.adhesion.attracts:
+        tree = simulation.adhesion.to_tree()
+        attributes["adhesion"] = tree.pop("kind")
+        attributes |= {f"adhesion_{name}": value for name, value in tree.items()}
     if simulation.grid.periodic:
         attributes["periodic"] = simulation.grid.periodic
     if simulation.grid.dz is not None:

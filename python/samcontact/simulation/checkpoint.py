@@ -12,7 +12,7 @@ from .._util.short_text import in_short
 from ..bodies.layered import Body, Layered
 from ..bodies.material import Material
 from ..heat import Heat
-from ..problem import contact_law
+from ..problem import adhesion_laws
 from ..problem.friction import friction_law, law_of
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
@@ -62,7 +62,7 @@ def _setup_tree(given: Mapping[str, Any]) -> Tree:
         "settings": {item.name: given[item.name] for item in fields(Settings)}
         | {
             "friction": friction_law(given["friction"]).to_tree(),
-            "contact_law": given["contact_law"].to_tree(),
+            "adhesion": given["adhesion"].to_tree(),
         },
         "heat": asdict(given["heat"]),
         "gap": given["gap"],
@@ -109,7 +109,7 @@ def _arguments(setup: Tree, *laws: Any) -> dict[str, Any]:
             f"{', '.join(given) or 'none'}"
         )
     given["friction"] = law_of(given["friction"])
-    given["contact_law"] = contact_law.law_of(given["contact_law"])
+    given["adhesion"] = adhesion_laws.law_of(given["adhesion"])
     given["heat"] = Heat(**setup["heat"])
     given["grid"] = Grid(**setup["grid"])
     for name, law in zip(("body1", "body2"), laws, strict=True):

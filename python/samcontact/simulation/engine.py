@@ -72,7 +72,7 @@ class Engine:
             prepare(core)
         setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
-        relieved = relieved or setup.contact_law.attracts
+        relieved = relieved or setup.adhesion.attracts
         self.estimate = ContactSetup(grid, domain.initial_gap, setup.bodies, relieved)
         self._arguments = StepArguments(grid, setup.bodies, setup.friction)
         self.domain, self.core = domain, core
@@ -90,7 +90,7 @@ class Engine:
             march=self.heat.march,
             softening=self._laws,
             reliefs=reliefs,
-            contact_law=setup.contact_law.to_core(),
+            contact_law=setup.resolved_adhesion(grid).to_core(),
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
@@ -129,7 +129,7 @@ class Engine:
             while True:
                 step = self._arguments.checked(self.heat, **given, held_tilt=self.core.tilt)
                 target = step.target
-                self.setup.contact_law.require_possible(step.heat, given)
+                self.setup.adhesion.require_possible(step.heat, given)
                 if monitor.checks_steps:
                     monitor.warn_of_units(self.estimate, step.heat, target, stacklevel=4)
                 if target and not any(step.heat.shares):
@@ -216,7 +216,7 @@ class Engine:
             return _FIXED
         if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
             return "the grid cannot be enlarged with heat.history or thermal softening"
-        if setup.contact_law.attracts:
+        if setup.adhesion.attracts:
             return "the grid cannot be enlarged with a contact law that attracts"
         if not setup.surfaces.are_known:
             return ENLARGEMENT_HINT

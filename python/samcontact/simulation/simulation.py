@@ -86,7 +86,7 @@ class Simulation(Configured, HtmlTable):
         Topography (roughness, dents) moving with body 1 or 2, or a function from Grid to Relief.
     reach : float, optional
         Distance beyond the grid along x up to which plastic strain acts [m]. Default: grid length.
-    contact_law : ContactLaw, optional
+    adhesion : ContactLaw, optional
         Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0.
 
     Raises
@@ -131,7 +131,7 @@ class Simulation(Configured, HtmlTable):
         relief1: Relief | Callable[[Grid], Relief] | None = None,
         relief2: Relief | Callable[[Grid], Relief] | None = None,
         reach: float | None = Settings.reach,
-        contact_law: ContactLaw = Settings.contact_law,
+        adhesion: ContactLaw = Settings.adhesion,
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
@@ -141,7 +141,7 @@ class Simulation(Configured, HtmlTable):
             friction=friction, tol=tol, increment_tol=increment_tol, on_border=on_border,
             on_stall=on_stall, max_iterations=max_iterations, residual_stress=residual_stress,
             image_tol=image_tol, zones="one" if layered else zones,
-            reach=grid.nx * grid.dx if reach is None else reach, contact_law=contact_law,
+            reach=grid.nx * grid.dx if reach is None else reach, adhesion=adhesion,
         )  # fmt: skip
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)

@@ -95,7 +95,7 @@ class SurfaceState(SlipRateState, ViscousState):
 
         In hard contact it equals the pressure.
         """
-        if not self.setup.contact_law.attracts:
+        if not self.setup.adhesion.attracts:
             return self.pressure
         field: FloatArray = self._core.repulsion()
         field.flags.writeable = False

@@ -378,5 +378,5 @@ def test_arrays_are_shown_by_shape_and_range():
     grid = sc.Grid(4, 4, 1e-6, 1e-6)
     assert repr(sc.ContactSolver(grid, sc.Material.rigid(), BALL, tol=1e-6)).endswith(
         "friction=0.0, tol=1e-06, on_border='error', on_stall='error', "
-        "max_iterations=5000, contact_law=HardContact(), heat=Heat(factor=(0.0, 0.0)))"
+        "max_iterations=5000, adhesion=HardContact(), heat=Heat(factor=(0.0, 0.0)))"
     )

@@ -43,7 +43,7 @@ def test_defaults_and_steps(write):
         "on_border": "error",
         "on_stall": "error",
         "max_iterations": 60,
-        "contact_law": None,
+        "adhesion": None,
         "increment_tol": None,
         "residual_stress": "fast",
         "image_tol": 1e-3,

@@ -240,7 +240,7 @@ def test_every_field_of_every_section_is_tried():
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
-        "contact_law capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
+        "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
         "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
         "dents particles random"
     )

@@ -10,7 +10,7 @@ from samcontact.cases import CaseError, parse_case
 from samcontact.commands.solve_contact import solve_contact
 from samcontact.results import open_results
 
-LAW = 'contact_law = {kind = "tensile_limit", limit = "0.5 MPa"}'
+LAW = 'adhesion = {kind = "tensile_limit", limit = "0.5 MPa"}'
 
 
 def case(*segments, contact=LAW, more=""):
@@ -21,19 +21,19 @@ def case(*segments, contact=LAW, more=""):
 def test_contact_laws_reach_the_simulation():
     loads = "load = 600.0\nincrements = 1", "load = -0.01\nincrements = 1"
     simulation, _ = case(*loads).build()
-    assert simulation.contact_law == sc.TensileLimit(5e5)
-    hard = case(loads[0], contact='contact_law = {kind = "hard"}').build()[0]
-    assert hard.contact_law == case(loads[0], contact="").build()[0].contact_law
-    assert hard.contact_law == sc.HardContact()
+    assert simulation.adhesion == sc.TensileLimit(5e5)
+    hard = case(loads[0], contact='adhesion = {kind = "hard"}').build()[0]
+    assert hard.adhesion == case(loads[0], contact="").build()[0].adhesion
+    assert hard.adhesion == sc.HardContact()
 
 
 @pytest.mark.parametrize(
     ("contact", "message"),
     [
-        ('contact_law = {kind = "soft"}', "kind"),
-        ('contact_law = {kind = "tensile_limit"}', "limit"),
-        ('contact_law = {kind = "tensile_limit", limit = "-1 MPa"}', "limit"),
-        ('contact_law = {kind = "tensile_limit", limit = "1 N"}', "limit"),
+        ('adhesion = {kind = "soft"}', "kind"),
+        ('adhesion = {kind = "tensile_limit"}', "limit"),
+        ('adhesion = {kind = "tensile_limit", limit = "-1 MPa"}', "limit"),
+        ('adhesion = {kind = "tensile_limit", limit = "1 N"}', "limit"),
     ],
 )
 def test_laws_are_checked(contact, message):
@@ -58,8 +58,8 @@ def test_a_run_stores_law_and_repulsion(tmp_path):
     console = Console(width=200)
     solve_contact(case(*loads), tmp_path, console, figures=False, animate=False, resume=False)
     with open_results(tmp_path / "results.nc") as found:
-        assert found.attrs["contact_law"] == "tensile_limit"
-        assert found.attrs["contact_law_limit"] == 5e5
+        assert found.attrs["adhesion"] == "tensile_limit"
+        assert found.attrs["adhesion_limit"] == 5e5
         assert float(found["load"][-1]) == pytest.approx(-0.01)
         pulled = found["pressure"].values + 5e5
         assert abs(found["repulsion"].values - pulled).max() < 1e-9 * pulled.max()

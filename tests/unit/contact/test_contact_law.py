@@ -35,7 +35,7 @@ def area(grid):
 
 
 def solver(grid, law, friction=0.0, bodies=(STEEL, SOFT), **more):
-    return sc.ContactSolver(grid, *bodies, friction, tol=TOL, contact_law=law, **more)
+    return sc.ContactSolver(grid, *bodies, friction, tol=TOL, adhesion=law, **more)
 
 
 def same(found, expected, rtol=1e-7):
@@ -167,11 +167,11 @@ def test_options_unsupported_with_attraction_are_refused():
     law = sc.TensileLimit(LIMIT)
     warm = sc.Material.elastic(210e9, 0.3).with_thermal(50.0, 1e-5, 1e-5)
     heat = sc.Heat(0.1)
-    with pytest.raises(ValueError, match="heat is not supported with contact_law"):
+    with pytest.raises(ValueError, match="heat is not supported with adhesion"):
         solver(FREE, law, 0.1, (warm, SOFT), heat=heat)
     of = solver(FREE, law, sc.Coulomb(0.3))
     first = of.solve(surfaces.paraboloid(FREE, 1e-3), load=0.01)
-    with pytest.raises(ValueError, match=re.escape("advance must be (0, 0) with contact_law")):
+    with pytest.raises(ValueError, match=re.escape("advance must be (0, 0) with adhesion")):
         of.solve(surfaces.paraboloid(FREE, 1e-3), load=0.01, previous=first, advance=(-1e-6, -1e-6))
     with pytest.raises(ValueError, match=r"shear is required with friction = 0\.2 and contact"):
         solver(FREE, law, 0.2).displacement(np.ones(FREE.surface_shape))
@@ -191,8 +191,8 @@ def test_limits_are_checked(limit):
 
 
 def test_laws_are_types():
-    with pytest.raises(TypeError, match=r"contact_law must be a samcontact\.ContactLaw"):
+    with pytest.raises(TypeError, match=r"adhesion must be a samcontact\.ContactLaw"):
         solver(FREE, 5e7)
     of = pickle.loads(pickle.dumps(solver(FREE, sc.TensileLimit(LIMIT))))
-    assert of.contact_law == sc.TensileLimit(LIMIT)
-    assert "contact_law=TensileLimit(limit=50000000.0)" in repr(of)
+    assert of.adhesion == sc.TensileLimit(LIMIT)
+    assert "adhesion=TensileLimit(limit=50000000.0)" in repr(of)

@@ -50,7 +50,7 @@ def test_a_moment_on_a_paraboloid_moves_the_contact():
         {},
         {"friction": 0.4, "body2": SOFT},
         {"friction": sc.Coulomb(0.3), "body2": SOFT},
-        {"contact_law": sc.TensileLimit(5e6)},
+        {"adhesion": sc.TensileLimit(5e6)},
         {"body2": sc.Layered([(SOFT, 40e-6)], STEEL)},
     ],
     ids=["elastic", "sliding", "partial slip", "tensile limit", "layered"],

@@ -10,7 +10,7 @@ import pytest
 
 import samcontact as sc
 from samcontact.cases import AsperityCase, Case
-from samcontact.problem.contact_law import LAWS
+from samcontact.problem.adhesion_laws import LAWS
 from samcontact.problem.settings import (
     ChoiceSetting,
     ContactLawSetting,
@@ -93,11 +93,11 @@ def test_arguments_have_these_names_and_defaults(kind, made):
 )
 def test_case_files_have_these_names_defaults_and_ranges(case, others):
     section = type(case.model_fields["contact"].default)
-    expected = asdict(Settings()) | {"contact_law": None} | others
+    expected = asdict(Settings()) | {"adhesion": None} | others
     if "friction" in others:
-        del expected["friction"], expected["contact_law"]
+        del expected["friction"], expected["adhesion"]
     assert section().model_dump() == expected
-    for name in expected.keys() - {"contact_law"}:
+    for name in expected.keys() - {"adhesion"}:
         limits = allowed(Settings)[name]
         given = beyond(limits) if isinstance(limits, RangeSetting) else ["no", 0]
         for value in given:
@@ -142,7 +142,7 @@ def test_given_settings_are_shown_and_stored(tmp_path):
     given = {
         "friction": 0.1, "tol": 1e-5, "on_border": "warn", "on_stall": "warn", "max_iterations": 9,
         "increment_tol": 1e-3, "residual_stress": "exact", "image_tol": 1e-2, "zones": "one",
-            "reach": 2e-5, "contact_law": sc.HardContact(),
+            "reach": 2e-5, "adhesion": sc.HardContact(),
     }  # fmt: skip
     assert set(given) == {item.name for item in fields(Settings)}
     body = sc.Material.elastic(1e11, 0.3)

@@ -30,10 +30,10 @@ def area(grid):
 def test_a_path_of_loads_is_that_of_single_contacts():
     grid = grid_of()
     gap, pull = rough(grid), LIMIT * area(grid)
-    simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW, tol=1e-9)
+    simulation = sc.Simulation(grid, STEEL, SOFT, gap, adhesion=LAW, tol=1e-9)
     assert simulation.state.load == pytest.approx(-pull, rel=1e-12)
     assert not simulation.state.in_contact.any()
-    solver = sc.ContactSolver(grid, STEEL, SOFT, contact_law=LAW, tol=1e-10)
+    solver = sc.ContactSolver(grid, STEEL, SOFT, adhesion=LAW, tol=1e-10)
     for share in (0.5, -0.5, 0.0, -0.9):
         state = simulation.step(load=share * pull)
         one = solver.solve(gap, load=share * pull)
@@ -50,8 +50,8 @@ def test_work_is_stored_as_energy():
     """The work of the load equals the elastic energy plus the work of the attraction."""
     grid = grid_of()
     gap = rough(grid)
-    simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW, tol=1e-10)
-    solver = sc.ContactSolver(grid, STEEL, SOFT, contact_law=LAW)
+    simulation = sc.Simulation(grid, STEEL, SOFT, gap, adhesion=LAW, tol=1e-10)
+    solver = sc.ContactSolver(grid, STEEL, SOFT, adhesion=LAW)
 
     def stored(state):
         u = sum(solver.displacement(state.pressure, body=body)[2] for body in (1, 2))
@@ -73,7 +73,7 @@ def test_flow_is_that_of_the_computed_pressure():
     """Plastic strain and gap equal those due to the prescribed tractions of the increment."""
     grid = grid_of(dz=1e-6)
     gap, load = rough(grid), -0.2 * LIMIT * area(grid)
-    simulation = sc.Simulation(grid, sc.Material.rigid(), YIELDS, gap, contact_law=LAW, tol=1e-8)
+    simulation = sc.Simulation(grid, sc.Material.rigid(), YIELDS, gap, adhesion=LAW, tol=1e-8)
     state = simulation.step(load=load)
     assert state.max_equivalent_plastic_strain() > 1e-5
     assert state.pressure.min() == pytest.approx(-LIMIT, rel=1e-12)
@@ -94,7 +94,7 @@ def test_flow_is_that_of_the_computed_pressure():
 def test_no_limit_is_hard_contact_to_every_digit():
     grid = grid_of(dz=1e-6)
     states = [
-        sc.Simulation(grid, sc.Material.rigid(), YIELDS, rough(grid), contact_law=law).step(
+        sc.Simulation(grid, sc.Material.rigid(), YIELDS, rough(grid), adhesion=law).step(
             load=1e-2
         )
         for law in (sc.TensileLimit(0.0), sc.HardContact())
@@ -106,44 +106,44 @@ def test_no_limit_is_hard_contact_to_every_digit():
 
 def test_checkpoints_and_results_contain_the_law(tmp_path):
     grid = grid_of()
-    simulation = sc.Simulation(grid, STEEL, SOFT, rough(grid), contact_law=LAW)
+    simulation = sc.Simulation(grid, STEEL, SOFT, rough(grid), adhesion=LAW)
     state = simulation.step(load=0.0)
     simulation.save(tmp_path / "kept.h5")
     again = sc.Simulation.load(tmp_path / "kept.h5")
-    assert again.contact_law == LAW
+    assert again.adhesion == LAW
     np.testing.assert_array_equal(again.state.repulsion, state.repulsion)
     np.testing.assert_array_equal(
         again.step(load=1e-3).pressure, simulation.step(load=1e-3).pressure
     )
     dataset = to_dataset(simulation, [state])
-    assert dataset.attrs["contact_law"] == "tensile_limit"
-    assert dataset.attrs["contact_law_limit"] == LIMIT
+    assert dataset.attrs["adhesion"] == "tensile_limit"
+    assert dataset.attrs["adhesion_limit"] == LIMIT
     np.testing.assert_array_equal(dataset["repulsion"].values[0], state.repulsion)
     assert float(dataset["attraction_energy"][0]) == state.attraction_energy > 0
     hard = sc.Simulation(grid, STEEL, SOFT, rough(grid))
     found = to_dataset(hard, [hard.step(load=1e-3)])
     assert "repulsion" not in found
-    assert "contact_law" not in found.attrs
+    assert "adhesion" not in found.attrs
 
 
 def test_options_unsupported_with_attraction_are_refused():
     grid = sc.Grid(17, 17, 1e-6, 1e-6)
     gap = surfaces.paraboloid(grid, 1e-3)
-    simulation = sc.Simulation(grid, STEEL, SOFT, gap, contact_law=LAW)
-    with pytest.raises(ValueError, match="pressure cannot be combined with contact_law"):
+    simulation = sc.Simulation(grid, STEEL, SOFT, gap, adhesion=LAW)
+    with pytest.raises(ValueError, match="pressure cannot be combined with adhesion"):
         simulation.step(pressure=np.zeros(grid.surface_shape))
     with pytest.raises(ValueError, match="advance must be"):
         simulation.step(load=1e-3, advance=(1e-6, 1e-6))
-    sliding = sc.Simulation(grid, STEEL, SOFT, gap, sc.Coulomb(0.2), contact_law=LAW)
+    sliding = sc.Simulation(grid, STEEL, SOFT, gap, sc.Coulomb(0.2), adhesion=LAW)
     states = [sliding.step(load=1e-3)]
-    with pytest.raises(ValueError, match="contact_law must not attract"):
+    with pytest.raises(ValueError, match="adhesion must not attract"):
         sc.energy.balance(sliding, states)
 
 
 def test_the_grid_of_attracting_bodies_is_not_enlarged():
     grid = sc.Grid(9, 9, 1e-6, 1e-6)
     simulation = sc.Simulation(
-        grid, STEEL, SOFT, lambda over: surfaces.paraboloid(over, 1e-3), contact_law=LAW
+        grid, STEEL, SOFT, lambda over: surfaces.paraboloid(over, 1e-3), adhesion=LAW
     )
     with pytest.raises(sc.GridTooSmallError, match="with a contact law that attracts"):
         simulation.step(load=0.05)

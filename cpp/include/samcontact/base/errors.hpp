@@ -26,6 +26,19 @@ class StalledError : public ConvergenceError {
   using ConvergenceError::ConvergenceError;
 };
 
+/// Error if a load pulls two surfaces more than their adhesion bears.
+class PullOffError : public ConvergenceError {
+ public:
+  PullOffError(const std::string& what, int iterations, double force, double approach)
+      : ConvergenceError(what, iterations, 0.0), force_(force), approach_(approach) {}
+  /// Largest tension reached [N], and its approach [m].
+  double force() const { return force_; }
+  double approach() const { return approach_; }
+
+ private:
+  double force_, approach_;
+};
+
 /// Error if a contact does not fit into the grid.
 class GridTooSmallError : public std::invalid_argument {
  public:

@@ -2,12 +2,14 @@
 // Solver for the contact of two elastic bodies: from a drive to tractions and a rigid-body motion.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 #include "samcontact/contact/laws/friction_law.hpp"
+#include "samcontact/contact/normal/adhesive_contact.hpp"
 #include "samcontact/contact/normal/complementarity.hpp"
 #include "samcontact/contact/normal/multilevel.hpp"
 #include "samcontact/operators/surface/surface_influence.hpp"
@@ -79,12 +81,16 @@ class ContactSolver {
                       const ContactSettings& settings) const;
   Solution solve_coupled(const Field& gap, const Drive& drive, Field pressure,
                          const ContactSettings& settings) const;
+  /// With attraction that depends on the gap.
+  Solution solve_adhesive(const Field& gap, const Drive& drive, const Field& initial_pressure,
+                          const ContactSettings& settings) const;
 
   Grid grid_;
   FrictionLaw friction_;
   SharedContactLaw law_;
   bool heated_;
   Multilevel multilevel_;
+  std::unique_ptr<const AdhesiveContact> adhesive_;  // null: the law does not vary with the gap
 };
 
 }  // namespace samcontact::contact

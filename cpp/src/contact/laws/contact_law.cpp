@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/contact/laws/contact_law.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -8,6 +9,8 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/law_parameters.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/contact/laws/adhesion.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -27,6 +30,9 @@ class TensileLimit final : public ContactLaw {
   double limit_;  // [Pa]
 };
 
+/// Error of the pressure relative to its maximum, at the loosest tolerance of an adhesive contact.
+constexpr double error_fraction = 1e-5;
+
 using Make = std::function<SharedContactLaw(const std::vector<double>& parameters)>;
 
 const std::map<std::string, Make>& laws() {
@@ -34,6 +40,10 @@ const std::map<std::string, Make>& laws() {
       {"hard", [](const auto&) { return hard_contact(); }},
       {"tensile_limit",
        [](const auto& limit) { return std::make_shared<const TensileLimit>(limit.at(0)); }},
+      {"exponential", [](const auto& p) { return exponential_adhesion(p.at(0), p.at(1)); }},
+      {"dugdale", [](const auto& p) { return dugdale_adhesion(p.at(0), p.at(1), p.at(2)); }},
+      {"lennard_jones", [](const auto& p) { return lennard_jones_adhesion(p.at(0), p.at(1)); }},
+      {"tabulated", [](const auto& p) { return tabulated_adhesion(p); }},
   };
   return laws;
 }
@@ -64,6 +74,10 @@ Field attraction(const ContactLaw& law, const Field& gap) {
 Field repulsion(const ContactLaw& law, Field pressure, const Field& gap) {
   if (!law.attracts()) return pressure;
   for (std::size_t i = 0; i < pressure.size(); ++i) pressure[i] += law.attraction(gap[i]);
+  if (!law.varies()) return pressure;
+  const double largest = std::max(
+      law.largest_attraction(), largest_of(pressure.size(), [&](std::size_t i) { return pressure[i]; }));
+  for (double& r : pressure) r = r > error_fraction * largest ? r : 0.0;
   return pressure;
 }
 

@@ -15,9 +15,14 @@ namespace samcontact::simulation {
 
 namespace {
 
-/// Initial state of surfaces with attraction: separated, just before contact.
+/// Initial state of surfaces with attraction: separated, just before contact under the maximum
+/// tension; if the attraction decreases with the gap, so far that it is negligible.
 void part(State& state) {
   const Setup& setup = state.setup();
+  if (setup.contact_law->varies()) {
+    state.approach -= setup.contact_law->reach();
+    return;
+  }
   const Field pull = contact::attraction(*setup.contact_law, setup.initial_gap);
   contact::add_scaled(-1.0, pull, state.tractions.pressure);
   state.load =

@@ -3,6 +3,7 @@
 // contact. No other code compares a pressure with zero.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,11 +25,19 @@ class ContactLaw {
   virtual double attraction(double gap) const = 0;
   /// Maximum of the attraction a(g) [Pa].
   virtual double largest_attraction() const = 0;
+  /// Decrease of the attraction per distance, -a'(g) [Pa/m].
+  virtual double fall(double /*gap*/) const { return 0.0; }
+  /// Maximum of the fall [Pa/m]; 0 if the attraction does not depend on the gap.
+  virtual double steepest_fall() const { return 0.0; }
+  /// Gap beyond which the attraction is negligible [m]; infinite if there is none.
+  virtual double reach() const { return std::numeric_limits<double>::infinity(); }
   /// Work against the attraction from closed to a gap, the integral of a(g) [J/m^2]; 0 at an
   /// infinite gap.
   virtual double energy(double gap) const = 0;
 
   bool attracts() const { return largest_attraction() > 0; }
+  /// Whether the attraction depends on the gap: the contact may then have several solutions.
+  bool varies() const { return steepest_fall() > 0; }
 
  protected:
   ContactLaw() = default;
@@ -58,6 +67,7 @@ SharedContactLaw contact_law(const std::string& kind, const std::vector<double>&
 Field attraction(const ContactLaw& law, const Field& gap);
 
 /// Pressure plus the attraction at the gap [Pa]; the gap is not read if the law has no attraction.
+/// If the attraction depends on the gap, a repulsion below the error of the pressure is zero.
 Field repulsion(const ContactLaw& law, Field pressure, const Field& gap);
 
 }  // namespace samcontact::contact

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Frictionless contact with an attraction that depends on the gap: several states may be in
+// equilibrium; the solver follows the branch of its start.
+#pragma once
+
+#include "samcontact/base/errors.hpp"
+#include "samcontact/contact/normal/adhesive_surface.hpp"
+#include "samcontact/contact/normal/complementarity.hpp"
+
+namespace samcontact::contact {
+
+class AdhesiveContact {
+ public:
+  AdhesiveContact(const Grid& grid, const operators::SurfaceInfluence& influence,
+                  SharedContactLaw law);
+
+  /// Solution with tension as negative pressure, on the branch of the initial pressure; zero
+  /// everywhere: from undeformed surfaces. An approach is reached in one descent of the energy; a
+  /// load by a search for its approach. Throws PullOffError and ConvergenceError.
+  Solution solve(const Field& gap, const Drive& drive, const Field& initial_pressure, double tol,
+                 int max_iterations) const;
+
+ private:
+  AdhesiveSurface surface_;
+  SharedContactLaw law_;
+};
+
+}  // namespace samcontact::contact

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Laws of adhesion: attraction between surfaces that decreases with the gap."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _core
+from .._util.checks import finite_array, positive, require_type
+from .._util.display import HtmlTable, quantity
+from ..bodies.layered import Body, require_bodies
+from .contact_law import ContactLaw, HardContact, TensileLimit
+from .grid import Grid
+
+RESOLVED = 0.5
+"""Resolution number kappa of a range that is refined to the grid."""
+MAX_RESOLVED, MAX_SOLVABLE = 0.6, 1.0
+"""Resolution number kappa above which a warning is issued, and above which the law is refused."""
+
+
+@dataclass(frozen=True)
+class Adhesion(ContactLaw):
+    """Adhesion, for `ContactSolver` and `Simulation`: attraction a(g) with a work of adhesion.
+
+    The pressure is p = r - a(g) with a repulsion r >= 0 where the gap g is zero. The integral of a
+    over g is the work of adhesion w [J/m^2]. Several states may be in equilibrium; a solve follows
+    the branch of its start, and jumps where this branch ends (pull-in, pull-off). Use one of the
+    constructors `exponential`, `dugdale`, `lennard_jones`, `tabulated` and `jkr`.
+
+    A law is resolved if kappa = K0 s <= 0.6, where K0 is the displacement of a cell due to a unit
+    pressure on it and s the steepest fall of the attraction with the gap: with larger cells, single
+    cells jump. Above 0.6 a ResolutionWarning is issued; above 1 the law is refused. With the range
+    None, the law is refined to the grid: the shortest range for which kappa = 0.5.
+    """
+
+    @staticmethod
+    def exponential(w: float, range: float | None = None) -> ExponentialAdhesion:
+        """Return the law a = w/range exp(-g/range).
+
+        w: work of adhesion [J/m^2]; range [m], None: refined to the grid. Rey, Anciaux & Molinari
+        (2017, doi:10.1007/s00466-017-1392-5). Raises ValueError for values that are not > 0.
+        """
+        return ExponentialAdhesion(w, range)
+
+    @staticmethod
+    def jkr(w: float) -> ExponentialAdhesion:
+        """Return the exponential law with the shortest range that the grid resolves.
+
+        w: work of adhesion [J/m^2]. In the limit of small cells, the contact is that of Johnson,
+        Kendall & Roberts (1971, doi:10.1098/rspa.1971.0141).
+        """
+        return ExponentialAdhesion(w)
+
+    @staticmethod
+    def dugdale(w: float, stress: float) -> DugdaleAdhesion:
+        """Return the law of Maugis (1992, doi:10.1016/0021-9797(92)90285-T) with a resolved drop.
+
+        w: work of adhesion [J/m^2]; stress: constant attraction [Pa] up to a gap near w/stress,
+        around which it falls to zero over the shortest distance that the grid resolves.
+        """
+        return DugdaleAdhesion(w, stress)
+
+    @staticmethod
+    def lennard_jones(w: float, z0: float) -> LennardJonesAdhesion:
+        """Return a = 8 w/(3 z0) [(1 + g/z0)^-3 - (1 + g/z0)^-9], with a hard wall at z0.
+
+        w: work of adhesion [J/m^2]; z0: equilibrium distance of the half-spaces [m].
+        """
+        return LennardJonesAdhesion(w, z0)
+
+    @staticmethod
+    def tabulated(gap: ArrayLike, stress: ArrayLike) -> TabulatedAdhesion:
+        """Return a piecewise linear law.
+
+        gap: increasing, the first 0 [m]; stress: attraction >= 0 [Pa], the last 0. Raises
+        ValueError for other values.
+        """
+        gaps = finite_array("gap", gap, (len(np.atleast_1d(np.asarray(gap, dtype=float))),))
+        stresses = finite_array("stress", stress, gaps.shape)
+        return TabulatedAdhesion(tuple(gaps.tolist()), tuple(stresses.tolist()))
+
+    def on(self, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion:
+        """Return the law as it is solved on a grid, with its range, kappa and Tabor number."""
+        require_type("grid", grid, Grid)
+        require_bodies(body1, body2)
+        cores = body1._core, body2._core
+        influence = _core.self_influence(grid._core, *cores)
+        alone = Grid(1, 1, grid.dx, grid.dy)
+        ratio = grid.dy / grid.dx
+        shape = grid.dx * math.asinh(ratio) + grid.dy * math.asinh(1.0 / ratio)
+        modulus = 2.0 * shape / (math.pi * _core.self_influence(alone._core, *cores))
+        law = self._refined(influence)
+        return ResolvedAdhesion(law, influence * law.steepest_fall, law != self, modulus, grid)
+
+    def _refined(self, influence: float) -> Adhesion:
+        """Return the law with the range that the grid resolves, if none is given.
+
+        influence: displacement of a cell due to a unit pressure on it [m/Pa].
+        """
+        return self
+
+    @property
+    def attracts(self) -> bool:
+        """True: the surfaces attract each other."""
+        return True
+
+    @property
+    def varies(self) -> bool:
+        """True: the attraction depends on the gap."""
+        return True
+
+    def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
+        """Return the law with the range that the grid resolves.
+
+        Raises ValueError if the cells are so large that single cells would jump.
+        """
+        found = self.on(grid, body1, body2)
+        if found.kappa > MAX_SOLVABLE:
+            raise ValueError(
+                f"adhesion must be resolved by the grid, got kappa = {found.kappa:.3g} > "
+                f"{MAX_SOLVABLE:g} for {self!r}: use cells of at most {found.finer} (dx, dy), a "
+                "longer range, or range=None for the shortest range that this grid resolves"
+            )
+        return found.law
+
+    @property
+    def steepest_fall(self) -> float:
+        """Steepest decrease of the attraction with the gap [Pa/m]."""
+        return float(self.to_core().steepest_fall)
+
+    @property
+    def peak(self) -> float:
+        """Largest attraction [Pa]."""
+        return float(self.to_core().largest_attraction)
+
+
+@dataclass(frozen=True)
+class ExponentialAdhesion(Adhesion):
+    """Exponential law of adhesion; see `Adhesion.exponential`."""
+
+    kind: ClassVar[str] = "exponential"
+    w: float = field(metadata={"unit": "J/m^2"})
+    range: float | None = field(default=None, metadata={"unit": "m"})
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "w", positive("w", self.w))
+        if self.range is not None:
+            object.__setattr__(self, "range", positive("range", self.range))
+
+    def _refined(self, influence: float) -> Adhesion:
+        if self.range is not None:
+            return self
+        return replace(self, range=math.sqrt(self.w * influence / RESOLVED))
+
+
+@dataclass(frozen=True)
+class DugdaleAdhesion(Adhesion):
+    """Law of constant attraction; see `Adhesion.dugdale`."""
+
+    kind: ClassVar[str] = "dugdale"
+    w: float = field(metadata={"unit": "J/m^2"})
+    stress: float = field(metadata={"unit": "Pa"})
+    drop: float | None = field(default=None, metadata={"unit": "m"})
+    """Distance within which the attraction falls to zero [m]."""
+
+    def __post_init__(self) -> None:
+        for name in ("w", "stress"):
+            object.__setattr__(self, name, positive(name, getattr(self, name)))
+        if self.drop is not None:
+            object.__setattr__(self, "drop", positive("drop", self.drop))
+
+    def _refined(self, influence: float) -> Adhesion:
+        if self.drop is not None:
+            return self
+        drop = influence * self.stress / RESOLVED
+        return replace(self, drop=min(drop, 2.0 * self.w / self.stress))
+
+
+@dataclass(frozen=True)
+class LennardJonesAdhesion(Adhesion):
+    """9-3 law of adhesion; see `Adhesion.lennard_jones`."""
+
+    kind: ClassVar[str] = "lennard_jones"
+    w: float = field(metadata={"unit": "J/m^2"})
+    z0: float = field(metadata={"unit": "m"})
+
+    def __post_init__(self) -> None:
+        for name in ("w", "z0"):
+            object.__setattr__(self, name, positive(name, getattr(self, name)))
+
+
+@dataclass(frozen=True)
+class TabulatedAdhesion(Adhesion):
+    """Piecewise linear law of adhesion; see `Adhesion.tabulated`."""
+
+    kind: ClassVar[str] = "tabulated"
+    gap: Sequence[float] = field(metadata={"unit": "m", "many": True})
+    stress: Sequence[float] = field(metadata={"unit": "Pa", "many": True})
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "gap", tuple(map(float, self.gap)))
+        object.__setattr__(self, "stress", tuple(map(float, self.stress)))
+        if len(self.gap) != len(self.stress):
+            raise ValueError(
+                f"gap and stress must have the same length, got {len(self.gap)} and "
+                f"{len(self.stress)}"
+            )
+        self.to_core()
+
+    def to_core(self) -> _core.ContactLaw:
+        points = [value for pair in zip(self.gap, self.stress, strict=True) for value in pair]
+        return _core.ContactLaw(self.kind, points)
+
+
+@dataclass(frozen=True)
+class ResolvedAdhesion(HtmlTable):
+    """Law of adhesion on a grid; from `Adhesion.on`.
+
+    Attributes
+    ----------
+    law : Adhesion
+        The law as it is solved, with its range.
+    kappa : float
+        Resolution number K0 s [-]; at most 0.6 if the grid resolves the law.
+    is_refined : bool
+        Whether the range was chosen for the grid.
+    modulus : float
+        Contact modulus E* that a cell experiences [Pa]; for layered bodies that near the surface.
+    grid : Grid
+    """
+
+    law: Adhesion
+    kappa: float
+    is_refined: bool
+    modulus: float
+    grid: Grid
+
+    @property
+    def range(self) -> float:
+        """Range of the attraction [m]: its peak over its steepest fall."""
+        return self.law.peak / self.law.steepest_fall
+
+    @property
+    def finer(self) -> str:
+        """Text of the cell size for which kappa would be 0.5."""
+        return quantity(max(self.grid.dx, self.grid.dy) * RESOLVED / self.kappa, "m")
+
+    @property
+    def work(self) -> float:
+        """Work of adhesion w [J/m^2]."""
+        return float(self.law.to_core().work)
+
+    def tabor(self, radius: float) -> float:
+        """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) for a radius R of the surfaces [m].
+
+        The length z is w over the peak of the attraction, which is the range of the exponential
+        law. The contact is that of Johnson, Kendall & Roberts above about 3, and that of Derjaguin,
+        Muller & Toporov below 0.1 (Tabor 1977, doi:10.1016/0021-9797(77)90366-6).
+        """
+        length = self.work / self.law.peak
+        radius = positive("radius", radius)
+        return float(np.cbrt(radius * self.work**2 / (self.modulus**2 * length**3)))
+
+    def _rows(self) -> Any:
+        return [
+            ("law", repr(self.law)),
+            ("resolution number kappa", quantity(self.kappa)),
+            ("range", quantity(self.range, "m")),
+            ("range chosen for the grid", "yes" if self.is_refined else "no"),
+        ]
+
+
+LAWS: tuple[type[ContactLaw], ...] = (
+    HardContact, TensileLimit, ExponentialAdhesion, DugdaleAdhesion, LennardJonesAdhesion,
+    TabulatedAdhesion,
+)  # fmt: skip
+"""Contact laws of case files and checkpoints."""
+
+
+def law_of(tree: Mapping[str, Any]) -> ContactLaw:
+    """Return the contact law that `ContactLaw.to_tree` has stored as a dictionary.
+
+    Raises ValueError for an unknown kind of law, and TypeError for wrong parameters.
+    """
+    parameters = dict(tree)
+    kind = parameters.pop("kind")
+    for law in LAWS:
+        if law.kind == kind:
+            return law(**parameters)
+    raise ValueError(f"kind must be one of {[law.kind for law in LAWS]}, got {kind!r}")
