@@ -11,6 +11,7 @@ from ._util import load_core  # noqa: F401  (before anything that needs the core
 
 # isort: split
 from . import (
+    adhesion,
     asperities,
     bearings,
     critical,
@@ -114,6 +115,7 @@ __all__ = [
     "WornCoatingWarning",
     "Zone",
     "__version__",
+    "adhesion",
     "asperities",
     "bearings",
     "critical",

@@ -18,7 +18,7 @@ from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import Body, require_bodies
 from ..bodies.viscoelastic import require_no_relaxation
-from ..diagnostics import hertz_estimate, resolution, sharp_edges, yield_check
+from ..diagnostics import adhesion, hertz_estimate, resolution, sharp_edges, yield_check
 from ..heat import Heat
 from ..problem.contact_law import ContactLaw
 from ..problem.domain import Domain, SurfaceGeometry, require_consistent_overlap
@@ -287,7 +287,8 @@ class ContactSolver(ContactFields):
         try:
             return self._solved(contact, drive, start)
         except _core.ConvergenceError:
-            if start is None:
+            # with adhesion, the start selects one of several solutions
+            if start is None or self.adhesion.varies:
                 raise
             return self._solved(contact, drive, None)
 
@@ -365,6 +366,10 @@ def solve_driven(  # warnings show the line two calls up
         resolution.warn_of_contact(solution, setup, stacklevel=3)
     resolution.warn_of_strain(solution, setup, stacklevel=3)
     yield_check.warn_of_yield(solution, bodies, initial._law, stacklevel=3)
+    if initial.adhesion.varies:
+        adhesion.warn_of_adhesion(
+            initial.adhesion, solution.grid, bodies, solution.adhesion_stress, stacklevel=3
+        )
     if sharp_edges.may_have_edge(solution, setup):
         edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
         sharp_edges.warn_of_edge(solution, edge, stacklevel=3)

@@ -13,7 +13,7 @@ from .._util.display import quantity
 from .._util.errors import GridTooSmallWarning, PlasticStrainWarning
 from ..heat import Heat
 from ..solutions.state import State
-from . import resolution, sharp_edges
+from . import adhesion, resolution, sharp_edges
 from .hertz_estimate import ContactSetup
 from .plastic_patterns import warn_of_alternation, warn_of_limit
 
@@ -37,6 +37,7 @@ class Monitor:
     setup_warned: bool = False
     contact_warned: bool = False
     edge_warned: bool = False
+    adhesion_warned: bool = False
     largest_load: float = 0.0
 
     @contextmanager
@@ -89,6 +90,11 @@ class Monitor:
         if not self.edge_warned and sharp_edges.may_have_edge(state, setup):
             edge = sharp_edges.edge_of_state(state)
             self.edge_warned = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
+        if not self.adhesion_warned and state.setup.adhesion.varies:
+            self.adhesion_warned = adhesion.warn_of_adhesion(
+                state.setup.adhesion, state.grid, state.setup.bodies, state.adhesion_stress,
+                stacklevel=stacklevel + 1,
+            )  # fmt: skip
         if setup.plastic:
             self._warn_of_flow(state, setup, stacklevel=stacklevel + 1)
 

@@ -86,6 +86,12 @@ class ContactSolution(ShortRepr, HtmlTable):
         return in_contact(self.repulsion)
 
     @property
+    def adhesion_stress(self) -> FloatArray:
+        """Attraction between the surfaces [Pa], >= 0, shape (nx, ny): repulsion minus pressure."""
+        found: FloatArray = self.repulsion - self.pressure
+        return found
+
+    @property
     def contact_area(self) -> float:
         """Contact area [m^2], with the contact edge located within cells, see `contact_area`."""
         grid = self.grid

@@ -107,6 +107,12 @@ class SurfaceState(SlipRateState, ViscousState):
         return in_contact(self.repulsion)
 
     @property
+    def adhesion_stress(self) -> FloatArray:
+        """Attraction between the surfaces [Pa], >= 0, shape (nx, ny): repulsion minus pressure."""
+        found: FloatArray = self.repulsion - self.pressure
+        return found
+
+    @property
     def attraction_energy(self) -> float:
         """Work to open the gap against the attraction [J]; 0 without attraction."""
         return float(self._core.attraction_energy())

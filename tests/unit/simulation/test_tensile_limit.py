@@ -94,9 +94,7 @@ def test_flow_is_that_of_the_computed_pressure():
 def test_no_limit_is_hard_contact_to_every_digit():
     grid = grid_of(dz=1e-6)
     states = [
-        sc.Simulation(grid, sc.Material.rigid(), YIELDS, rough(grid), adhesion=law).step(
-            load=1e-2
-        )
+        sc.Simulation(grid, sc.Material.rigid(), YIELDS, rough(grid), adhesion=law).step(load=1e-2)
         for law in (sc.TensileLimit(0.0), sc.HardContact())
     ]
     for name in ("pressure", "gap", "approach"):

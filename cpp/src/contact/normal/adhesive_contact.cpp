@@ -21,7 +21,7 @@ constexpr double growth = 3.0, reduction = 0.25;
 /// Steps of the search for a load, and the smallest step towards the largest tension, relative to
 /// the first one.
 constexpr int max_steps = 200;
-constexpr double smallest_step = 1e-4;
+constexpr double smallest_step = 1e-3;
 /// Jumps of the load from branch to branch that a search follows.
 constexpr int max_jumps = 5;
 
@@ -80,8 +80,8 @@ class LoadSearch {
 
   /// Decreases the approach until the load is enclosed, or the tension decreases.
   bool pull_off(double step) {
-    Point near{descent_.approach(), excess()};
-    GapDescent::Place place = descent_.place();
+    Point near{descent_.approach(), excess()}, before = near;
+    GapDescent::Place place = descent_.place(), place_before = place;
     for (int n = 0; n < max_steps; ++n) {
       if (!descend(near.approach - step)) return false;
       if (is_reached()) return true;
@@ -91,17 +91,17 @@ class LoadSearch {
         return enclose(near, next);
       }
       if (next.excess >= near.excess) {
-        // The largest tension, or a jump to separated surfaces, lies within this step.
-        descent_.return_to(place);
+        // The largest tension, or a jump to separated surfaces, lies within this step or the last.
         step *= reduction;
-        if (step < smallest_step * first_step_) {
-          throw pulled_off(near);
-        }
+        if (step < smallest_step * first_step_) throw pulled_off(near);
+        near = before;
+        place = place_before;
+        descent_.return_to(place);
         continue;
       }
       const double slope = (near.excess - next.excess) / step;
-      place = descent_.place();
-      near = next;
+      before = std::exchange(near, next);
+      place_before = std::exchange(place, descent_.place());
       step = std::min(growth * step, 1.1 * near.excess / slope);
     }
     return false;

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks of contacts with adhesion: resolution of the law, attraction at the edge, yield."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._util.display import quantity
+from .._util.errors import GridTooSmallWarning, ResolutionWarning
+from ..problem.adhesion_laws import MAX_RESOLVED, Adhesion, ResolvedAdhesion
+
+if TYPE_CHECKING:
+    from .._util.checks import FloatArray
+    from ..bodies.layered import Body
+    from ..problem.contact_law import ContactLaw
+    from ..problem.grid import Grid
+
+EDGE_ATTRACTION = 1e-3
+"""Attraction at the edge of the grid, relative to its peak, above which a warning is issued: the
+relative error of the tension is of this order."""
+
+
+def warn_of_adhesion(
+    law: ContactLaw,
+    grid: Grid,
+    bodies: tuple[Body, Body],
+    attraction: FloatArray,
+    *,
+    stacklevel: int,
+) -> bool:
+    """Warn of adhesion that the grid does not resolve or contain; return True after a warning.
+
+    attraction: of a solution [Pa], shape (nx, ny).
+    """
+    if not isinstance(law, Adhesion):
+        return False
+    found = law.on(grid, *bodies)
+    unresolved = list(_of_resolution(found, bodies))
+    for text in unresolved:
+        warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
+    if cut := _of_edge(found, attraction):
+        warnings.warn(cut, GridTooSmallWarning, stacklevel=stacklevel + 1)
+    return bool(unresolved or cut)
+
+
+def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterator[str]:
+    """Texts on the cell size, and on a range of the grid at which the bodies would yield."""
+    if found.kappa > MAX_RESOLVED:
+        yield (
+            f"the grid does not resolve the adhesion: kappa = {found.kappa:.3g} (at most "
+            f"{MAX_RESOLVED:g} expected), so that single cells may jump. Use cells of at most "
+            f"{found.finer}, or a longer range"
+        )
+    strengths = [float(body.yield_stress_at(0.0)) for body in bodies if body.is_plastic]
+    weakest = min(strengths, default=math.inf)
+    if found.is_refined and found.law.peak > weakest:
+        yield (
+            f"the attraction of up to {quantity(found.law.peak, 'Pa')} exceeds the yield stress "
+            f"{quantity(weakest, 'Pa')}, and its range was chosen for the grid: plastic flow at "
+            "the contact edge depends on the cell size. Give the range, and cells that resolve it"
+        )
+
+
+def _of_edge(found: ResolvedAdhesion, attraction: FloatArray) -> str:
+    """Text if the attraction reaches the edge of the grid, else ""."""
+    edges = []
+    if "x" not in found.grid.periodic:
+        edges.append(attraction[[0, -1], :])
+    if "y" not in found.grid.periodic:
+        edges.append(attraction[:, [0, -1]])
+    share = max((float(np.max(edge)) for edge in edges), default=0.0) / found.law.peak
+    if not share > EDGE_ATTRACTION:
+        return ""
+    return (
+        f"the attraction at the edge of the grid is {share:.2g} of its maximum (at most "
+        f"{EDGE_ATTRACTION:g} expected): the tension beyond the edge is missing. Enlarge the grid"
+    )

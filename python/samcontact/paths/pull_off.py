@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Retraction of two adhesive bodies until they separate."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .._util.checks import choice, positive
+
+MAX_STEPS = 10_000
+"""Largest number of increments of a retraction."""
+
+
+@dataclass(frozen=True)
+class PullOff:
+    """Retraction of two bodies, from `pull_off`.
+
+    Attributes
+    ----------
+    states : list of State
+        States of the retraction, the first before it.
+    pull_off : float
+        Largest tension [N], >= 0.
+    approach : float
+        Approach at the largest tension [m].
+    work : float
+        Work of the external force on the way [J]: negative during retraction under load, positive
+        against tension. By the trapezoidal rule over the increments.
+    is_apart : bool
+        Whether the surfaces are separated at the end.
+    """
+
+    states: Sequence[Any]
+    pull_off: float
+    approach: float
+    work: float
+    is_apart: bool
+
+
+def pull_off(
+    simulation: Any, *, step: float, until: str = "apart", max_steps: int = 400
+) -> PullOff:
+    """Retract a simulation with adhesion, until its surfaces separate.
+
+    The approach decreases by `step` in each increment. The contact follows its branch of
+    equilibrium, past the largest tension, and jumps apart where the branch ends. The surfaces count
+    as separated if no cell is in contact and the tension has fallen to a hundredth of its maximum.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        Simulation with adhesion; it remains at the last state.
+    step : float
+        Decrease of the approach in one increment [m], > 0. The largest tension is that of an
+        increment: its error decreases with the square of the step.
+    until : {"apart", "maximum"}, optional
+        End of the retraction: when the surfaces are separated, or as soon as the tension has
+        fallen below its maximum.
+    max_steps : int, optional
+        Largest number of increments.
+
+    Returns
+    -------
+    PullOff
+
+    Raises
+    ------
+    ValueError
+        Invalid arguments, surfaces without adhesion, or surfaces that are not separated after
+        `max_steps` increments.
+    """
+    step = positive("step", step)
+    until = choice("until", until, ("apart", "maximum"))
+    if type(max_steps) is not int or not 1 <= max_steps <= MAX_STEPS:
+        raise ValueError(f"max_steps must be an integer in [1, {MAX_STEPS}], got {max_steps!r}")
+    if not simulation.adhesion.attracts:
+        raise ValueError(
+            f"simulation must have adhesion, got adhesion = {simulation.adhesion!r}: without "
+            "attraction, the largest tension is 0"
+        )
+    states = [simulation.state]
+    most, where = -states[0].load, states[0].approach
+    work = 0.0
+    for _ in range(max_steps):
+        before = states[-1]
+        state = simulation.step(approach=before.approach - step)
+        states.append(state)
+        work += 0.5 * (before.load + state.load) * (state.approach - before.approach)
+        if -state.load > most:
+            most, where = -state.load, state.approach
+        is_apart = not state.in_contact.any() and -state.load <= 0.01 * max(most, 0.0)
+        if is_apart or (until == "maximum" and -state.load < most):
+            return PullOff(states, max(most, 0.0), where, work, bool(is_apart))
+    raise ValueError(
+        f"max_steps = {max_steps} increments of {step:.3g} m do not separate the surfaces: at the "
+        f"approach {states[-1].approach:.4g} m the tension is {-states[-1].load:.4g} N; use a "
+        "larger step or max_steps"
+    )
