@@ -252,6 +252,17 @@ KINDS = {
     | {"contact": STICKS["contact"]
        | {"adhesion": {"kind": "tensile_limit", "limit": 1e6}},
        "path": [{"load": 2.0, "increments": 2}]},
+    **{
+        f"adhesion {law['kind']}": STICKS
+        | {"contact": {"adhesion": law},
+           "path": [{"approach": 1e-6, "increments": 2}, {"approach": -1e-6}]}
+        for law in (
+            {"kind": "exponential", "work": 5.0, "range": 1e-6},
+            {"kind": "dugdale", "work": 5.0, "stress": 5e6, "drop": 1e-6},
+            {"kind": "lennard_jones", "work": 5.0, "z0": 2e-6},
+            {"kind": "tabulated", "gap": [0.0, 1e-6, 2e-6], "stress": [4e6, 2e6, 0.0]},
+        )
+    },
     "fretting": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,

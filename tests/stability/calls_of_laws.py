@@ -30,7 +30,14 @@ CALLS = [
     ),
     *(
         (f"{type(law).__name__}{call}", function, arguments)
-        for law in (sc.HardContact(), sc.TensileLimit(1e6))
+        for law in (
+            sc.HardContact(),
+            sc.TensileLimit(1e6),
+            sc.Adhesion.exponential(0.1, 1e-9),
+            type(sc.Adhesion.dugdale(0.1, 1e7))(0.1, 1e7, 1e-8),
+            sc.Adhesion.lennard_jones(0.1, 1e-9),
+            sc.Adhesion.tabulated([0.0, 1e-9], [1e7, 0.0]),
+        )
         for call, function, arguments in (
             ("", type(law), asdict(law)),
             (".require_possible", law.require_possible, {"heat": sc.Heat(), "given": {}}),

@@ -3,6 +3,7 @@
 
 import re
 
+from calls_of_adhesion import CALLS as OF_ADHESION
 from calls_of_bearings import CALLS as BEARINGS
 from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
@@ -17,7 +18,7 @@ from calls_of_wear import CALLS as OF_WEAR
 
 CALLS = [
     *FORMULAS, *BEARINGS, *ON_GRIDS, *OF_LAWS, *OF_MATERIALS, *OF_MOTION, *OF_PARTS,
-    *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY, *OF_WEAR,
+    *OF_ADHESION, *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY, *OF_WEAR,
 ]  # fmt: skip
 PARTS = {
     "kinematic": {"modulus", "recovery"},

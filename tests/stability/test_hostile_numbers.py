@@ -16,7 +16,9 @@ HOSTILE = (math.nan, math.inf, -math.inf)
 
 MADE_BY_THE_PACKAGE = {
     "AccuracyResult", "ContactSolution", "FoundLoad", "GridErrors", "IncrementErrors",
-    "State", "Track",
+    "State", "Track", "Adhesion",
+    "adhesion.Jkr", "adhesion.Maugis", "adhesion.ProfileContact", "adhesion.WaveContact",
+    "paths.PullOff",
     "asperities.CollisionResult",
     "bearings.ElementLoads", "bearings.LoadZone",
     "bearings.RaceContact", "critical.CriticalCylinder", "critical.CriticalCylinderOverDepth",

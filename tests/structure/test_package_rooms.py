@@ -18,7 +18,7 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 # only, types included.
 FLOORS = [
     {"_util"},
-    {"bodies", "files", "hertz", "paths", "kernels", "softening", "surfaces", "units"},
+    {"adhesion", "bodies", "files", "hertz", "paths", "kernels", "softening", "surfaces", "units"},
     {"bearings", "critical", "hardness", "restart", "heat", "heat_kernels", "materials"},
     {"problem", "flattening", "parts"},
     {"measured", "solutions", "dents", "operators"},
@@ -56,6 +56,7 @@ CORE_USERS = {
     "operators",
     "restart.file",
     "rolling",
+    "problem.adhesion_laws",
     "problem.contact_law",
     "problem.friction",
     "problem.grid",

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..bodies.layered import Body
     from ..problem.contact_law import ContactLaw
-    from ..problem.grid import Grid
+    from ..solutions.contact_solution import ContactSolution
+    from ..solutions.state import State
 
 EDGE_ATTRACTION = 1e-3
 """Attraction at the edge of the grid, relative to its peak, above which a warning is issued: the
@@ -27,23 +28,19 @@ relative error of the tension is of this order."""
 
 def warn_of_adhesion(
     law: ContactLaw,
-    grid: Grid,
+    solution: ContactSolution | State,
     bodies: tuple[Body, Body],
-    attraction: FloatArray,
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn of adhesion that the grid does not resolve or contain; return True after a warning.
-
-    attraction: of a solution [Pa], shape (nx, ny).
-    """
+    """Warn of adhesion that the grid does not resolve or contain; return True after a warning."""
     if not isinstance(law, Adhesion):
         return False
-    found = law.on(grid, *bodies)
+    found = law.on(solution.grid, *bodies)
     unresolved = list(_of_resolution(found, bodies))
     for text in unresolved:
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
-    if cut := _of_edge(found, attraction):
+    if cut := _of_edge(found, solution.adhesion_stress):
         warnings.warn(cut, GridTooSmallWarning, stacklevel=stacklevel + 1)
     return bool(unresolved or cut)
 

@@ -90,11 +90,10 @@ class Monitor:
         if not self.edge_warned and sharp_edges.may_have_edge(state, setup):
             edge = sharp_edges.edge_of_state(state)
             self.edge_warned = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
-        if not self.adhesion_warned and state.setup.adhesion.varies:
+        if not self.adhesion_warned:
             self.adhesion_warned = adhesion.warn_of_adhesion(
-                state.setup.adhesion, state.grid, state.setup.bodies, state.adhesion_stress,
-                stacklevel=stacklevel + 1,
-            )  # fmt: skip
+                state.setup.adhesion, state, state.setup.bodies, stacklevel=stacklevel + 1
+            )
         if setup.plastic:
             self._warn_of_flow(state, setup, stacklevel=stacklevel + 1)
 

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from .. import _core
 from .._util.checks import finite_array, positive, require_type
-from .._util.display import HtmlTable, quantity
+from .._util.display import HtmlTable, ShortRepr, quantity
 from ..bodies.layered import Body, require_bodies
 from .contact_law import ContactLaw, HardContact, TensileLimit
 from .grid import Grid
@@ -81,9 +81,7 @@ class Adhesion(ContactLaw):
         gap: increasing, the first 0 [m]; stress: attraction >= 0 [Pa], the last 0. Raises
         ValueError for other values.
         """
-        gaps = finite_array("gap", gap, (len(np.atleast_1d(np.asarray(gap, dtype=float))),))
-        stresses = finite_array("stress", stress, gaps.shape)
-        return TabulatedAdhesion(tuple(gaps.tolist()), tuple(stresses.tolist()))
+        return TabulatedAdhesion(gap, stress)
 
     def on(self, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion:
         """Return the law as it is solved on a grid, with its range, kappa and Tabor number."""
@@ -129,6 +127,16 @@ class Adhesion(ContactLaw):
             )
         return found.law
 
+    def to_core(self) -> _core.ContactLaw:
+        """Return the law as an object of the core; raise ValueError without a range."""
+        missing = [item.name for item in fields(self) if getattr(self, item.name) is None]
+        if missing:
+            raise ValueError(
+                f"{missing[0]} must be given, got None: `on` returns the law with the shortest "
+                "one that a grid resolves"
+            )
+        return super().to_core()
+
     @property
     def steepest_fall(self) -> float:
         """Steepest decrease of the attraction with the gap [Pa/m]."""
@@ -145,18 +153,18 @@ class ExponentialAdhesion(Adhesion):
     """Exponential law of adhesion; see `Adhesion.exponential`."""
 
     kind: ClassVar[str] = "exponential"
-    w: float = field(metadata={"unit": "J/m^2"})
+    work: float = field(metadata={"unit": "J/m^2"})
     range: float | None = field(default=None, metadata={"unit": "m"})
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "w", positive("w", self.w))
+        object.__setattr__(self, "work", positive("work", self.work))
         if self.range is not None:
             object.__setattr__(self, "range", positive("range", self.range))
 
     def _refined(self, influence: float) -> Adhesion:
         if self.range is not None:
             return self
-        return replace(self, range=math.sqrt(self.w * influence / RESOLVED))
+        return replace(self, range=math.sqrt(self.work * influence / RESOLVED))
 
 
 @dataclass(frozen=True)
@@ -164,13 +172,13 @@ class DugdaleAdhesion(Adhesion):
     """Law of constant attraction; see `Adhesion.dugdale`."""
 
     kind: ClassVar[str] = "dugdale"
-    w: float = field(metadata={"unit": "J/m^2"})
+    work: float = field(metadata={"unit": "J/m^2"})
     stress: float = field(metadata={"unit": "Pa"})
     drop: float | None = field(default=None, metadata={"unit": "m"})
     """Distance within which the attraction falls to zero [m]."""
 
     def __post_init__(self) -> None:
-        for name in ("w", "stress"):
+        for name in ("work", "stress"):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
         if self.drop is not None:
             object.__setattr__(self, "drop", positive("drop", self.drop))
@@ -179,7 +187,7 @@ class DugdaleAdhesion(Adhesion):
         if self.drop is not None:
             return self
         drop = influence * self.stress / RESOLVED
-        return replace(self, drop=min(drop, 2.0 * self.w / self.stress))
+        return replace(self, drop=min(drop, 2.0 * self.work / self.stress))
 
 
 @dataclass(frozen=True)
@@ -187,35 +195,34 @@ class LennardJonesAdhesion(Adhesion):
     """9-3 law of adhesion; see `Adhesion.lennard_jones`."""
 
     kind: ClassVar[str] = "lennard_jones"
-    w: float = field(metadata={"unit": "J/m^2"})
+    work: float = field(metadata={"unit": "J/m^2"})
     z0: float = field(metadata={"unit": "m"})
 
     def __post_init__(self) -> None:
-        for name in ("w", "z0"):
+        for name in ("work", "z0"):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
 
 
-@dataclass(frozen=True)
-class TabulatedAdhesion(Adhesion):
+@dataclass(frozen=True, repr=False)
+class TabulatedAdhesion(ShortRepr, Adhesion):
     """Piecewise linear law of adhesion; see `Adhesion.tabulated`."""
 
     kind: ClassVar[str] = "tabulated"
-    gap: Sequence[float] = field(metadata={"unit": "m", "many": True})
-    stress: Sequence[float] = field(metadata={"unit": "Pa", "many": True})
+    gap: ArrayLike = field(metadata={"unit": "m", "many": True})
+    stress: ArrayLike = field(metadata={"unit": "Pa", "many": True})
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "gap", tuple(map(float, self.gap)))
-        object.__setattr__(self, "stress", tuple(map(float, self.stress)))
-        if len(self.gap) != len(self.stress):
-            raise ValueError(
-                f"gap and stress must have the same length, got {len(self.gap)} and "
-                f"{len(self.stress)}"
-            )
+        gaps = finite_array("gap", self.gap)
+        if gaps.ndim != 1:
+            raise ValueError(f"gap must be a list of numbers, got an array of shape {gaps.shape}")
+        stresses = finite_array("stress", self.stress, gaps.shape)
+        object.__setattr__(self, "gap", tuple(gaps.tolist()))
+        object.__setattr__(self, "stress", tuple(stresses.tolist()))
         self.to_core()
 
     def to_core(self) -> _core.ContactLaw:
-        points = [value for pair in zip(self.gap, self.stress, strict=True) for value in pair]
-        return _core.ContactLaw(self.kind, points)
+        points = np.stack([np.asarray(self.gap), np.asarray(self.stress)], axis=1)
+        return _core.ContactLaw(self.kind, points.ravel().tolist())
 
 
 @dataclass(frozen=True)

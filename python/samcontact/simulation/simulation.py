@@ -146,7 +146,7 @@ class Simulation(Configured, HtmlTable):
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)
         heat = possible_heat(heat, (body1, body2), grid, settings)
-        self.monitor = Monitor()
+        self.monitor = Monitor(adhesion_warned=not adhesion.varies)
         surfaces = SurfaceGeometry(gap, relief1, relief2)
         self.engine = Engine(SimulationSetup(body1, body2, surfaces, settings), grid, heat)
         self.engine.estimate.prepare(heat)

@@ -72,8 +72,8 @@ class SlipRateState(RigidMotionState):
         return float(self._core.falling_number)
 
 
-class SurfaceState(SlipRateState, ViscousState):
-    """Tractions, gap and rigid-body motion at the end of an increment."""
+class AttractionState(SlipRateState):
+    """Base class of `State` with pressure and attraction of the surfaces."""
 
     setup: SimulationSetup
 
@@ -84,10 +84,11 @@ class SurfaceState(SlipRateState, ViscousState):
         field.flags.writeable = False
         return field
 
-    @cached_property
-    def outline(self) -> Outline:
-        """Outline of the contact in cells of the grid."""
-        return outline_of(self.repulsion, self.grid.periodic)
+    def _surface(self, name: str) -> FloatArray:
+        """Return a surface field of the core; 0 if the core does not have this field."""
+        shape = self.grid.nx, self.grid.ny
+        field = getattr(self._core, name)
+        return np.zeros(shape) if field is None else field.reshape(shape)
 
     @cached_property
     def repulsion(self) -> FloatArray:
@@ -116,6 +117,17 @@ class SurfaceState(SlipRateState, ViscousState):
     def attraction_energy(self) -> float:
         """Work to open the gap against the attraction [J]; 0 without attraction."""
         return float(self._core.attraction_energy())
+
+
+class SurfaceState(AttractionState, ViscousState):
+    """Tractions, gap and rigid-body motion at the end of an increment."""
+
+    setup: SimulationSetup
+
+    @cached_property
+    def outline(self) -> Outline:
+        """Outline of the contact in cells of the grid."""
+        return outline_of(self.repulsion, self.grid.periodic)
 
     @property
     def shear(self) -> FloatArray:
@@ -178,12 +190,6 @@ class SurfaceState(SlipRateState, ViscousState):
     def joint_steps(self) -> int:
         """Newton steps for pressure and shear together in this increment; 0 if none were needed."""
         return int(self._core.joint_steps)
-
-    def _surface(self, name: str) -> FloatArray:
-        """Return a surface field of the core; 0 if the core does not have this field."""
-        shape = self.grid.nx, self.grid.ny
-        field = getattr(self._core, name)
-        return np.zeros(shape) if field is None else field.reshape(shape)
 
     @cached_property
     def gap(self) -> FloatArray:

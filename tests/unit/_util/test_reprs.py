@@ -302,7 +302,7 @@ def public_objects():
         sc.FoundLoad("max_pressure", 1.0 / 3, 1e-3, 1e9 / 3, 1e6 / 3, [state] * 100),
         sc.ContactSolver(grid, BALL, BALL).solve(gap, load=10.0),
         *FRICTION_LAWS,
-        sc.HardContact(), sc.TensileLimit(1e6 / 3),
+        sc.HardContact(), sc.TensileLimit(1e6 / 3), *adhesive_contacts(),
         sc.ContactSolver(grid, BALL, BALL, sc.Coulomb(0.3)).solve(gap, load=10.0),
         sc.rolling.steady(grid, BALL, BALL, gap, load=10.0, friction=sc.Coulomb(0.3)),
         sc.energy.EnergyBalance(1 / 3, 1 / 7, 1 / 9, 1 / 11, 1 / 13, 1 / 17),
@@ -321,6 +321,22 @@ def public_objects():
         parse_case(CASE.format(asperities=CONTACT, **fields)),
         parse_case(CASE.format(asperities=ASPERITIES, **fields)), *viscoelastic_motion(),
     ]  # fmt: skip
+
+
+def adhesive_contacts():
+    """Return laws of adhesion, closed forms, and a pull-off."""
+    laws = [
+        sc.Adhesion.exponential(0.1 / 3, 1e-9), sc.Adhesion.dugdale(0.1 / 3, 1e7 / 3),
+        sc.Adhesion.lennard_jones(0.1 / 3, 1e-9 / 3),
+        sc.Adhesion.tabulated(np.linspace(0.0, 1e-9, 40), np.linspace(1e8, 0.0, 40) / 3),
+    ]  # fmt: skip
+    forms = [
+        sc.adhesion.jkr(1e-6, 0.1 / 3, 1e9), sc.adhesion.maugis(1e-6, 0.1 / 3, 1e9, 1e7),
+        sc.adhesion.wave(1e-6, 1e-8, 0.1 / 3, 1e9),
+        sc.adhesion.jkr_profile(lambda r: r, np.linspace(1e-9, 1e-8, 99), 0.1 / 3, 1e9),
+    ]  # fmt: skip
+    on = laws[0].on(sc.Grid(9, 9, 1e-9, 1e-9), BALL, BALL)
+    return [*laws, on, *forms, sc.paths.PullOff([1.0] * 200, 1e-6 / 3, 1e-9 / 3, 1e-15 / 3, True)]
 
 
 def viscoelastic_motion():
@@ -352,7 +368,7 @@ def public_classes():
 
 def test_no_repr_is_long():
     things = public_objects()
-    assert public_classes() - {type(thing) for thing in things} == set()
+    assert {c for c in public_classes() if not any(isinstance(t, c) for t in things)} == set()
     for thing in things:
         text = repr(thing)
         assert text.startswith(f"{type(thing).__name__}("), text

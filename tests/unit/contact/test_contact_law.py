@@ -173,7 +173,7 @@ def test_options_unsupported_with_attraction_are_refused():
     first = of.solve(surfaces.paraboloid(FREE, 1e-3), load=0.01)
     with pytest.raises(ValueError, match=re.escape("advance must be (0, 0) with adhesion")):
         of.solve(surfaces.paraboloid(FREE, 1e-3), load=0.01, previous=first, advance=(-1e-6, -1e-6))
-    with pytest.raises(ValueError, match=r"shear is required with friction = 0\.2 and contact"):
+    with pytest.raises(ValueError, match=r"shear is required with friction = 0\.2 and adhesion"):
         solver(FREE, law, 0.2).displacement(np.ones(FREE.surface_shape))
 
 

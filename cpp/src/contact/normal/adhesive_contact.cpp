@@ -51,6 +51,16 @@ class LoadSearch {
   struct Point {
     double approach, excess;
   };
+  /// A solution to which the search can return.
+  struct Place {
+    Field gap;
+    double approach;
+  };
+
+  Place here() const { return {descent_.gap().values(), descent_.gap().approach()}; }
+  void return_to(const Place& place) {
+    descent_.gap().return_to(place.gap, place.approach);
+  }
 
   bool descend(double approach) { return descent_.descend(approach, tol_, max_iterations_); }
   double excess() const { return descent_.load() - load_; }
@@ -59,16 +69,16 @@ class LoadSearch {
 
   /// Increases the approach until the load is enclosed.
   bool press_on(double step) {
-    Point near{descent_.approach(), excess()};
+    Point near{descent_.gap().approach(), excess()};
     for (int n = 0; n < max_steps; ++n, step *= growth) {
-      const GapDescent::Place place = descent_.place();
+      const Place start = here();
       // Periodic surfaces touch everywhere at the largest approach.
-      const double midway = 0.5 * (near.approach + descent_.largest_approach());
+      const double midway = 0.5 * (near.approach + descent_.gap().largest_approach());
       if (!descend(std::min(near.approach + step, midway))) return false;
       if (is_reached()) return true;
-      const Point next{descent_.approach(), excess()};
+      const Point next{descent_.gap().approach(), excess()};
       if (next.excess > 0) {
-        descent_.return_to(place);
+        return_to(start);
         return enclose(near, next);
       }
       const double slope = (next.excess - near.excess) / (next.approach - near.approach);
@@ -80,14 +90,14 @@ class LoadSearch {
 
   /// Decreases the approach until the load is enclosed, or the tension decreases.
   bool pull_off(double step) {
-    Point near{descent_.approach(), excess()}, before = near;
-    GapDescent::Place place = descent_.place(), place_before = place;
+    Point near{descent_.gap().approach(), excess()}, before = near;
+    Place place = here(), place_before = place;
     for (int n = 0; n < max_steps; ++n) {
       if (!descend(near.approach - step)) return false;
       if (is_reached()) return true;
-      const Point next{descent_.approach(), excess()};
+      const Point next{descent_.gap().approach(), excess()};
       if (next.excess < 0) {
-        descent_.return_to(place);
+        return_to(place);
         return enclose(near, next);
       }
       if (next.excess >= near.excess) {
@@ -96,12 +106,12 @@ class LoadSearch {
         if (step < smallest_step * first_step_) throw pulled_off(near);
         near = before;
         place = place_before;
-        descent_.return_to(place);
+        return_to(place);
         continue;
       }
       const double slope = (near.excess - next.excess) / step;
       before = std::exchange(near, next);
-      place_before = std::exchange(place, descent_.place());
+      place_before = std::exchange(place, here());
       step = std::min(growth * step, 1.1 * near.excess / slope);
     }
     return false;
@@ -109,7 +119,7 @@ class LoadSearch {
 
   /// Encloses the load further, always from the state on the near side: Illinois method.
   bool enclose(Point near, Point far) {
-    GapDescent::Place place = descent_.place();
+    Place place = here();
     double near_weight = near.excess, far_weight = far.excess;
     for (int n = 0; n < max_steps; ++n) {
       const double approach = (near.approach * far_weight - far.approach * near_weight) /
@@ -121,12 +131,12 @@ class LoadSearch {
         near = next;
         near_weight = next.excess;
         far_weight *= 0.5;
-        place = descent_.place();
+        place = here();
       } else {
         far = next;
         far_weight = next.excess;
         near_weight *= 0.5;
-        descent_.return_to(place);
+        return_to(place);
       }
       if (std::fabs(far.approach - near.approach) <=
           4 * std::numeric_limits<double>::epsilon() *
@@ -189,13 +199,13 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
              : attraction);
     LoadSearch search(descent, drive.normal.value, descent_tol, max_iterations);
     solution.converged =
-        search.run(descent.touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
+        search.run(descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
   } else {
     solution.converged = descent.descend(drive.normal.value, descent_tol, max_iterations);
   }
   solution.tractions.pressure = descent.pressure();
-  solution.gap = descent.gap();
-  solution.motion = {descent.approach(), held.tilt};
+  solution.gap = descent.gap().over_grid();
+  solution.motion = {descent.gap().approach(), held.tilt};
   solution.load = drive.normal.is_force() ? drive.normal.value : descent.load();
   solution.moment = moments(grid, solution.tractions.pressure);
   solution.error = descent.error();

@@ -27,108 +27,17 @@ constexpr double opening = 0.5;
 
 GapDescent::GapDescent(const AdhesiveSurface& surface, const ContactLaw& law,
                        const Field& initial_gap)
-    : surface_(surface), law_(law), undeformed_(surface.padded(initial_gap)) {
-  const std::size_t n = surface.size();
-  const Field inside = surface.padded(Field(initial_gap.size(), 1.0));
-  cells_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool is_body = inside[i] == 1.0 && std::isfinite(undeformed_[i]);
-    cells_[i] = is_body                    ? Cell::body
-                : surface.has_free_mean() && inside[i] != 1.0 ? Cell::frozen
-                                                                : Cell::free;
-    if (!is_body) undeformed_[i] = 0.0;
-  }
-  height_ = undeformed_;
-  for (Field* field : {&x_, &p_, &attraction_, &residual_, &before_, &z_, &t_, &q_}) {
-    field->assign(n, 0.0);
-  }
+    : surface_(surface), law_(law), gap_(surface, initial_gap) {
+  for (Field* field : {&p_, &residual_, &before_, &z_, &t_, &q_, &scratch_}) field->assign(gap_.size(), 0.0);
 }
 
 void GapDescent::start_from(const Field& pressure) {
-  has_approach_ = false;
-  if (pressure.empty()) return std::fill(x_.begin(), x_.end(), 0.0);
-  p_ = surface_.padded(pressure);
-  surface_.displace(p_, x_, work_);
-  ++applications_;
-  // Surfaces in contact keep their gap at another approach, and the cells in contact remain closed.
-  double lowest = INFINITY;
-  Field gap = x_;
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (is_body(i)) lowest = std::min(lowest, undeformed_[i] + x_[i]);
-  }
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (is_body(i)) gap[i] = undeformed_[i] + x_[i] - lowest;
-  }
-  const Field pushed = repulsion(law_, pressure, surface_.over_grid(gap));
-  const Field closed = surface_.padded(pushed);
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (!in_contact(closed[i])) continue;
-    gap[i] = 0.0;
-    has_approach_ = true;
-  }
-  if (!has_approach_) return;
-  x_ = std::move(gap);
-  approach_ = lowest;
-}
-
-double GapDescent::largest_approach() const {
-  if (!surface_.has_free_mean()) return INFINITY;
-  const std::size_t n = x_.size();
-  return ordered_sum(n, [&](std::size_t i) { return undeformed_[i]; }) /
-         ordered_sum(n, [&](std::size_t i) { return is_body(i) ? 1.0 : 0.0; });
-}
-
-double GapDescent::touching() const {
-  if (has_approach_) return approach_;
-  double lowest = INFINITY;
-  for (std::size_t i = 0; i < x_.size(); ++i) {
-    if (is_body(i)) lowest = std::min(lowest, undeformed_[i] + x_[i]);
-  }
-  return lowest;
-}
-
-void GapDescent::return_to(const Place& place) {
-  x_ = place.x;
-  approach_ = place.approach;
-  has_approach_ = true;
-}
-
-void GapDescent::approach_to(double approach) {
-  const std::ptrdiff_t n = std::ssize(x_);
-  const bool touches = has_approach_ && largest_of(n, [&](std::size_t i) {
-                         return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0;
-                       }) > 0;
-  // The gap of a contact is kept; separated surfaces, and a start, keep their displacement.
-  const double lowering = has_approach_ ? approach - approach_ : 0.0;
-  for_each_cell(n, [&](std::ptrdiff_t i) {
-    if (!is_body(i)) return;
-    height_[i] = undeformed_[i] - approach;
-    if (!has_approach_) {
-      x_[i] = std::max(x_[i] + height_[i], 0.0);
-    } else if (!touches) {
-      x_[i] = std::max(x_[i] - lowering, 0.0);
-    }
-  });
-  approach_ = approach;
-  has_approach_ = true;
-  keep_mean();
-  press();
-}
-
-void GapDescent::keep_mean() {
-  if (!surface_.has_free_mean()) return;
-  const std::size_t n = x_.size();
-  const double now = ordered_sum(n, [&](std::size_t i) { return x_[i]; });
-  const double given = ordered_sum(n, [&](std::size_t i) { return height_[i]; });
-  if (now > 0) {
-    for_each_cell(std::ssize(x_), [&](std::ptrdiff_t i) { x_[i] *= given / now; });
-  } else {
-    for_each_cell(std::ssize(x_), [&](std::ptrdiff_t i) { x_[i] = std::max(height_[i], 0.0); });
-  }
+  gap_.start_from(pressure, law_, work_);
+  applications_ += pressure.empty() ? 0 : 1;
 }
 
 void GapDescent::press() {
-  for_each_cell(std::ssize(x_), [&](std::ptrdiff_t i) { z_[i] = x_[i] - height_[i]; });
+  gap_.displacement(z_);
   surface_.press(z_, p_, work_);
   ++applications_;
   exact_ = true;
@@ -137,54 +46,57 @@ void GapDescent::press() {
 void GapDescent::remove_mean(Field& field) const {
   if (!surface_.has_free_mean()) return;
   const std::size_t n = field.size();
-  const double open = ordered_sum(n, [&](std::size_t i) { return is_open(i) ? 1.0 : 0.0; });
+  const double open = ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? 1.0 : 0.0; });
   if (open == 0) return;
   const double mean =
-      ordered_sum(n, [&](std::size_t i) { return is_open(i) ? field[i] : 0.0; }) / open;
+      ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? field[i] : 0.0; }) / open;
   for_each_cell(std::ssize(field), [&](std::ptrdiff_t i) {
-    if (is_open(i)) field[i] -= mean;
+    if (gap_.is_open(i)) field[i] -= mean;
   });
 }
 
 void GapDescent::find_residual() {
-  const std::ptrdiff_t n = std::ssize(x_);
+  const Field& x = gap_.values();
+  const std::ptrdiff_t n = std::ssize(p_);
   for_each_cell(n, [&](std::ptrdiff_t i) {
-    attraction_[i] = is_body(i) ? law_.attraction(x_[i]) : 0.0;
-    residual_[i] = cells_[i] == Cell::frozen ? 0.0 : p_[i] + attraction_[i];
+    const double pull = gap_.is_body(i) ? law_.attraction(x[i]) : 0.0;
+    residual_[i] = gap_.is_frozen(i) ? 0.0 : p_[i] + pull;
   });
   multiplier_ = 0.0;
   if (surface_.has_free_mean()) {
-    const double open = ordered_sum(n, [&](std::size_t i) { return is_open(i) ? 1.0 : 0.0; });
+    const double open = ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? 1.0 : 0.0; });
     const double sum =
-        ordered_sum(n, [&](std::size_t i) { return is_open(i) ? residual_[i] : 0.0; });
+        ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? residual_[i] : 0.0; });
     multiplier_ = open > 0 ? sum / open : 0.0;
     for_each_cell(n, [&](std::ptrdiff_t i) {
-      if (cells_[i] != Cell::frozen) residual_[i] -= multiplier_;
+      if (!gap_.is_frozen(i)) residual_[i] -= multiplier_;
     });
   }
   const double scale =
       std::max(law_.largest_attraction(), largest_of(n, [&](std::size_t i) {
-                 return is_body(i) ? std::fabs(p_[i] - multiplier_) : 0.0;
+                 return gap_.is_body(i) ? std::fabs(p_[i] - multiplier_) : 0.0;
                }));
   error_ = largest_of(n, [&](std::size_t i) {
-             return is_open(i) ? std::fabs(residual_[i]) : -residual_[i];
+             return gap_.is_open(i) ? std::fabs(residual_[i]) : -residual_[i];
            }) /
            scale;
 }
 
-double GapDescent::energy() const {
-  return ordered_sum(x_.size(), [&](std::size_t i) {
-    return 0.5 * (x_[i] - height_[i]) * p_[i] + (is_body(i) ? law_.energy(x_[i]) : 0.0);
+double GapDescent::energy() {
+  const Field& x = gap_.values();
+  gap_.displacement(scratch_);
+  return ordered_sum(p_.size(), [&](std::size_t i) {
+    return 0.5 * scratch_[i] * p_[i] + (gap_.is_body(i) ? law_.energy(x[i]) : 0.0);
   });
 }
 
 void GapDescent::find_direction(bool restart) {
-  const std::ptrdiff_t n = std::ssize(x_);
-  for_each_cell(n, [&](std::ptrdiff_t i) { q_[i] = is_open(i) ? residual_[i] : 0.0; });
+  const std::ptrdiff_t n = std::ssize(p_);
+  for_each_cell(n, [&](std::ptrdiff_t i) { q_[i] = gap_.is_open(i) ? residual_[i] : 0.0; });
   surface_.precondition(q_, z_, work_);
   ++applications_;
   for_each_cell(n, [&](std::ptrdiff_t i) {
-    if (!is_open(i)) z_[i] = 0.0;
+    if (!gap_.is_open(i)) z_[i] = 0.0;
   });
   remove_mean(z_);
   const double rz = ordered_dot(q_.data(), z_.data(), n);
@@ -192,7 +104,7 @@ void GapDescent::find_direction(bool restart) {
       ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
   const double beta = restart || rz_ <= 0 ? 0.0 : std::max(0.0, change / rz_);
   for_each_cell(n,
-                [&](std::ptrdiff_t i) { t_[i] = is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
+                [&](std::ptrdiff_t i) { t_[i] = gap_.is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
   // A set that has changed leaves the earlier direction with a mean, with which the approach would
   // drift.
   remove_mean(t_);
@@ -202,13 +114,14 @@ void GapDescent::find_direction(bool restart) {
 }
 
 double GapDescent::step_length(bool is_first) {
-  const std::ptrdiff_t n = std::ssize(x_);
+  const Field& x = gap_.values();
+  const std::ptrdiff_t n = std::ssize(p_);
   surface_.press(t_, q_, work_);
   ++applications_;
   const double along = ordered_dot(before_.data(), t_.data(), n);
   const double elastic = ordered_dot(t_.data(), q_.data(), n);
   const double fall = ordered_sum(n, [&](std::size_t i) {
-    return is_body(i) && t_[i] != 0 ? law_.fall(x_[i]) * t_[i] * t_[i] : 0.0;
+    return gap_.is_body(i) && t_[i] != 0 ? law_.fall(x[i]) * t_[i] * t_[i] : 0.0;
   });
   const double curvature = elastic - fall;
   const double bounded = along / elastic;
@@ -217,28 +130,29 @@ double GapDescent::step_length(bool is_first) {
   if (is_first) return step;
   const double limit = ranges_per_step * law_.largest_attraction() / law_.steepest_fall();
   const double farthest =
-      largest_of(n, [&](std::size_t i) { return is_body(i) ? std::fabs(t_[i]) : 0.0; });
+      largest_of(n, [&](std::size_t i) { return gap_.is_body(i) ? std::fabs(t_[i]) : 0.0; });
   return step * farthest > limit ? std::min(step, bounded) : step;
 }
 
 bool GapDescent::move(bool is_first) {
-  const std::ptrdiff_t n = std::ssize(x_);
+  Field& x = gap_.values();
+  const std::ptrdiff_t n = std::ssize(p_);
   const double step = step_length(is_first);
   bool closed = false, opened = false;
   for (std::ptrdiff_t i = 0; i < n; ++i) {
-    if (is_open(i)) {
-      x_[i] -= step * t_[i];
-      if (is_body(i) && x_[i] <= 0) {
-        closed = closed || x_[i] < 0;
-        x_[i] = 0.0;
+    if (gap_.is_open(i)) {
+      x[i] -= step * t_[i];
+      if (gap_.is_body(i) && x[i] <= 0) {
+        closed = closed || x[i] < 0;
+        x[i] = 0.0;
       }
-    } else if (is_body(i) && residual_[i] < 0) {
-      x_[i] = -opening * residual_[i] * surface_.self_influence();
+    } else if (gap_.is_body(i) && residual_[i] < 0) {
+      x[i] = -opening * residual_[i] * surface_.self_influence();
       opened = true;
     }
   }
   if (closed || opened) {
-    keep_mean();
+    gap_.keep_mean();
     press();
   } else {
     for_each_cell(n, [&](std::ptrdiff_t i) { p_[i] -= step * q_[i]; });
@@ -248,8 +162,9 @@ bool GapDescent::move(bool is_first) {
 }
 
 bool GapDescent::descend(double approach, double tol, int max_iterations) {
-  approach_to(approach);
-  const double work = law_.energy(law_.reach()) * static_cast<double>(x_.size());
+  gap_.approach_to(approach);
+  press();
+  const double work = law_.energy(law_.reach()) * static_cast<double>(p_.size());
   double before = energy();
   bool restart = true;
   for (int n = 0;; ++n, ++iterations_) {
@@ -267,19 +182,6 @@ bool GapDescent::descend(double approach, double tol, int max_iterations) {
     energy_rise_ = std::max(energy_rise_, (now - before) / work);
     before = now;
   }
-}
-
-Field GapDescent::gap() const {
-  Field found = surface_.over_grid(x_);
-  const Field body = [&] {
-    Field is(x_.size());
-    for (std::size_t i = 0; i < is.size(); ++i) is[i] = is_body(i) ? 1.0 : 0.0;
-    return surface_.over_grid(is);
-  }();
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (body[i] == 0.0) found[i] = INFINITY;
-  }
-  return found;
 }
 
 Field GapDescent::pressure() const {

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/contact/normal/adhesive_gap.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+
+namespace samcontact::contact {
+
+AdhesiveGap::AdhesiveGap(const AdhesiveSurface& surface, const Field& initial_gap)
+    : surface_(surface),
+      cells_(surface.size()),
+      x_(surface.size(), 0.0),
+      undeformed_(surface.padded(initial_gap)) {
+  const Field inside = surface.padded(Field(initial_gap.size(), 1.0));
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const bool is_inside = inside[i] == 1.0, is_body = is_inside && std::isfinite(undeformed_[i]);
+    const Cell without = surface.has_free_mean() && !is_inside ? Cell::frozen : Cell::free;
+    cells_[i] = is_body ? Cell::body : without;
+    if (!is_body) undeformed_[i] = 0.0;
+  }
+  height_ = undeformed_;
+}
+
+void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law,
+                             ComplexField& work) {
+  has_approach_ = false;
+  if (pressure.empty()) return std::fill(x_.begin(), x_.end(), 0.0);
+  surface_.displace(surface_.padded(pressure), x_, work);
+  // Surfaces in contact keep their gap at another approach, and the cells in contact remain closed.
+  double lowest = INFINITY;
+  Field gap = x_;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (is_body(i)) lowest = std::min(lowest, undeformed_[i] + x_[i]);
+  }
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (is_body(i)) gap[i] = undeformed_[i] + x_[i] - lowest;
+  }
+  const Field pushed = repulsion(law, pressure, surface_.over_grid(gap));
+  const Field closed = surface_.padded(pushed);
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (!in_contact(closed[i])) continue;
+    gap[i] = 0.0;
+    has_approach_ = true;
+  }
+  if (!has_approach_) return;
+  x_ = std::move(gap);
+  approach_ = lowest;
+}
+
+double AdhesiveGap::touching() const {
+  if (has_approach_) return approach_;
+  double lowest = INFINITY;
+  for (std::size_t i = 0; i < x_.size(); ++i) {
+    if (is_body(i)) lowest = std::min(lowest, undeformed_[i] + x_[i]);
+  }
+  return lowest;
+}
+
+double AdhesiveGap::largest_approach() const {
+  if (!surface_.has_free_mean()) return INFINITY;
+  const std::size_t n = x_.size();
+  return ordered_sum(n, [&](std::size_t i) { return undeformed_[i]; }) /
+         ordered_sum(n, [&](std::size_t i) { return is_body(i) ? 1.0 : 0.0; });
+}
+
+void AdhesiveGap::approach_to(double approach) {
+  const std::ptrdiff_t n = std::ssize(x_);
+  const bool touches = has_approach_ && largest_of(n, [&](std::size_t i) {
+                         return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0;
+                       }) > 0;
+  // The gap of a contact is kept; separated surfaces, and a start, keep their displacement.
+  const double lowering = has_approach_ ? approach - approach_ : 0.0;
+  for_each_cell(n, [&](std::ptrdiff_t i) {
+    if (!is_body(i)) return;
+    height_[i] = undeformed_[i] - approach;
+    if (!has_approach_) {
+      x_[i] = std::max(x_[i] + height_[i], 0.0);
+    } else if (!touches) {
+      x_[i] = std::max(x_[i] - lowering, 0.0);
+    }
+  });
+  approach_ = approach;
+  has_approach_ = true;
+  keep_mean();
+}
+
+void AdhesiveGap::return_to(const Field& values, double approach) {
+  x_ = values;
+  approach_ = approach;
+  has_approach_ = true;
+}
+
+void AdhesiveGap::keep_mean() {
+  if (!surface_.has_free_mean()) return;
+  const std::size_t n = x_.size();
+  const double now = ordered_sum(n, [&](std::size_t i) { return x_[i]; });
+  const double given = ordered_sum(n, [&](std::size_t i) { return height_[i]; });
+  if (now > 0) {
+    for_each_cell(std::ssize(x_), [&](std::ptrdiff_t i) { x_[i] *= given / now; });
+  } else {
+    for_each_cell(std::ssize(x_), [&](std::ptrdiff_t i) { x_[i] = std::max(height_[i], 0.0); });
+  }
+}
+
+void AdhesiveGap::displacement(Field& found) const {
+  for_each_cell(std::ssize(x_), [&](std::ptrdiff_t i) { found[i] = x_[i] - height_[i]; });
+}
+
+Field AdhesiveGap::over_grid() const {
+  Field gap = x_;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (!is_body(i)) gap[i] = INFINITY;
+  }
+  return surface_.over_grid(gap);
+}
+
+}  // namespace samcontact::contact
