@@ -257,10 +257,10 @@ KINDS = {
         | {"contact": {"adhesion": law},
            "path": [{"approach": 1e-6, "increments": 2}, {"approach": -1e-6}]}
         for law in (
-            {"kind": "exponential", "work": 5.0, "range": 1e-6},
-            {"kind": "dugdale", "work": 5.0, "stress": 5e6, "drop": 1e-6},
-            {"kind": "lennard_jones", "work": 5.0, "z0": 2e-6},
-            {"kind": "tabulated", "gap": [0.0, 1e-6, 2e-6], "stress": [4e6, 2e6, 0.0]},
+            {"kind": "exponential", "work": 1.0, "range": 1e-7},
+            {"kind": "dugdale", "work": 1.0, "stress": 1e7, "drop": 1e-7},
+            {"kind": "lennard_jones", "work": 1.0, "z0": 2e-8},
+            {"kind": "tabulated", "gap": [0.0, 1e-7, 2e-7], "stress": [1e7, 5e6, 0.0]},
         )
     },
     "fretting": STICKS

@@ -10,7 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._util.checks import FloatArray, finite_array, positive
+from ._util.display import ShortRepr
 from ._util.lazy_scipy import scipy
+from ._util.short_text import in_short
 
 __all__ = [
     "Jkr", "Maugis", "ProfileContact", "WaveContact", "dmt", "jkr", "jkr_profile", "maugis",
@@ -144,8 +146,8 @@ class Maugis:
         """Return load [N], approach [m] and outer radius [m] of the attraction."""
         flat = _radii(radius)
         scale = np.cbrt(np.pi * self.w * self.R**2 / self._stiffness)
-        rows = [self._of_one(a / scale) for a in flat.ravel()]
-        load, approach, ratio = (np.reshape(column, flat.shape) for column in np.transpose(rows))
+        rows = np.array([self._of_one(a / scale) for a in flat.ravel()]).reshape(-1, 3)
+        load, approach, ratio = (column.reshape(flat.shape) for column in rows.T)
         force = np.pi * self.w * self.R
         length = np.cbrt(force**2 / self.R / self._stiffness**2)
         return force * load, length * approach, flat * ratio
@@ -199,8 +201,8 @@ def maugis(R: float, w: float, E_star: float, stress: float) -> Maugis:
     return Maugis(*(positive(name, value) for name, value in given.items()))
 
 
-@dataclass(frozen=True)
-class ProfileContact:
+@dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
+class ProfileContact(ShortRepr):
     """Axisymmetric contact with adhesion of short range at given radii, from `jkr_profile`.
 
     Attributes
@@ -247,6 +249,8 @@ def jkr_profile(
     ValueError
         Values that are not > 0.
     """
+    if not callable(slope):
+        raise TypeError(f"slope must be a function of the radius, got {in_short(slope)}")
     radii = _radii(radius)
     w, E_star = positive("w", w), positive("E_star", E_star)
     nodes, weights = np.polynomial.legendre.leggauss(_POINTS)
@@ -254,7 +258,8 @@ def jkr_profile(
 
     def shape(x: FloatArray) -> FloatArray:
         """Return x times the integral of f'(r)/sqrt(x^2 - r^2) from 0 to x, with r = x sin."""
-        slopes = np.asarray(slope(x[..., None] * np.sin(angle)), dtype=float)
+        at = x[..., None] * np.sin(angle)
+        slopes = finite_array("slope", slope(at), at.shape)
         found: FloatArray = x * (slopes @ share)
         return found
 
@@ -297,7 +302,7 @@ class WaveContact:
 
     def mean_pressure(self, half_width: ArrayLike) -> FloatArray:
         """Return the mean pressure [Pa] at half-widths of the contact [m], same shape."""
-        x = np.pi * _radii(half_width) / self.length
+        x = np.pi * _radii(half_width, "half_width") / self.length
         if np.any(x >= 0.5 * np.pi):
             raise ValueError(
                 f"half_width must be below half the wavelength, {0.5 * self.length:.6g} m, got "
@@ -329,9 +334,9 @@ def wave(length: float, amplitude: float, w: float, E_star: float) -> WaveContac
     return WaveContact(*(positive(name, value) for name, value in given.items()))
 
 
-def _radii(value: ArrayLike) -> FloatArray:
+def _radii(value: ArrayLike, name: str = "radius") -> FloatArray:
     """Return contact radii or half-widths, after checking that they are > 0."""
-    found = finite_array("radius", value)
+    found = finite_array(name, value)
     if np.any(found <= 0):
-        raise ValueError(f"radius must be > 0, got {found.min():.6g}")
+        raise ValueError(f"{name} must be > 0, got {found.min():.6g}")
     return found

@@ -7,14 +7,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from .._util.checks import choice, positive
+from .._util.checks import choice, integer, positive
+from .._util.display import ShortRepr
+from .._util.short_text import in_short
 
 MAX_STEPS = 10_000
 """Largest number of increments of a retraction."""
 
 
-@dataclass(frozen=True)
-class PullOff:
+@dataclass(frozen=True, repr=False)
+class PullOff(ShortRepr):
     """Retraction of two bodies, from `pull_off`.
 
     Attributes
@@ -73,8 +75,9 @@ def pull_off(
     """
     step = positive("step", step)
     until = choice("until", until, ("apart", "maximum"))
-    if type(max_steps) is not int or not 1 <= max_steps <= MAX_STEPS:
-        raise ValueError(f"max_steps must be an integer in [1, {MAX_STEPS}], got {max_steps!r}")
+    max_steps = integer("max_steps", max_steps, 1, MAX_STEPS)
+    if not hasattr(simulation, "adhesion") or not hasattr(simulation, "step"):
+        raise TypeError(f"simulation must be a samcontact.Simulation, got {in_short(simulation)}")
     if not simulation.adhesion.attracts:
         raise ValueError(
             f"simulation must have adhesion, got adhesion = {simulation.adhesion!r}: without "

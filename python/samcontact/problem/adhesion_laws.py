@@ -46,7 +46,7 @@ class Adhesion(ContactLaw):
         w: work of adhesion [J/m^2]; range [m], None: refined to the grid. Rey, Anciaux & Molinari
         (2017, doi:10.1007/s00466-017-1392-5). Raises ValueError for values that are not > 0.
         """
-        return ExponentialAdhesion(w, range)
+        return ExponentialAdhesion(positive("w", w), range)
 
     @staticmethod
     def jkr(w: float) -> ExponentialAdhesion:
@@ -55,7 +55,7 @@ class Adhesion(ContactLaw):
         w: work of adhesion [J/m^2]. In the limit of small cells, the contact is that of Johnson,
         Kendall & Roberts (1971, doi:10.1098/rspa.1971.0141).
         """
-        return ExponentialAdhesion(w)
+        return ExponentialAdhesion(positive("w", w))
 
     @staticmethod
     def dugdale(w: float, stress: float) -> DugdaleAdhesion:
@@ -64,7 +64,7 @@ class Adhesion(ContactLaw):
         w: work of adhesion [J/m^2]; stress: constant attraction [Pa] up to a gap near w/stress,
         around which it falls to zero over the shortest distance that the grid resolves.
         """
-        return DugdaleAdhesion(w, stress)
+        return DugdaleAdhesion(positive("w", w), stress)
 
     @staticmethod
     def lennard_jones(w: float, z0: float) -> LennardJonesAdhesion:
@@ -72,7 +72,7 @@ class Adhesion(ContactLaw):
 
         w: work of adhesion [J/m^2]; z0: equilibrium distance of the half-spaces [m].
         """
-        return LennardJonesAdhesion(w, z0)
+        return LennardJonesAdhesion(positive("w", w), z0)
 
     @staticmethod
     def tabulated(gap: ArrayLike, stress: ArrayLike) -> TabulatedAdhesion:
@@ -213,8 +213,10 @@ class TabulatedAdhesion(ShortRepr, Adhesion):
 
     def __post_init__(self) -> None:
         gaps = finite_array("gap", self.gap)
-        if gaps.ndim != 1:
-            raise ValueError(f"gap must be a list of numbers, got an array of shape {gaps.shape}")
+        if gaps.ndim != 1 or gaps.size < 2:
+            raise ValueError(
+                f"gap must be a list of at least two numbers, got an array of shape {gaps.shape}"
+            )
         stresses = finite_array("stress", self.stress, gaps.shape)
         object.__setattr__(self, "gap", tuple(gaps.tolist()))
         object.__setattr__(self, "stress", tuple(stresses.tolist()))
