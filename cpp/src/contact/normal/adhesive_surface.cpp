@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 #include "samcontact/fft/plan.hpp"
 #include "samcontact/operators/surface/near_displacement.hpp"
@@ -38,12 +36,6 @@ AdhesiveSurface::AdhesiveSurface(const Grid& grid, const operators::SurfaceInflu
       self_influence_(influence.elastic(grid, operators::CellOffsets::lattice(1, 1))[0]) {
   if (influence.ends(grid)) {
     throw std::invalid_argument("adhesion cannot be combined with free faces of the bodies");
-  }
-  for (const auto& [cells, period] : {std::pair{grid.nx, grid.period.x}, {grid.ny, grid.period.y}}) {
-    if (period > 1 && period % 2 != 0) {
-      throw std::invalid_argument("adhesion requires an even number of cells in a period, got " +
-                                  std::to_string(cells));
-    }
   }
   const double points = static_cast<double>(size());
   const double largest = *std::max_element(compliance_.begin(), compliance_.end());
