@@ -58,9 +58,7 @@ class LoadSearch {
   };
 
   Place here() const { return {descent_.gap().values(), descent_.gap().approach()}; }
-  void return_to(const Place& place) {
-    descent_.gap().return_to(place.gap, place.approach);
-  }
+  void return_to(const Place& place) { descent_.gap().return_to(place.gap, place.approach); }
 
   bool descend(double approach) { return descent_.descend(approach, tol_, max_iterations_); }
   double excess() const { return descent_.load() - load_; }
@@ -92,6 +90,7 @@ class LoadSearch {
   bool pull_off(double step) {
     Point near{descent_.gap().approach(), excess()}, before = near;
     Place place = here(), place_before = place;
+    double factor = growth;
     for (int n = 0; n < max_steps; ++n) {
       if (!descend(near.approach - step)) return false;
       if (is_reached()) return true;
@@ -103,6 +102,7 @@ class LoadSearch {
       if (next.excess >= near.excess) {
         // The largest tension, or a jump to separated surfaces, lies within this step or the last.
         step *= reduction;
+        factor = 1.0;
         if (step < smallest_step * first_step_) throw pulled_off(near);
         near = before;
         place = place_before;
@@ -112,7 +112,7 @@ class LoadSearch {
       const double slope = (near.excess - next.excess) / step;
       before = std::exchange(near, next);
       place_before = std::exchange(place, here());
-      step = std::min(growth * step, 1.1 * near.excess / slope);
+      step = std::min(factor * step, 1.1 * near.excess / slope);
     }
     return false;
   }
@@ -122,8 +122,8 @@ class LoadSearch {
     Place place = here();
     double near_weight = near.excess, far_weight = far.excess;
     for (int n = 0; n < max_steps; ++n) {
-      const double approach = (near.approach * far_weight - far.approach * near_weight) /
-                              (far_weight - near_weight);
+      const double approach =
+          (near.approach * far_weight - far.approach * near_weight) / (far_weight - near_weight);
       if (!descend(approach)) return false;
       if (is_reached()) return true;
       const Point next{approach, excess()};
@@ -193,13 +193,13 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
     const double attraction = law_->largest_attraction() * grid.cell_area();
     const double scale = std::max(
         std::fabs(drive.normal.value),
-        warm ? grid.cell_area() * ordered_sum(initial_pressure.size(), [&](std::size_t i) {
-          return std::fabs(initial_pressure[i]);
-        })
+        warm ? grid.cell_area() *
+                   ordered_sum(initial_pressure.size(),
+                               [&](std::size_t i) { return std::fabs(initial_pressure[i]); })
              : attraction);
     LoadSearch search(descent, drive.normal.value, descent_tol, max_iterations);
-    solution.converged =
-        search.run(descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
+    solution.converged = search.run(
+        descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
   } else {
     solution.converged = descent.descend(drive.normal.value, descent_tol, max_iterations);
   }
