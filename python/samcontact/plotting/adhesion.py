@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from .. import adhesion
 from .._util.checks import FloatArray
@@ -79,13 +80,15 @@ def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     return finish(ax)
 
 
-def jumps_of(load: FloatArray) -> FloatArray:
+def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
     """Return, for each pair of successive loads [N], whether the contact has jumped."""
     change = np.abs(np.diff(load))
     if not change.size:
         return change > 0
     usual = float(np.median(change))
-    found: FloatArray = change > max(_JUMP_SHARE * max(-load.min(), 0.0), _JUMP_RATIO * usual)
+    found: NDArray[np.bool_] = change > max(
+        _JUMP_SHARE * max(-load.min(), 0.0), _JUMP_RATIO * usual
+    )
     return found
 
 
@@ -202,10 +205,9 @@ def adhesion_figures(dataset: xr.Dataset) -> dict[str, Figure]:
     """Return the figures of a run with adhesion, without its load–approach curve."""
     if not is_adhesive(dataset):
         return {}
-    makers = {"cohesive_zone": cohesive_zone}
+    figures = {"cohesive_zone": new_figure()}
+    cohesive_zone(dataset, figures["cohesive_zone"].subplots())
     if "tabor" in dataset.attrs and "pull_off" in dataset.attrs:
-        makers["pull_off"] = pull_off_over_tabor
-    figures = {name: new_figure() for name in makers}
-    for name, make in makers.items():
-        make(dataset, figures[name].subplots())
+        figures["pull_off"] = new_figure()
+        pull_off_over_tabor(dataset, figures["pull_off"].subplots())
     return figures
