@@ -140,7 +140,10 @@ CONTACT = {
     "twist": Q(
         "rad", "accumulated rotation of body 1 relative to body 2 about z", "rad", "twist", "twist"
     ),
-    "attraction_energy": Q("J", "work against adhesion to open the gap", "J"),
+    "attraction_energy": Q(
+        "J", "work against adhesion to open the gap", "J", "attraction energy"
+    ),
+    "load_work": Q("J", "work of the normal load since the first increment", "J", "work of load"),
     "friction_work": Q(
         "J", "frictional work since the start", "µJ", "frictional work", "frictional\nwork"
     ),
@@ -255,6 +258,7 @@ CONTACT = {
     # surface fields
     "pressure": Q("Pa", "contact pressure", "GPa", "pressure", kind="magnitude"),
     "repulsion": Q("Pa", "contact pressure without the adhesive part", "GPa", "repulsion"),
+    "adhesion_stress": Q("Pa", "attraction between the surfaces", "MPa", "attraction"),
     "gap": Q("m", "gap under load", "µm", "gap", kind="length"),
     "shear_x": Q(
         "Pa", "shear traction on body 2 along +x", "MPa", "shear traction, x", kind="signed"

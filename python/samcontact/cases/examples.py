@@ -16,6 +16,7 @@ from .._util.short_text import in_short
 
 FOLDER = Path(__file__).parent / "example_files"
 FIRST_CASES = {
+    "adhesion": "k1_adhering_tip",
     "bearing": "b5_bearing_6208",
     "roller": "b6_misaligned_roller",
     "gear": "b4_gear_flank",

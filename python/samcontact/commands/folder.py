@@ -19,7 +19,8 @@ if TYPE_CHECKING:
 _FIGURES = (
     "partial_slip", "fretting_loop", "rolling_force", "creep_curve",
     "pressure", "pressure_map", "gap_map", "load_approach", "axis_stress", "interface", "sections",
-    "imprint", "imprint_map", "residual", "over_time",
+    "imprint", "imprint_map", "residual", "over_time", "cohesive_zone",
+    "pull_off",
     "flash_temperature", "temperature", "track_imprint", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",

@@ -7,6 +7,7 @@ downward.
 """
 
 from . import asperities, wear
+from .adhesion import cohesive_zone, pull_off_over_tabor
 from .animation import rolling_animation, save_animation
 from .contact import (
     axis_profile,
@@ -32,6 +33,7 @@ from .view import save_view, view
 __all__ = [
     "asperities",
     "axis_profile",
+    "cohesive_zone",
     "creep_curve",
     "exposure_depth",
     "fatigue_depth",
@@ -48,6 +50,7 @@ __all__ = [
     "partial_slip_animation",
     "partial_slip_map",
     "pressure_profile",
+    "pull_off_over_tabor",
     "rolling_animation",
     "rolling_force",
     "save_animation",

@@ -15,6 +15,7 @@ from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
 from ..bodies.layered import Layered
 from ..hertz import EllipticContact, PointContact
+from .adhesion import adhesion_curve, is_adhesive
 from .parts import (
     COMPONENT_INDEX,
     INTERFACE_STYLE,
@@ -140,6 +141,11 @@ def load_approach(
     elastic loading and unloading, including elastic unloading of an imprint (Johnson 1985, section
     6.4). On periodic grids the line is straight and only shows the order of the increments.
 
+    With a law of adhesion, approach and retraction have their own colours, and jumps are dashed:
+    changes of the load by more than a fifth of the largest tension. For a sphere, the curves of
+    Johnson, Kendall & Roberts, of Maugis at the same largest attraction, and of Derjaguin, Muller &
+    Toporov are added.
+
     Parameters
     ----------
     dataset : xarray.Dataset
@@ -153,6 +159,8 @@ def load_approach(
     -------
     matplotlib.axes.Axes
     """
+    if is_adhesive(dataset):
+        return adhesion_curve(dataset, ax)
     ax = axes_or_new(ax)
     load, approach = dataset["load"].values, dataset["approach"].values
     power = 1.0 if dataset.attrs.get("periodic") else 1.5

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from .._util.checks import choice
 from ..files.ownership import recording
 from ..results.reading import body_shown, grid_of
+from .adhesion import adhesion_figures
 from .contact import (
     HertzContact,
     axis_profile,
@@ -75,6 +76,7 @@ def summary_figures(
         - with partial slip: partial_slip (increment of maximum force), and fretting_loop or, for
           rolling, rolling_force and, with varying creepage, creep_curve;
         - of viscoelastic bodies: over_time;
+        - with a law of adhesion: cohesive_zone and, for a sphere under tension, pull_off;
         - with heating: flash_temperature and, with layers of the grid, temperature (hottest
           increment);
         - for an elastic-plastic body: imprint, imprint_map and residual (last increment, or the
@@ -97,6 +99,7 @@ def summary_figures(
     load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
     if any(f"viscous_work_body{number}" in dataset for number in (1, 2)):
         figures["over_time"] = time_figure(dataset)
+    figures |= adhesion_figures(dataset)
     figures |= slip_figures(results)
     figures |= _temperature_figures(results)
     if results.track is not None:

@@ -285,6 +285,11 @@ class ResolvedAdhesion(HtmlTable):
         ]
 
 
+def resolved_of(law: ContactLaw, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion | None:
+    """Return a law of adhesion as it is solved on a grid; None for other contact laws."""
+    return law.on(grid, body1, body2) if isinstance(law, Adhesion) else None
+
+
 LAWS: tuple[type[ContactLaw], ...] = (
     HardContact, TensileLimit, ExponentialAdhesion, DugdaleAdhesion, LennardJonesAdhesion,
     TabulatedAdhesion,

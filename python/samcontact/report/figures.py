@@ -13,8 +13,10 @@ from matplotlib.figure import Figure
 
 from .. import plotting
 from .._util.checks import FloatArray
+from .._util.display import quantity
 from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
+from ..plotting.adhesion import adhesion_figures
 from ..plotting.contact import HertzContact, draw_pressure
 from ..plotting.contact_results import ContactResults
 from ..plotting.interface import interface_figure
@@ -61,7 +63,16 @@ def contact_figures(
     """Return all figures of a contact for which the required fields are stored."""
     results = ContactResults(dataset, body, hertz)
     drawn = []
-    parts = _contact, _over_time, slipping.figures, _volume, _temperature, _imprint, _track
+    parts = (
+        _contact,
+        _adhesion,
+        _over_time,
+        slipping.figures,
+        _volume,
+        _temperature,
+        _imprint,
+        _track,
+    )
     for part in (*parts, _convergence):
         drawn += [embedded(*made) for made in part(results)]
     return drawn
@@ -181,6 +192,16 @@ def _section(results: ContactResults, quantity: str, number: int) -> Made:
     )
     name = f"{shown.heading[0].upper()}{shown.heading[1:]}"
     return f"{name}, body {results.body}, {_increment_text(results, number)}", text, figure
+
+
+def _adhesion(results: ContactResults) -> Iterator[Made]:
+    captions = {
+        "cohesive_zone": "Pressure, repulsion and attraction along x at the largest tension",
+        "pull_off": "Largest tension over the Tabor number, with the curve of Maugis",
+    }
+    for name, figure in adhesion_figures(results.dataset).items():
+        largest = -float(results.dataset["load"].min())
+        yield captions[name], f"{captions[name]}: {quantity(largest, 'N')}.", figure
 
 
 def _over_time(results: ContactResults) -> Iterator[Made]:

@@ -14,12 +14,15 @@ from .._util.check import Check
 from .._util.checks import FloatArray
 from ..accuracy.error_rows import error_rows
 from ..accuracy.grid_errors import MAX_RELATIVE_ERROR, MAX_SLOPE_FRACTION
+from ..diagnostics.adhesion import EDGE_ATTRACTION
 from ..diagnostics.expected_contact import ExpectedContact
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..diagnostics.plausibility import ExpectedExtent, plausibility_checks
 from ..diagnostics.resolution import AREA_ERROR_LIMIT, MINIMUM_CELLS, RECOMMENDED_CELLS
+from ..problem.adhesion_laws import MAX_RESOLVED
 from ..problem.contact_law import in_contact
 from ..problem.heating import NO_HEAT
+from ..results.adhesion import attraction_at_edge
 from ..results.contact import repulsion_of
 from ..results.reading import cell_size, grid_of
 from . import slipping
@@ -45,6 +48,7 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
         *slipping.checks(dataset, case, tol),
         *_yield_condition(dataset, tol),
         *_borders(dataset),
+        *_adhesion(dataset),
         *_resolution(dataset, case),
         *([] if case is None else _plausibility(dataset, case)),
         *_strains(dataset),
@@ -129,6 +133,16 @@ def _borders(dataset: xr.Dataset) -> Iterator[Check]:
         margins = dataset[variable].values
         if np.any(np.isfinite(margins)):  # otherwise there was no contact or no plastic flow
             yield Check(name, float(np.nanmin(margins)), 1.0, at_least=True)
+
+
+def _adhesion(dataset: xr.Dataset) -> Iterator[Check]:
+    """Check whether the grid resolves and contains the attraction of a law of adhesion."""
+    if "kappa" not in dataset.attrs or "adhesion_stress" not in dataset:
+        return
+    name = "resolution number kappa of the adhesion"
+    yield Check(name, float(dataset.attrs["kappa"]), MAX_RESOLVED)
+    name = "maximum attraction at the edge of the grid, relative to its peak"
+    yield Check(name, attraction_at_edge(dataset), EDGE_ATTRACTION)
 
 
 def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Check]:

@@ -154,6 +154,7 @@ def _from_attributes(dataset: xr.Dataset) -> list[Row]:
 _SCALARS = (
     "load", "approach", "tilt_x", "tilt_y", "moment_x", "moment_y", "max_pressure", "contact_area",
     "max_von_mises", "max_equivalent_plastic_strain", "imprint_depth", "viscous_work",
+    "attraction_energy", "load_work",
     "max_temperature", "travel", "lateral_travel", "time",
 )  # fmt: skip
 _CONVERGENCE = (

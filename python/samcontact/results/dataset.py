@@ -20,6 +20,7 @@ from ..problem.friction import attributes_of, friction_law
 from ..solutions.interface_stress import SIDES
 from ..solutions.peak import peak_of_dataset
 from ..solutions.state import on_common_grid
+from .adhesion import add_adhesion, adhesion_attributes
 from .convergence import add_convergence
 from .motion import add, add_motion
 from .relaxing import add_relaxing, relaxation_attributes
@@ -138,7 +139,7 @@ def to_dataset(
     inelastic = _inelastic(simulation)
     add_convergence(dataset, states, inelastic)
     add_motion(dataset, states, inelastic, volume != "none")
-    dataset.attrs = _attributes(simulation, case, body) | completeness(stopped_by)
+    dataset.attrs = _attributes(simulation, states, case, body) | completeness(stopped_by)
     return dataset
 
 
@@ -171,10 +172,7 @@ def _add_scalars(dataset: xr.Dataset, states: Sequence[State]) -> None:
 
 def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
     add(dataset, "pressure", _SURFACE, np.stack([s.pressure for s in states]))
-    if simulation.adhesion.attracts:
-        add(dataset, "repulsion", _SURFACE, np.stack([s.repulsion for s in states]))
-        energy = [state.attraction_energy for state in states]
-        add(dataset, "attraction_energy", "increment", energy)
+    add_adhesion(dataset, simulation, states)
     add(dataset, "gap", _SURFACE, np.stack([s.gap for s in states]))
     shear = np.stack([s.shear for s in states], axis=1)  # (2, increment, x, y)
     for direction, fields in zip("xy", shear, strict=True):
@@ -323,7 +321,9 @@ def _material_attributes(prefix: str, body: Body) -> dict[str, Any]:
     return found
 
 
-def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[str, Any]:
+def _attributes(
+    simulation: Simulation, states: Sequence[State], case: Case | None, body: int
+) -> dict[str, Any]:
     attributes: dict[str, Any] = {
         "title": case.title if case is not None else "",
         "samcontact_version": version,
@@ -335,10 +335,7 @@ def _attributes(simulation: Simulation, case: Case | None, body: int) -> dict[st
         "tol": float(simulation.tol),
         "reach": float(simulation.reach),
     }
-    if simulation.adhesion.attracts:
-        tree = simulation.adhesion.to_tree()
-        attributes["adhesion"] = tree.pop("kind")
-        attributes |= {f"adhesion_{name}": value for name, value in tree.items()}
+    attributes |= adhesion_attributes(simulation, states)
     if simulation.grid.periodic:
         attributes["periodic"] = simulation.grid.periodic
     if simulation.grid.dz is not None:

@@ -25,7 +25,7 @@ VTK_COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 _VOXEL = 11  # number of this cell type in VTK
 _SURFACE_VARIABLES = (
     "pressure", "repulsion", "gap", "shear_x", "shear_y", "slip_x", "slip_y", "sticking",
-    "initial_gap",
+    "initial_gap", "adhesion_stress",
 )  # fmt: skip
 
 

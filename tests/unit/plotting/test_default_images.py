@@ -172,11 +172,37 @@ increments = 16
 duration = 300.0
 first_duration = 0.01
 """
+CASES["adhering"] = """title = "adhering"
+[grid]
+nx = 40
+ny = 40
+dx = 12e-9
+dy = 12e-9
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = 200e6
+nu = 0.4
+[surface]
+shape = "paraboloid"
+Rx = 1e-6
+[contact]
+adhesion = {kind = "exponential", work = 0.05, range = 2.6e-9}
+[[path]]
+approach = 6e-9
+start = -12e-9
+increments = 18
+[[path]]
+approach = -12e-9
+increments = 18
+"""
 EQUAL_IMAGES = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {
     "long": ("axis_stress", "load_approach", "pressure", "sections"),
     "fretting": ("gap_map", "pressure", "pressure_map"),
+    "adhering": ("gap_map", "pressure", "pressure_map"),
     "creeping": (
         "gap_map", "pressure", "pressure_map", "load_approach", "imprint", "imprint_map",
     ),

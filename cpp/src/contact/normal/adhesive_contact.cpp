@@ -58,9 +58,7 @@ class LoadSearch {
   };
 
   Place here() const { return {descent_.gap().values(), descent_.gap().approach()}; }
-  void return_to(const Place& place) {
-    descent_.gap().return_to(place.gap, place.approach);
-  }
+  void return_to(const Place& place) { descent_.gap().return_to(place.gap, place.approach); }
 
   bool descend(double approach) { return descent_.descend(approach, tol_, max_iterations_); }
   double excess() const { return descent_.load() - load_; }
@@ -126,8 +124,8 @@ class LoadSearch {
     Place place = here();
     double near_weight = near.excess, far_weight = far.excess;
     for (int n = 0; n < max_steps; ++n) {
-      const double approach = (near.approach * far_weight - far.approach * near_weight) /
-                              (far_weight - near_weight);
+      const double approach =
+          (near.approach * far_weight - far.approach * near_weight) / (far_weight - near_weight);
       if (!descend(approach)) return false;
       if (is_reached()) return true;
       const Point next{approach, excess()};
@@ -197,13 +195,13 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
     const double attraction = law_->largest_attraction() * grid.cell_area();
     const double scale = std::max(
         std::fabs(drive.normal.value),
-        warm ? grid.cell_area() * ordered_sum(initial_pressure.size(), [&](std::size_t i) {
-          return std::fabs(initial_pressure[i]);
-        })
+        warm ? grid.cell_area() *
+                   ordered_sum(initial_pressure.size(),
+                               [&](std::size_t i) { return std::fabs(initial_pressure[i]); })
              : attraction);
     LoadSearch search(descent, drive.normal.value, descent_tol, max_iterations);
-    solution.converged =
-        search.run(descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
+    solution.converged = search.run(
+        descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
   } else {
     solution.converged = descent.descend(drive.normal.value, descent_tol, max_iterations);
   }

@@ -9,6 +9,16 @@
 #include "samcontact/base/threads.hpp"
 
 namespace samcontact::contact {
+namespace {
+
+/// Gap, in ranges of the attraction, beyond which a cell under tension is clearly open.
+constexpr double clearly_open = 0.01;
+/// Pressure, as a share of the largest attraction, above which a cell is clearly pressed.
+constexpr double clearly_pressed = 1e-3;
+/// Share of the attraction of touching surfaces that is missing where surfaces do not touch.
+constexpr double missing = 0.05;
+
+}  // namespace
 
 AdhesiveGap::AdhesiveGap(const AdhesiveSurface& surface, const Field& initial_gap)
     : surface_(surface),
@@ -25,8 +35,7 @@ AdhesiveGap::AdhesiveGap(const AdhesiveSurface& surface, const Field& initial_ga
   height_ = undeformed_;
 }
 
-void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law,
-                             ComplexField& work) {
+void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law, ComplexField& work) {
   has_approach_ = false;
   if (pressure.empty()) return std::fill(x_.begin(), x_.end(), 0.0);
   surface_.displace(surface_.padded(pressure), x_, work);
@@ -39,6 +48,7 @@ void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law,
   for (std::size_t i = 0; i < gap.size(); ++i) {
     if (is_body(i)) gap[i] = undeformed_[i] + x_[i] - lowest;
   }
+  if (is_separated(law, surface_.padded(pressure), gap)) return;
   const Field pushed = repulsion(law, pressure, surface_.over_grid(gap));
   const Field closed = surface_.padded(pushed);
   for (std::size_t i = 0; i < gap.size(); ++i) {
@@ -49,6 +59,22 @@ void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law,
   if (!has_approach_) return;
   x_ = std::move(gap);
   approach_ = lowest;
+}
+
+bool AdhesiveGap::is_separated(const ContactLaw& law, const Field& pressure,
+                               const Field& gap) const {
+  const double open = clearly_open * law.largest_attraction() / law.steepest_fall();
+  const double pressed = clearly_pressed * law.largest_attraction();
+  double expected = 0.0, excess = 0.0;
+  for (std::size_t i = 0; i < gap.size(); ++i) {
+    if (!is_body(i)) continue;
+    if (pressure[i] > pressed) return false;
+    if (gap[i] <= open) continue;
+    const double pull = law.attraction(gap[i]);
+    expected += pull;
+    excess += pressure[i] + pull;
+  }
+  return excess > missing * expected;
 }
 
 double AdhesiveGap::touching() const {
@@ -70,8 +96,8 @@ double AdhesiveGap::largest_approach() const {
 void AdhesiveGap::approach_to(double approach) {
   const std::ptrdiff_t n = std::ssize(x_);
   const bool touches = has_approach_ && largest_of(n, [&](std::size_t i) {
-                         return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0;
-                       }) > 0;
+                                          return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0;
+                                        }) > 0;
   // The gap of a contact is kept; separated surfaces, and a start, keep their displacement.
   const double lowering = has_approach_ ? approach - approach_ : 0.0;
   for_each_cell(n, [&](std::ptrdiff_t i) {

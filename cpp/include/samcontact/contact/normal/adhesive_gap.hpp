@@ -52,6 +52,10 @@ class AdhesiveGap {
  private:
   enum class Cell : unsigned char { frozen, free, body };
 
+  /// Whether a pressure is that of surfaces that do not touch: its tension is less than the
+  /// attraction at the gap that they would have if they touched. gap: with lowest value 0 [m].
+  bool is_separated(const ContactLaw& law, const Field& pressure, const Field& gap) const;
+
   const AdhesiveSurface& surface_;
   std::vector<Cell> cells_;
   Field x_, undeformed_, height_;  // height: undeformed - approach; both 0 in the padding
