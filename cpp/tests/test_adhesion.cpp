@@ -106,8 +106,7 @@ TEST_CASE("the descent never increases the energy, and the stiffness inverts the
 TEST_CASE("a load is reached on the branch of its start, or refused with the largest tension") {
   const Grid grid(32, 32, 8e-9, 8e-9);
   const auto influence = soft();
-  const double range =
-      std::sqrt(0.05 * AdhesiveSurface(grid, influence).self_influence() / 0.5);
+  const double range = std::sqrt(0.05 * AdhesiveSurface(grid, influence).self_influence() / 0.5);
   const AdhesiveContact contact(grid, influence, exponential_adhesion(0.05, range));
   const Field gap = rough_ball(grid, 1e-6, 0.0), none(grid.surface_size(), 0.0);
   const Solution pressed = contact.solve(gap, Drive::load(1e-7), none, 1e-9, 2000);

@@ -65,7 +65,7 @@ def test_pull_off_is_the_largest_tension():
     assert simulation.state.approach == 0.0  # the state before the error remains
     found = sc.paths.pull_off(simulation, step=1e-10)
     assert found.is_apart
-    assert found.pull_off == pytest.approx(caught.value.pull_off, rel=1e-3)
+    assert found.pull_off == pytest.approx(caught.value.pull_off, rel=3e-3)
     assert 1.5 * FORCE < found.pull_off < 2.0 * FORCE
     assert found.pull_off == max(-s.load for s in found.states)
     assert found.work == pytest.approx(work_of(found.states), rel=1e-12)

@@ -68,17 +68,16 @@ AdhesiveSurface::AdhesiveSurface(const Grid& grid, const operators::SurfaceInflu
 }
 
 void AdhesiveSurface::displace(const Field& pressure, Field& displacement,
-                                ComplexField& work) const {
+                               ComplexField& work) const {
   transform_.filter(pressure.data(), compliance_.data(), displacement.data(), work);
 }
 
-void AdhesiveSurface::press(const Field& displacement, Field& pressure,
-                                ComplexField& work) const {
+void AdhesiveSurface::press(const Field& displacement, Field& pressure, ComplexField& work) const {
   transform_.filter(displacement.data(), stiffness_.data(), pressure.data(), work);
 }
 
 void AdhesiveSurface::precondition(const Field& pressure, Field& displacement,
-                                ComplexField& work) const {
+                                   ComplexField& work) const {
   transform_.filter(pressure.data(), preconditioner_.data(), displacement.data(), work);
 }
 

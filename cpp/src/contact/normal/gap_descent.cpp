@@ -20,7 +20,7 @@ namespace {
 constexpr double least_curvature = 0.02;
 /// Change of a gap in one step, in ranges of the attraction, up to which the slope of the
 /// attraction is of use.
-constexpr double ranges_per_step = 0.5;
+constexpr double ranges_per_step = 3.0;
 /// Share of the displacement under its residual by which a cell opens.
 constexpr double opening = 0.5;
 /// Reduction of a step that increases the energy, and the number of reductions.
@@ -35,12 +35,15 @@ constexpr double rounding = 1e-13;
 
 GapDescent::GapDescent(const AdhesiveSurface& surface, const ContactLaw& law,
                        const Field& initial_gap)
-    : surface_(surface), law_(law), gap_(surface, initial_gap),
+    : surface_(surface),
+      law_(law),
+      gap_(surface, initial_gap),
       work_of_grid_(law.energy(law.reach()) * static_cast<double>(surface.size())) {
   const double highest = largest_of(
       gap_.size(), [&](std::size_t i) { return gap_.is_body(i) ? gap_.undeformed(i) : 0.0; });
   rounding_of_pressure_ = last_digits * highest / surface.self_influence();
-  for (Field* field : {&p_, &residual_, &before_, &z_, &t_, &q_, &scratch_}) field->assign(gap_.size(), 0.0);
+  for (Field* field : {&p_, &residual_, &before_, &z_, &t_, &q_, &scratch_})
+    field->assign(gap_.size(), 0.0);
 }
 
 void GapDescent::start_from(const Field& pressure) {
@@ -85,13 +88,11 @@ void GapDescent::find_residual() {
       if (!gap_.is_frozen(i)) residual_[i] -= multiplier_;
     });
   }
-  const double scale =
-      std::max(law_.largest_attraction(), largest_of(n, [&](std::size_t i) {
-                 return gap_.is_body(i) ? std::fabs(p_[i] - multiplier_) : 0.0;
-               }));
-  const double largest = largest_of(n, [&](std::size_t i) {
-    return gap_.is_open(i) ? std::fabs(residual_[i]) : -residual_[i];
-  });
+  const double scale = std::max(law_.largest_attraction(), largest_of(n, [&](std::size_t i) {
+                                  return gap_.is_body(i) ? std::fabs(p_[i] - multiplier_) : 0.0;
+                                }));
+  const double largest = largest_of(
+      n, [&](std::size_t i) { return gap_.is_open(i) ? std::fabs(residual_[i]) : -residual_[i]; });
   error_ = largest > rounding_of_pressure_ ? largest / scale : 0.0;
 }
 
@@ -113,11 +114,9 @@ void GapDescent::find_direction(bool restart) {
   });
   remove_mean(z_);
   const double rz = ordered_dot(q_.data(), z_.data(), n);
-  const double change =
-      ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
+  const double change = ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
   const double beta = restart || rz_ <= 0 ? 0.0 : std::max(0.0, change / rz_);
-  for_each_cell(n,
-                [&](std::ptrdiff_t i) { t_[i] = gap_.is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
+  for_each_cell(n, [&](std::ptrdiff_t i) { t_[i] = gap_.is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
   // A set that has changed leaves the earlier direction with a mean, with which the approach would
   // drift.
   remove_mean(t_);

@@ -61,7 +61,7 @@ class GapDescent {
   double rounding_of_pressure_;
   Field p_, residual_, before_, z_, t_, q_, scratch_;
   double multiplier_ = 0.0, error_ = 1.0, rz_ = 0.0, energy_rise_ = 0.0;
-  bool exact_ = false;  // whether the pressure is that of the gap without accumulated rounding
+  bool exact_ = false;   // whether the pressure is that of the gap without accumulated rounding
   bool is_cold_ = true;  // no earlier state whose branch to follow
   int iterations_ = 0, applications_ = 0;
   ComplexField work_;
