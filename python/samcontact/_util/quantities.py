@@ -219,7 +219,7 @@ CONTACT = {
     ),
     "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
     "falling_number": Q(
-        "1", "maximum of -dmu/dv p C/t in the increment; above 1 cells may both stick and slip", "",
+        "1", "maximum of -dmu/dv p C/t in the increment; above 1 a cell may have two solutions", "",
         "falling number",
     ),
     "joint_steps": Q("1", "Newton steps on pressure and shear together", "", "Newton steps"),
