@@ -61,7 +61,8 @@ def steady(
         Velocity of body 1 relative to body 2 along x [m/s]; negative: towards -x. At 0, both bodies
         have their long-time moduli.
     start : SlidingSolution, optional
-        Solution on the same grid for a similar velocity or load, used as initial guess.
+        Solution on the same grid for a similar velocity or load, used as initial guess. Without it,
+        a solution that does not converge is continued from solutions at higher velocities.
     tol, on_border, max_iterations
         As in `ContactSolver`.
 
@@ -75,7 +76,8 @@ def steady(
         Invalid arguments; a viscoelastic fluid, layers or free faces; GridTooSmallError if the
         contact reaches the edge of the grid.
     ConvergenceError
-        No convergence; the error has the attributes `iterations` and `residual`.
+        No convergence, e.g. white noise at low velocities on a body that relaxes to less than 0.1 %
+        of its modulus; the error has the attributes `iterations` and `residual`.
 
     Notes
     -----

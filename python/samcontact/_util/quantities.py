@@ -221,6 +221,10 @@ CONTACT = {
         "1", "conjugate-gradient iterations of the contact solver", "", "contact iterations"
     ),
     "substeps": Q("1", "number of sub-increments", "", "sub-increments"),
+    "falling_number": Q(
+        "1", "maximum of -dmu/dv p C/t in the increment; above 1 a cell may have two solutions", "",
+        "falling number",
+    ),
     "joint_steps": Q("1", "Newton steps on pressure and shear together", "", "Newton steps"),
     "converged": Q("1", "whether the increment converged (1) or not (0)", "", "converged"),
     "contact_edge_distance": Q(
@@ -269,6 +273,7 @@ CONTACT = {
     "slip_x": Q("m", "slip of body 1 relative to body 2 in the increment, along +x"),
     "slip_y": Q("m", "slip of body 1 relative to body 2 in the increment, along +y"),
     "sticking": Q("1", "1 in contact cells that stick in the increment, else 0"),
+    "slip_rate": Q("m/s", "slip rate that determines the friction of the cell"),
     "residual_displacement": Q(
         "m", "residual normal surface displacement of body {body}, positive into the body", "µm",
         "residual displacement", kind="signed",

@@ -24,6 +24,9 @@ from .tangential_drive import Pressing, TangentialDrive, TangentialDriver, Tange
 UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
 """Tangential drive of a contact without shear."""
 
+_HIGHER = [2.0**power for power in range(13, 0, -1)]
+"""Speeds of a continuation, as multiples of the given speeds."""
+
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
 """Solution on a grid, from the part of the displacement that is not symmetric in motion [m] and the
 fields of a ContactSolution."""
@@ -58,11 +61,15 @@ class MovingContactSolver(ContactSolver):
         super().__init__(grid, upper, lower, **settings)
 
     def _new_core(self) -> Any:
+        return self._core_at(1.0)
+
+    def _core_at(self, factor: float) -> Any:
+        """Return the core's contact of bodies that move faster by a factor."""
         bodies, speeds, _ = self._moving
         needed = memory.surface(self.grid, memory.MOVING_CONTACT_BYTES)
         memory.require_for_grid("a moving viscoelastic contact", self.grid, needed)
         elastic = (instantaneous(body)._core for body in bodies)
-        creeps = (moving_creep(body, v) for body, v in zip(bodies, speeds, strict=True))
+        creeps = (moving_creep(body, factor * v) for body, v in zip(bodies, speeds, strict=True))
         return _core.CreepingContact(self.grid._core, *elastic, *creeps)
 
     def _over(self, counts: Sequence[int]) -> MovingContactSolver:
@@ -75,9 +82,28 @@ class MovingContactSolver(ContactSolver):
         self, contact: Pressing, drive: TangentialDriver, start: FloatArray | None
     ) -> tuple[ContactSolution, str]:
         settings = self.tol, self.max_iterations, self.on_border == "error"
-        found = self._core.solve(*contact, start, *settings)
+        try:
+            found = self._core.solve(*contact, start, *settings)
+        except _core.ConvergenceError:
+            higher = None if start is not None else self._from_above(contact, settings)
+            if higher is None:
+                raise
+            found = self._core.solve(*contact, higher, *settings)
         complaint = found.pop("border_complaint")
         return self._moving[2](self.grid, self._delayed(found["pressure"]), found), complaint
+
+    def _from_above(self, contact: Pressing, settings: Sequence[Any]) -> FloatArray | None:
+        """Return the pressure at a little more than the given speeds [Pa]; None if not found.
+
+        It is continued from speeds at which the material has nearly its instantaneous modulus.
+        """
+        pressure = None
+        for factor in _HIGHER if any(self._moving[1]) else ():
+            try:
+                pressure = self._core_at(factor).solve(*contact, pressure, *settings)["pressure"]
+            except _core.ConvergenceError:
+                return None
+        return pressure
 
     def _delayed(self, pressure: FloatArray) -> FloatArray:
         """Half of the displacement less the displacement in reversed motion [m].

@@ -159,7 +159,7 @@ _SCALARS = (
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "plastic_strain_residual", "yield_violation", "contact_iterations", "substeps",
-    "joint_steps", "converged", "contact_edge_distance", "cells_across_contact",
+    "falling_number", "joint_steps", "converged", "contact_edge_distance", "cells_across_contact",
     "sharp_edge_cells", "area_uncertainty", "layers_across_plastic_zone", "plastic_edge_distance",
 )  # fmt: skip
 

@@ -44,7 +44,8 @@ def add_slipping(
     `volume` is True. The balance of moving bodies requires displacements of each increment and is
     not added. Nothing is added in full sliding.
     """
-    if not friction_law(simulation.friction).sticks:
+    law = friction_law(simulation.friction)
+    if not law.sticks:
         return
     for name, values in along_surface(states).items():
         add(dataset, name, "increment", values)
@@ -53,6 +54,9 @@ def add_slipping(
     add(dataset, "stick_fraction", "increment", [_share(state) for state in states])
     add(dataset, "sticking", _SURFACE, np.stack([s.sticking for s in states]).astype(np.int8))
     dataset["sticking"].attrs |= _FLAGS
+    if law.needs_duration:
+        add(dataset, "slip_rate", _SURFACE, np.stack([s.slip_rate for s in states]))
+        add(dataset, "falling_number", "increment", [s.falling_number for s in states])
     if any(state.joint_steps for state in states):
         add(dataset, "joint_steps", "increment", [state.joint_steps for state in states])
     if not all(state.converged for state in states):

@@ -42,6 +42,46 @@ def test_flash_temperature_of_a_sliding_wheel():
     assert abs(rises[1] - rises[0]) < 0.03 * expected
 
 
+def upwind_flash(own_cell):
+    """Return the rise [K] and the friction power [W] by Ertz and Knothe's sum over cells.
+
+    Cells and backward difference of the slip are those of the example "ertz_temperature" of
+    CONTACT (revision 2356).
+    """
+    grid = sc.Grid(65, 45, 0.2e-3, 0.5e-3)
+    solver = sc.ContactSolver(grid, STEEL, STEEL)
+    gap = 1.015 * grid.x[:, None] ** 2 + 0.4215 * grid.y**2
+    pressure = solver.solve(gap, load=LOAD).pressure
+    assert (pressure > 0).sum() == 1969
+    assert pressure.max() == pytest.approx(770.6e6, abs=0.05e6)
+    shear = np.stack([0.3 * pressure, np.zeros(gap.shape)])
+    moved = [solver.displacement(pressure, shear, body)[0] for body in (1, 2)]
+    relative = moved[1] - moved[0]
+    ahead = 2 * relative[:1] - relative[1:2]
+    slip = V * (0.03333 - np.diff(relative, axis=0, prepend=ahead) / grid.dx)
+    flux = shear[0] * slip
+    behind = grid.x[:, None] - grid.x
+    root = np.sqrt(np.maximum(behind + grid.dx / 2, 0)) - np.sqrt(
+        np.maximum(behind - grid.dx / 2, 0)
+    )
+    root[np.diag_indices(65)] *= own_cell
+    rise = root @ flux / np.sqrt(np.pi * V * 50.0 * 7850 * 450)  # half of the heat
+    return rise.max(), flux.sum() * grid.cell_area
+
+
+def test_contact_prints_a_flash_temperature_with_the_own_cell_counted_twice():
+    """CONTACT prints 166.8 K, of which 14.5 K vanish with the cell size: the exact integral over
+    the half of a cell up to its centre is sqrt(dx/2), the program adds 2 sqrt(dx/2).
+    """
+    printed, power = upwind_flash(own_cell=2.0)
+    assert printed == pytest.approx(166.8, abs=0.05)
+    assert power == pytest.approx(2.994e4, abs=5.0)
+    exact, _ = upwind_flash(own_cell=1.0)
+    state = wheel_on_rail(sc.Coulomb(0.3))
+    rise = max(state.surface_temperature(body).max() for body in (1, 2))
+    assert rise == pytest.approx(exact, rel=0.01)
+
+
 def test_slipping_cells_have_the_coefficient_at_their_temperature():
     state = wheel_on_rail(FALLING, (36, 26))
     rise = np.maximum(state.surface_temperature(1), state.surface_temperature(2))

@@ -194,3 +194,19 @@ def test_bad_input(change, error, text):
     } | change  # fmt: skip
     with pytest.raises(error, match=text):
         sc.sliding.steady(**arguments)
+
+
+def test_white_noise_on_nearly_liquid_rubber_is_continued_from_higher_velocities():
+    """The reference converges without continuation, in 1143 iterations."""
+    n = 32
+    grid = sc.Grid(n, n, 1e-3 / n, 1e-3 / n, periodic="xy")
+    gap = 1e-6 * np.random.default_rng(0).standard_normal((n, n))
+    body = sc.Material.elastic(1e8, 0.4).with_relaxation(times=[1e-3, 0.1], shares=[0.4995] * 2)
+    given = grid, sc.Material.elastic(2e11, 0.3), body, gap
+    drive = {"load": 0.1, "velocity": 1e-4}
+    direct = sc.sliding.steady(*given, **drive)
+    found = sc.sliding.steady(*given, **drive, max_iterations=900)
+    assert found.friction == pytest.approx(direct.friction, rel=1e-7)
+    assert np.abs(found.pressure - direct.pressure).max() < 1e-6 * found.pressure.max()
+    with pytest.raises(sc.ConvergenceError, match=r"did not converge at load 0\.1 N"):
+        sc.sliding.steady(*given, **drive, max_iterations=5)
