@@ -182,7 +182,7 @@ class Maugis:
 
     @property
     def pull_off(self) -> float:
-        """Pull-off force [N]: between 3/2 pi w R and 2 pi w R."""
+        """Pull-off force [N], between 3/2 pi w R and 2 pi w R."""
         found = scipy.optimize.minimize_scalar(
             lambda a: self._of_one(a)[0], bounds=(1e-3, 3.0), method="bounded",
             options={"xatol": 1e-10},
