@@ -47,6 +47,11 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
       coupling_(grid, {body1, body2}),
       joint_(grid, {body1, body2, friction.compliance()}) {
   assert(friction.sticks());
+  if (law_->varies()) {
+    throw std::invalid_argument(
+        "friction must be a coefficient (full sliding) with adhesion that depends on the gap: "
+        "partial slip is not supported");
+  }
 }
 
 namespace {

@@ -138,8 +138,7 @@ SharedContactLaw dugdale_adhesion(double work, double stress, double drop) {
   const double middle = work / stress;
   // A drop that begins at once has no plateau.
   if (middle - 0.5 * drop <= 1e-9 * middle) return tabulated_adhesion({0.0, stress, drop, 0.0});
-  return tabulated_adhesion(
-      {0.0, stress, middle - 0.5 * drop, stress, middle + 0.5 * drop, 0.0});
+  return tabulated_adhesion({0.0, stress, middle - 0.5 * drop, stress, middle + 0.5 * drop, 0.0});
 }
 
 SharedContactLaw lennard_jones_adhesion(double work, double z0) {
@@ -148,7 +147,8 @@ SharedContactLaw lennard_jones_adhesion(double work, double z0) {
 
 SharedContactLaw tabulated_adhesion(const std::vector<double>& points) {
   if (points.size() < 4 || points.size() % 2 != 0) {
-    throw std::invalid_argument("a tabulated adhesion requires at least two pairs of gap and stress");
+    throw std::invalid_argument(
+        "a tabulated adhesion requires at least two pairs of gap and stress");
   }
   std::vector<double> gaps, attractions;
   for (std::size_t k = 0; k < points.size(); k += 2) {

@@ -75,8 +75,9 @@ Field repulsion(const ContactLaw& law, Field pressure, const Field& gap) {
   if (!law.attracts()) return pressure;
   for (std::size_t i = 0; i < pressure.size(); ++i) pressure[i] += law.attraction(gap[i]);
   if (!law.varies()) return pressure;
-  const double largest = std::max(
-      law.largest_attraction(), largest_of(pressure.size(), [&](std::size_t i) { return pressure[i]; }));
+  const double largest =
+      std::max(law.largest_attraction(),
+               largest_of(pressure.size(), [&](std::size_t i) { return pressure[i]; }));
   for (double& r : pressure) r = r > error_fraction * largest ? r : 0.0;
   return pressure;
 }

@@ -90,7 +90,8 @@ class LoadSearch {
   bool pull_off(double step) {
     Point near{descent_.gap().approach(), excess()}, before = near;
     Place place = here(), place_before = place;
-    double factor = growth;
+    Point most = near;
+    double faster = growth;  // not towards the largest tension
     for (int n = 0; n < max_steps; ++n) {
       if (!descend(near.approach - step)) return false;
       if (is_reached()) return true;
@@ -102,17 +103,18 @@ class LoadSearch {
       if (next.excess >= near.excess) {
         // The largest tension, or a jump to separated surfaces, lies within this step or the last.
         step *= reduction;
-        factor = 1.0;
-        if (step < smallest_step * first_step_) throw pulled_off(near);
+        if (step < smallest_step * first_step_) throw pulled_off(most);
+        faster = 1.0;
         near = before;
         place = place_before;
         return_to(place);
         continue;
       }
       const double slope = (near.excess - next.excess) / step;
+      if (next.excess < most.excess) most = next;
       before = std::exchange(near, next);
       place_before = std::exchange(place, here());
-      step = std::min(factor * step, 1.1 * near.excess / slope);
+      step = std::min(faster * step, 1.1 * near.excess / slope);
     }
     return false;
   }

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
-#include <utility>
 
 #include "samcontact/fft/plan.hpp"
 #include "samcontact/operators/surface/near_displacement.hpp"
@@ -39,12 +37,6 @@ AdhesiveSurface::AdhesiveSurface(const Grid& grid, const operators::SurfaceInflu
   if (influence.ends(grid)) {
     throw std::invalid_argument("adhesion cannot be combined with free faces of the bodies");
   }
-  for (const auto& [cells, period] : {std::pair{grid.nx, grid.period.x}, {grid.ny, grid.period.y}}) {
-    if (period > 1 && period % 2 != 0) {
-      throw std::invalid_argument("adhesion requires an even number of cells in a period, got " +
-                                  std::to_string(cells));
-    }
-  }
   const double points = static_cast<double>(size());
   const double largest = *std::max_element(compliance_.begin(), compliance_.end());
   const bool periodic = grid.period.x > 0 && grid.period.y > 0;
@@ -76,17 +68,16 @@ AdhesiveSurface::AdhesiveSurface(const Grid& grid, const operators::SurfaceInflu
 }
 
 void AdhesiveSurface::displace(const Field& pressure, Field& displacement,
-                                ComplexField& work) const {
+                               ComplexField& work) const {
   transform_.filter(pressure.data(), compliance_.data(), displacement.data(), work);
 }
 
-void AdhesiveSurface::press(const Field& displacement, Field& pressure,
-                                ComplexField& work) const {
+void AdhesiveSurface::press(const Field& displacement, Field& pressure, ComplexField& work) const {
   transform_.filter(displacement.data(), stiffness_.data(), pressure.data(), work);
 }
 
 void AdhesiveSurface::precondition(const Field& pressure, Field& displacement,
-                                ComplexField& work) const {
+                                   ComplexField& work) const {
   transform_.filter(pressure.data(), preconditioner_.data(), displacement.data(), work);
 }
 

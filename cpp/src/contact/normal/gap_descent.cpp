@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
@@ -22,16 +23,31 @@ constexpr double least_curvature = 0.02;
 constexpr double ranges_per_step = 3.0;
 /// Share of the displacement under its residual by which a cell opens.
 constexpr double opening = 0.5;
+/// Reduction of a step that increases the energy, and the number of reductions.
+constexpr double shorter = 0.25;
+constexpr int most_shorter = 12;
+/// Rounding error of a gap, relative to the heights of the undeformed surfaces.
+constexpr double last_digits = 32 * std::numeric_limits<double>::epsilon();
+/// Rounding error of the energy, relative to the energy or to the work of adhesion of the grid.
+constexpr double rounding = 1e-13;
 
 }  // namespace
 
 GapDescent::GapDescent(const AdhesiveSurface& surface, const ContactLaw& law,
                        const Field& initial_gap)
-    : surface_(surface), law_(law), gap_(surface, initial_gap) {
-  for (Field* field : {&p_, &residual_, &before_, &z_, &t_, &q_, &scratch_}) field->assign(gap_.size(), 0.0);
+    : surface_(surface),
+      law_(law),
+      gap_(surface, initial_gap),
+      work_of_grid_(law.energy(law.reach()) * static_cast<double>(surface.size())) {
+  const double highest = largest_of(
+      gap_.size(), [&](std::size_t i) { return gap_.is_body(i) ? gap_.undeformed(i) : 0.0; });
+  rounding_of_pressure_ = last_digits * highest / surface.self_influence();
+  for (Field* field : {&p_, &residual_, &before_, &z_, &t_, &q_, &scratch_})
+    field->assign(gap_.size(), 0.0);
 }
 
 void GapDescent::start_from(const Field& pressure) {
+  is_cold_ = pressure.empty();
   gap_.start_from(pressure, law_, work_);
   applications_ += pressure.empty() ? 0 : 1;
 }
@@ -72,14 +88,12 @@ void GapDescent::find_residual() {
       if (!gap_.is_frozen(i)) residual_[i] -= multiplier_;
     });
   }
-  const double scale =
-      std::max(law_.largest_attraction(), largest_of(n, [&](std::size_t i) {
-                 return gap_.is_body(i) ? std::fabs(p_[i] - multiplier_) : 0.0;
-               }));
-  error_ = largest_of(n, [&](std::size_t i) {
-             return gap_.is_open(i) ? std::fabs(residual_[i]) : -residual_[i];
-           }) /
-           scale;
+  const double scale = std::max(law_.largest_attraction(), largest_of(n, [&](std::size_t i) {
+                                  return gap_.is_body(i) ? std::fabs(p_[i] - multiplier_) : 0.0;
+                                }));
+  const double largest = largest_of(
+      n, [&](std::size_t i) { return gap_.is_open(i) ? std::fabs(residual_[i]) : -residual_[i]; });
+  error_ = largest > rounding_of_pressure_ ? largest / scale : 0.0;
 }
 
 double GapDescent::energy() {
@@ -100,11 +114,9 @@ void GapDescent::find_direction(bool restart) {
   });
   remove_mean(z_);
   const double rz = ordered_dot(q_.data(), z_.data(), n);
-  const double change =
-      ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
+  const double change = ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
   const double beta = restart || rz_ <= 0 ? 0.0 : std::max(0.0, change / rz_);
-  for_each_cell(n,
-                [&](std::ptrdiff_t i) { t_[i] = gap_.is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
+  for_each_cell(n, [&](std::ptrdiff_t i) { t_[i] = gap_.is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
   // A set that has changed leaves the earlier direction with a mean, with which the approach would
   // drift.
   remove_mean(t_);
@@ -134,10 +146,9 @@ double GapDescent::step_length(bool is_first) {
   return step * farthest > limit ? std::min(step, bounded) : step;
 }
 
-bool GapDescent::move(bool is_first) {
+bool GapDescent::move(double step, double share) {
   Field& x = gap_.values();
   const std::ptrdiff_t n = std::ssize(p_);
-  const double step = step_length(is_first);
   bool closed = false, opened = false;
   for (std::ptrdiff_t i = 0; i < n; ++i) {
     if (gap_.is_open(i)) {
@@ -147,7 +158,7 @@ bool GapDescent::move(bool is_first) {
         x[i] = 0.0;
       }
     } else if (gap_.is_body(i) && residual_[i] < 0) {
-      x[i] = -opening * residual_[i] * surface_.self_influence();
+      x[i] = -share * residual_[i] * surface_.self_influence();
       opened = true;
     }
   }
@@ -161,10 +172,32 @@ bool GapDescent::move(bool is_first) {
   return opened;
 }
 
+bool GapDescent::descend_once(bool is_first, double& energy_before) {
+  const double full = step_length(is_first);
+  const Field x = gap_.values(), p = p_;
+  const bool exact = exact_;
+  double share = 1.0;
+  for (int n = 0;; ++n, share *= shorter) {
+    const bool opened = move(share * full, share * opening);
+    const double now = energy();
+    const double scale = std::max({work_of_grid_, std::fabs(now), std::fabs(energy_before)});
+    const double rise = (now - energy_before) / scale;
+    if (rise <= rounding || n == most_shorter) {
+      energy_rise_ = std::max(energy_rise_, rise);
+      energy_before = now;
+      return opened || n > 0;
+    }
+    // Cells that close or open may increase the energy: a shorter step decreases it.
+    gap_.values() = x;
+    p_ = p;
+    exact_ = exact;
+  }
+}
+
 bool GapDescent::descend(double approach, double tol, int max_iterations) {
+  const bool is_cold = std::exchange(is_cold_, false);
   gap_.approach_to(approach);
   press();
-  const double work = law_.energy(law_.reach()) * static_cast<double>(p_.size());
   double before = energy();
   bool restart = true;
   for (int n = 0;; ++n, ++iterations_) {
@@ -177,10 +210,7 @@ bool GapDescent::descend(double approach, double tol, int max_iterations) {
     if (error_ <= tol) return true;
     if (n >= max_iterations || !std::isfinite(error_)) return false;
     find_direction(restart);
-    restart = move(n == 0);
-    const double now = energy();
-    energy_rise_ = std::max(energy_rise_, (now - before) / work);
-    before = now;
+    restart = descend_once(n == 0 && is_cold, before);
   }
 }
 

@@ -21,6 +21,8 @@ class AdhesiveGap {
   Field& values() { return x_; }
   const Field& values() const { return x_; }
   double approach() const { return approach_; }
+  /// Gap of the undeformed surfaces [m]; 0 in cells without both bodies.
+  double undeformed(std::size_t i) const { return undeformed_[i]; }
 
   /// Cells with both bodies.
   bool is_body(std::size_t i) const { return cells_[i] == Cell::body; }

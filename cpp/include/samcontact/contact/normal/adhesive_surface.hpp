@@ -16,8 +16,7 @@ namespace samcontact::contact {
 /// solution is that of free surfaces.
 class AdhesiveSurface {
  public:
-  /// Throws std::invalid_argument for free faces, an odd number of cells in a period, and if the
-  /// stiffness is not positive.
+  /// Throws std::invalid_argument for free faces and if the stiffness is not positive.
   AdhesiveSurface(const Grid& grid, const operators::SurfaceInfluence& influence);
 
   const Grid& grid() const { return grid_; }

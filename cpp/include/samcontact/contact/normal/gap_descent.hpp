@@ -34,7 +34,8 @@ class GapDescent {
   /// Iterations, and applications of compliance and stiffness, of all descents.
   int iterations() const { return iterations_; }
   int applications() const { return applications_; }
-  /// Largest increase of the energy in a step, relative to the work of adhesion of the grid.
+  /// Largest increase of the energy in a step, relative to the energy or to the work of adhesion
+  /// of the grid.
   double energy_rise() const { return energy_rise_; }
 
  private:
@@ -43,8 +44,11 @@ class GapDescent {
   /// Residual of the stationary energy in open cells, and the error.
   void find_residual();
   void find_direction(bool restart);
-  /// Moves along the direction; whether cells have opened.
-  bool move(bool is_first);
+  /// Moves by a step along the direction, and opens cells by a share of the displacement under
+  /// their residual; whether cells have opened.
+  bool move(double step, double share);
+  /// One step that decreases the energy; whether the next direction starts anew.
+  bool descend_once(bool is_first, double& energy_before);
   double step_length(bool is_first);
   double energy();
   /// Removes the mean over the open cells, if the mean is fixed.
@@ -53,9 +57,12 @@ class GapDescent {
   const AdhesiveSurface& surface_;
   const ContactLaw& law_;
   AdhesiveGap gap_;
+  double work_of_grid_;  // of adhesion, over the cell area
+  double rounding_of_pressure_;
   Field p_, residual_, before_, z_, t_, q_, scratch_;
   double multiplier_ = 0.0, error_ = 1.0, rz_ = 0.0, energy_rise_ = 0.0;
-  bool exact_ = false;  // whether the pressure is that of the gap without accumulated rounding
+  bool exact_ = false;   // whether the pressure is that of the gap without accumulated rounding
+  bool is_cold_ = true;  // no earlier state whose branch to follow
   int iterations_ = 0, applications_ = 0;
   ComplexField work_;
 };

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contacts with adhesion that depends on the gap: against closed forms and their conditions."""
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+import samcontact as sc
+
+pytestmark = pytest.mark.filterwarnings("ignore:the attraction at the edge")
+R, W, E = 1e-6, 0.05, 1e9
+TIP, SOFT = sc.Material.rigid(), sc.Material.elastic(E, 0.0)
+JKR = sc.adhesion.jkr(R, W, E)
+FORCE = math.pi * W * R
+RADIUS = JKR.radius_at_pull_off
+LENGTH = float(-JKR.approach(RADIUS / 3 ** (2 / 3)))  # approach of pull-off at given approach
+
+
+def ball(n, box, law, **more):
+    """Return solver and gap of a ball on n x n cells over a box, in radii at pull-off."""
+    grid = sc.Grid(n, n, box * RADIUS / n, box * RADIUS / n)
+    solver = sc.ContactSolver(grid, TIP, SOFT, adhesion=law, tol=1e-9, **more)
+    return solver, sc.surfaces.paraboloid(grid, R)
+
+
+def loads_along(solver, gap, approaches):
+    solution, loads = None, []
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for approach in approaches:
+            start = None if solution is None else solution.pressure
+            solution = solver.solve(gap, approach=approach, initial_pressure=start)
+            loads.append(solution.load)
+    return np.array(loads)
+
+
+def branch_of_jkr(approaches):
+    """Return the loads of JKR on the branch of retraction."""
+    radii = np.linspace(RADIUS / 3 ** (2 / 3) * 1.0001, 4 * RADIUS, 4000)
+    return np.interp(approaches, JKR.approach(radii), JKR.load(radii))
+
+
+def test_a_refined_range_converges_to_jkr():
+    """The error is of first order in the cell size, like the length of the cohesive zone."""
+    approaches = np.arange(0.6, -0.6, -0.06) * LENGTH
+    curves = [loads_along(*ball(n, 4.2, sc.Adhesion.jkr(W)), approaches) / FORCE for n in (48, 96)]
+    extrapolated = 2 * curves[1] - curves[0]
+    expected = branch_of_jkr(approaches) / FORCE
+    assert np.abs(curves[1] - expected).max() < 0.07
+    assert np.abs(extrapolated - expected).max() < 0.05
+    assert -extrapolated.min() == pytest.approx(1.5, rel=0.02)
+
+
+@pytest.mark.slow
+def test_a_finely_refined_range_equals_jkr():
+    approaches = np.arange(0.6, -0.6, -0.04) * LENGTH
+    curves = [
+        loads_along(*ball(n, 4.2, sc.Adhesion.jkr(W)), approaches) / FORCE for n in (100, 200)
+    ]
+    extrapolated = 2 * curves[1] - curves[0]
+    assert np.abs(extrapolated - branch_of_jkr(approaches) / FORCE).max() < 0.02
+    assert -extrapolated.min() == pytest.approx(1.5, rel=0.01)
+
+
+def maugis_error(transition, n, step):
+    """Return the largest error of the load along the stable branch, relative to pi w R."""
+    stiffness = 4 * E / 3
+    stress = transition / 2 * (math.pi * W * stiffness**2 / R) ** (1 / 3)
+    sphere = sc.adhesion.maugis(R, W, E, stress)
+    radii = np.linspace(0.02, 1.6, 300) * RADIUS
+    approach, load = sphere.approach(radii), sphere.load(radii)
+    first = int(np.argmin(approach))
+    box = 2.2 * float(sphere.outer_radius(radii[-1])) / RADIUS
+    path = np.arange(approach[-1], approach[first] + 0.05 * LENGTH, -step * LENGTH)
+    found = loads_along(*ball(n, box, sc.Adhesion.dugdale(W, stress)), path)
+    return np.abs(found - np.interp(path, approach[first:], load[first:])).max() / FORCE
+
+
+def test_constant_attraction_equals_maugis():
+    assert maugis_error(0.5, 64, 0.15) < 0.022
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("transition", [0.1, 0.5, 1.0, 3.0])
+def test_constant_attraction_approaches_maugis(transition):
+    """The branch of the largest transition parameter is jagged near its end."""
+    errors = [maugis_error(transition, n, 0.05) for n in (64, 128, 256)]
+    assert errors[2] < errors[0]
+    assert errors[2] < 0.015
+
+
+def test_a_long_range_is_the_limit_of_stiff_spheres():
+    """With the Tabor number 0.1, the pull-off force is between that of Maugis and 2 pi w R."""
+    reach = (R * (W / E) ** 2 / 0.1**3) ** (1 / 3)
+    law = sc.Adhesion.exponential(W, reach)
+    solver, gap = ball(64, 24.0, law)
+    pulled = -loads_along(solver, gap, np.arange(0.5, -1.0, -0.1) * LENGTH).min() / FORCE
+    assert pulled == pytest.approx(1.959, rel=2e-3)
+    assert pulled < 2.0
+
+
+def wave_error(alpha, cells):
+    """Return the relative error of the pull-off pressure of a wave."""
+    length, amplitude = 1e-6, 1e-8
+    flattening = math.pi * E * amplitude / length
+    work = (alpha * flattening) ** 2 * length / (2 * E)
+    grid = sc.Grid(cells, 1, length / cells, length / cells, periodic="xy")
+    gap = amplitude * (1 - np.cos(2 * math.pi * grid.x / length))[:, None]
+    law = sc.Adhesion.jkr(work)
+    solver = sc.ContactSolver(grid, TIP, SOFT, adhesion=law, tol=1e-9)
+    loads = loads_along(solver, gap, amplitude * np.arange(0.9, -0.4, -0.02))
+    expected = sc.adhesion.wave(length, amplitude, work, E).pull_off
+    return -loads.min() / (length * grid.dy) / expected - 1
+
+
+def test_waves_converge_to_johnson():
+    coarse, fine = (wave_error(0.4, cells) for cells in (128, 512))
+    assert abs(fine) < 0.6 * abs(coarse)
+    assert abs(fine) < 0.03
+
+
+def test_approach_and_retraction_agree_on_one_branch():
+    """With a resolved law, the contact edge does not stick to cells."""
+    law = sc.Adhesion.exponential(W, 1.0e-9)
+    solver, gap = ball(36, 4.2, law)
+    assert law.on(solver.grid, TIP, SOFT).kappa < 0.6
+    path = np.linspace(-0.2, 0.6, 9) * LENGTH
+    up = loads_along(solver, gap, path)
+    down = loads_along(solver, gap, path[::-1])[::-1]
+    assert np.abs(up - down).max() < 1e-6 * FORCE
+
+
+SCENES = {
+    "free": ({}, {}),
+    "periodic": ({"periodic": "xy"}, {}),
+    "strip": ({"periodic": "x"}, {}),
+    "layer": ({}, {"body2": sc.Layered([(sc.Material.elastic(4e9, 0.3), 2e-8)], SOFT)}),
+    "tilted": ({}, {"tilt": (2e-3, -1e-3)}),
+}
+
+
+@pytest.mark.parametrize("law", ["exponential", "dugdale", "lennard_jones", "tabulated"])
+@pytest.mark.parametrize("scene", SCENES)
+def test_rough_contacts_satisfy_their_conditions(scene, law):
+    """Equilibrium of each cell, with the displacement from the solver of hard contact."""
+    settings, more = SCENES[scene]
+    grid = sc.Grid(24, 20, 6e-9, 7e-9, **settings)
+    laws = {
+        "exponential": sc.Adhesion.exponential(0.03, 1.2e-9),
+        "dugdale": sc.Adhesion.dugdale(0.03, 2e7),
+        "lennard_jones": sc.Adhesion.lennard_jones(0.03, 1.6e-9),
+        "tabulated": sc.Adhesion.tabulated([0.0, 1e-9, 3e-9], [1.5e7, 1.5e7, 0.0]),
+    }
+    body = more.get("body2", SOFT)
+    solver = sc.ContactSolver(grid, TIP, body, adhesion=laws[law], tol=1e-10, on_border="warn")
+    gap = np.random.default_rng(3).uniform(0.0, 3e-9, grid.surface_shape)
+    if not grid.periodic:
+        gap += sc.surfaces.paraboloid(grid, 3e-7)
+    tilt = more.get("tilt", (0.0, 0.0))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = solver.solve(gap, approach=1e-9, **({"tilt": tilt} if any(tilt) else {}))
+    resolved = laws[law].on(grid, TIP, body)
+    x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
+    lowered = found.approach + tilt[0] * y - tilt[1] * x
+    hard = sc.ContactSolver(grid, TIP, body)
+    displacement = hard.displacement(found.pressure)[2]
+    largest = max(resolved.law.peak, found.pressure.max())
+    stiffness = resolved.kappa / resolved.law.steepest_fall
+    if grid.periodic != "xy":  # otherwise the mean displacement is arbitrary
+        np.testing.assert_allclose(
+            found.gap, gap + displacement - lowered, atol=1e-7 * largest * stiffness * 100
+        )
+    assert found.gap.min() >= 0.0
+    assert found.repulsion.min() >= 0.0
+    assert np.all(found.gap[found.in_contact] == 0.0)
+    assert found.in_contact.any()
+    assert not found.in_contact.all()
+    attraction = found.adhesion_stress
+    assert attraction.min() >= -1e-9 * largest
+    assert attraction.max() <= resolved.law.peak * (1 + 1e-6)
+    assert found.load == pytest.approx(found.pressure.sum() * grid.cell_area, rel=1e-12)
+
+
+def test_without_work_of_adhesion_the_contact_is_hard():
+    weak = sc.Adhesion.exponential(1e-13, 1e-9)
+    grid = sc.Grid(32, 32, 1e-8, 1e-8)
+    gap = sc.surfaces.paraboloid(grid, R)
+    hard = sc.ContactSolver(grid, TIP, SOFT, tol=1e-11).solve(gap, load=1e-6)
+    found = sc.ContactSolver(grid, TIP, SOFT, adhesion=weak, tol=1e-11).solve(gap, load=1e-6)
+    np.testing.assert_allclose(found.pressure, hard.pressure, atol=1e-6 * hard.pressure.max())
+    assert found.approach == pytest.approx(hard.approach, rel=1e-8)
+
+
+def test_a_load_is_found_on_its_branch_and_a_larger_tension_is_refused():
+    solver, gap = ball(32, 4.2, sc.Adhesion.jkr(W))
+    pressed = solver.solve(gap, load=0.5 * FORCE)
+    same = solver.solve(gap, approach=pressed.approach)
+    assert same.load == pytest.approx(0.5 * FORCE, rel=1e-6)
+    path = np.arange(0.0, -0.7, -0.01) * LENGTH
+    largest = -loads_along(solver, gap, path).min()
+    pulled = solver.solve(gap, load=-0.95 * largest)
+    assert pulled.load == -0.95 * largest
+    with pytest.raises(sc.PullOffError, match="load must be at least") as caught:
+        solver.solve(gap, load=-1.05 * largest, initial_pressure=pulled.pressure)
+    assert isinstance(caught.value, sc.ConvergenceError)
+    assert caught.value.pull_off == pytest.approx(largest, rel=3e-3)
+    assert -0.7 * LENGTH < caught.value.approach < 0.0
+
+
+def test_results_scale_with_the_units():
+    solver, gap = ball(24, 4.2, sc.Adhesion.exponential(W, 1.5e-9))
+    found = solver.solve(gap, approach=0.3 * LENGTH)
+    length, stress = 1e3, 1e-4
+    grid = sc.Grid(24, 24, solver.grid.dx * length, solver.grid.dy * length)
+    law = sc.Adhesion.exponential(W * length * stress, 1.5e-9 * length)
+    body = sc.Material.elastic(E * stress, 0.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sc.UnitWarning)
+        other = sc.ContactSolver(grid, TIP, body, adhesion=law, tol=1e-9).solve(
+            gap * length, approach=0.3 * LENGTH * length
+        )
+    np.testing.assert_allclose(
+        other.pressure,
+        found.pressure * stress,
+        rtol=1e-9,
+        atol=1e-9 * stress * found.pressure.max(),
+    )
+
+
+def test_friction_acts_on_the_repulsion_only():
+    """Dissimilar bodies: the shear of the cells in contact moves the surfaces."""
+    grid = sc.Grid(32, 32, 8e-9, 8e-9)
+    stiff = sc.Material.elastic(3e9, 0.2)
+    solver = sc.ContactSolver(
+        grid, stiff, SOFT, 0.4, adhesion=sc.Adhesion.exponential(W, 1.5e-9), on_border="warn"
+    )
+    gap = sc.surfaces.paraboloid(grid, R)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = solver.solve(gap, approach=1e-9)
+        smooth = sc.ContactSolver(
+            grid, stiff, SOFT, adhesion=sc.Adhesion.exponential(W, 1.5e-9), on_border="warn"
+        ).solve(gap, approach=1e-9)
+    shift = np.abs(found.pressure - smooth.pressure).max() / smooth.pressure.max()
+    assert shift > 1e-3
+    assert np.all(found.gap[found.in_contact] < 1e-12)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"law": sc.Adhesion.exponential(W, 1e-11)}, "adhesion must be resolved by the grid"),
+        ({"solve": {"load": 1e-7, "moment": (1e-15, 0.0)}}, "moment cannot be combined"),
+        ({"friction": sc.Coulomb(0.3)}, "partial slip is not supported"),
+        ({"heat": sc.Heat(1e-3)}, "heat is not supported with adhesion"),
+    ],
+)
+def test_impossible_scenes_are_refused(change, message):
+    grid = sc.Grid(16, 16, 1e-8, 1e-8)
+    more = {"heat": change["heat"]} if "heat" in change else {}
+    with pytest.raises(ValueError, match=message):
+        sc.ContactSolver(
+            grid, TIP, SOFT.with_thermal(50.0, 1e-5, 1e-5), change.get("friction", 0.0),
+            adhesion=change.get("law", sc.Adhesion.jkr(W)), **more,
+        ).solve(
+            sc.surfaces.paraboloid(grid, R), **change.get("solve", {"approach": 0.0})
+        )  # fmt: skip
+
+
+def test_coarse_cells_and_a_small_grid_are_told():
+    grid = sc.Grid(24, 24, 1e-8, 1e-8)
+    gap = sc.surfaces.paraboloid(grid, R)
+    coarse = sc.Adhesion.exponential(W, 8.6e-10)
+    assert 0.6 < coarse.on(grid, TIP, SOFT).kappa < 1.0
+    with pytest.warns(sc.ResolutionWarning, match="does not resolve the adhesion"):
+        sc.ContactSolver(grid, TIP, SOFT, adhesion=coarse).solve(gap, approach=0.0)
+    long = sc.Adhesion.exponential(W, 5e-9)
+    with pytest.warns(sc.GridTooSmallWarning, match="attraction at the edge of the grid"):
+        sc.ContactSolver(grid, TIP, SOFT, adhesion=long).solve(gap, approach=0.0)
+
+
+def test_a_law_states_its_range_and_tabor_number_on_a_grid():
+    grid = sc.Grid(9, 7, 2e-9, 3e-9)
+    law = sc.Adhesion.exponential(W, 2e-9)
+    found = law.on(grid, TIP, SOFT)
+    assert found.modulus == pytest.approx(E, rel=1e-12)
+    assert found.tabor(R) == pytest.approx(sc.adhesion.tabor(R, W, E, 2e-9), rel=1e-12)
+    assert not found.is_refined
+    refined = sc.Adhesion.jkr(W).on(grid, TIP, SOFT)
+    assert refined.is_refined
+    assert refined.kappa == pytest.approx(0.5, rel=1e-12)
+    periodic = sc.Grid(16, 16, 2e-9, 2e-9, periodic="xy")
+    assert law.on(periodic, TIP, SOFT).modulus == pytest.approx(E, rel=1e-12)
