@@ -150,6 +150,10 @@ def _approach(contact: Contact) -> None:
     contact.prescribes_approach = True
 
 
+def _adheres(contact: Contact) -> None:
+    contact.settings["adhesion"] = sc.Adhesion.jkr(20.0)
+
+
 def _moment(contact: Contact) -> None:
     contact.about["moment"] = (LOAD * SIZE, None)
 
@@ -196,6 +200,7 @@ CAPABILITIES: dict[str, Change] = {
     "dent": _dented,
     "enlarged grid": _enlarged,
     "prescribed approach": _approach,
+    "adhesion": _adheres,
     "moment": _moment,
     "held tilt": _tilt,
     "automatic sub-increments": _with_setting("increment_tol", 0.01),

@@ -136,12 +136,12 @@ def faults(contact: Contact) -> list[str]:
 
 
 def _faults_of(state: sc.State, step: dict[str, Any], contact: Contact) -> list[str]:
-    pressure, gap = state.pressure, state.gap
+    pressure, gap = state.repulsion, state.gap
     highest = pressure.max()
     conditions = {"finite pressure": bool(np.isfinite(pressure).all())}
     conditions["pressure >= 0"] = bool(pressure.min() >= 0)
     if "load" in step:
-        load = pressure.sum() * state.grid.cell_area
+        load = state.pressure.sum() * state.grid.cell_area
         conditions["load"] = bool(abs(load - step["load"]) <= 1e-6 * LOAD)
     moment = step.get("moment", (None, None))[0]
     if moment is not None:

@@ -20,6 +20,7 @@ RETESTED = (
     ("steady heat", "periodic along y"),
     ("elastic coating", "heat history"),
     ("no slip", "steady heat"),
+    ("elastic coating", "adhesion"),
 )
 """Pairs that the tests run again."""
 
@@ -80,6 +81,11 @@ REASONS = (
     Reason(
         "relaxation cannot be combined with a yield stress",
         "A body that both relaxes and yields; the other body may yield.",
+    ),
+    Reason(
+        "adhesion|attraction",
+        "Adhesion of viscoelastic bodies, or with partial slip, heat, moments, or motion through "
+        "the grid.",
     ),
     Reason(
         "viscoelastic",

@@ -140,3 +140,15 @@ def test_a_load_beyond_the_pull_off_is_refused_with_the_largest_tension():
     with pytest.raises(sc.PullOffError) as raised:
         solver.solve(gap, load=-2.5 * FORCE)
     assert 1.5 * FORCE < raised.value.pull_off < 2.0 * FORCE
+
+
+def test_a_retraction_from_compression_ends_past_the_largest_tension():
+    grid = sc.Grid(40, 40, 17e-9, 17e-9)
+    gap = sc.surfaces.paraboloid(grid, R)
+    law = sc.Adhesion.exponential(W, 4e-9)
+    simulation = sc.Simulation(grid, TIP, POLYMER, gap, adhesion=law)
+    assert simulation.step(load=0.5 * FORCE).load > 0
+    found = sc.paths.pull_off(simulation, step=1e-9, until="maximum")
+    assert 1.5 * FORCE < found.pull_off < 1.75 * FORCE
+    assert found.states[-1].load > -found.pull_off
+    assert not found.is_apart
