@@ -20,6 +20,7 @@ RETESTED = (
     ("steady heat", "periodic along y"),
     ("elastic coating", "heat history"),
     ("no slip", "steady heat"),
+    ("rolling", "dent of a pressed particle"),
 )
 """Pairs that the tests run again."""
 
