@@ -142,6 +142,11 @@ def _dented(contact: Contact) -> None:
     contact.settings["relief2"] = lambda grid: sc.dents.spherical(grid, 4e-7, 1.2e-4, x=6e-5)
 
 
+def _particle(contact: Contact) -> None:
+    _yields(contact)
+    contact.is_dented = True
+
+
 def _enlarged(contact: Contact) -> None:
     contact.is_enlarged = True
 
@@ -198,6 +203,7 @@ CAPABILITIES: dict[str, Change] = {
     "motion along y": _rolls_across,
     "measured surface": _measured,
     "dent": _dented,
+    "dent of a pressed particle": _particle,
     "enlarged grid": _enlarged,
     "prescribed approach": _approach,
     "adhesion": _adheres,

@@ -17,6 +17,8 @@ CELLS, LAYERS, SIZE = 16, 10, 40e-6
 RADIUS, LOAD, APPROACH = 5e-3, 260.0, 6e-6
 SPEED = 0.2
 TOL = 1e-5
+METHODS = ("residual_stress", "increment_tol")
+"""Settings of the indentation, taken from those of the contact."""
 Body = sc.Material | sc.Layered
 
 
@@ -35,6 +37,8 @@ class Contact:
     periodic: str = ""
     heights: np.ndarray | None = None
     """Measured heights, which are added to the gap [m]."""
+    is_dented: bool = False
+    """Whether a hard particle has been pressed into the lower body before."""
     is_enlarged: bool = False
     """Whether the grid is enlarged when the contact reaches its edge."""
     law: float | sc.Coulomb = 0.0
@@ -76,7 +80,21 @@ class Contact:
         if self.heat:
             settings["heat"] = self.heating()
         gap = self.gap if self.is_enlarged else self.gap(grid)
-        return sc.Simulation(grid, *self.bodies(), gap, self.law, **settings)
+        simulation = sc.Simulation(grid, *self.bodies(), gap, self.law, **settings)
+        if self.is_dented:
+            self.press_particle(simulation)
+        return simulation
+
+    def press_particle(self, simulation: sc.Simulation) -> None:
+        """Start the simulation from the dent of a hard particle in the lower body."""
+        particle = sc.overrolling.Particle(radius=4e-4, approach=2e-6, x=SIZE)
+        chosen = {name: self.settings[name] for name in METHODS if name in self.settings}
+        dented = sc.overrolling.indent(
+            simulation.grid, simulation.body2, [particle], increments=2, **chosen
+        )
+        if not dented.residual_displacement().max() > 0.0:
+            raise ArithmeticError("the particle leaves no dent")
+        sc.overrolling.start_from(simulation, dented)
 
     def heating(self) -> sc.Heat:
         """Return the heating, with a reference distance if the approach is prescribed."""

@@ -21,6 +21,7 @@ RETESTED = (
     ("elastic coating", "heat history"),
     ("no slip", "steady heat"),
     ("elastic coating", "adhesion"),
+    ("rolling", "dent of a pressed particle"),
 )
 """Pairs that the tests run again."""
 

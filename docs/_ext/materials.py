@@ -18,7 +18,7 @@ def table(entry: materials.MaterialData) -> list[str]:
     """Return the heading and the table of a material, as lines of Markdown."""
     also = f" Also called {', '.join(entry.aliases)}." if entry.aliases else ""
     text = entry.description[0].upper() + entry.description[1:]
-    laws = ", ".join(f'"{law}"' for law in entry.laws)
+    laws = ", ".join(f'"{law}"' for law in entry.laws) or "none, because constants are missing"
     lines = [f"## {entry.name}", "", f"{text}.{also} Laws: {laws}.", ""]
     lines += ["| constant | value | source | condition |", "|---|---|---|---|"]
     for name, known in entry.values.items():

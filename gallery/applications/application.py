@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +21,8 @@ from samcontact.results import open_results
 class Answer:
     """Value found by the commands, with its estimated error and an independent value.
 
-    The error is relative; NaN if the commands do not estimate it.
+    The error is relative; NaN if the commands do not estimate it. It is then replaced by the
+    difference from the answer on coarser cells.
     """
 
     key: str
@@ -112,6 +113,9 @@ class Application:
         Figure from the results of the commands.
     caption : str
         Text below the picture.
+    coarser : tuple of (str, str)
+        Lines of the case file, and the lines that replace them for coarser cells; none if the
+        commands estimate all errors.
     """
 
     name: str
@@ -127,6 +131,23 @@ class Application:
     answers: Callable[[Work], list[Answer]]
     picture: Callable[[Work], Figure]
     caption: str
+    coarser: tuple[tuple[str, str], ...] = ()
+
+    def coarse_case(self, case: str) -> str:
+        """Return the text of a case file with coarser cells."""
+        for old, new in self.coarser:
+            assert case.count(f"\n{old}\n") == 1, old
+            case = case.replace(f"\n{old}\n", f"\n{new}\n")
+        return case
+
+
+def with_errors(fine: list[Answer], coarse: list[Answer]) -> list[Answer]:
+    """Return answers with the differences from those on coarser cells as missing errors."""
+    found = []
+    for one, other in zip(fine, coarse, strict=True):
+        difference = abs(other.value / one.value - 1.0)
+        found.append(replace(one, error=difference) if math.isnan(one.error) else one)
+    return found
 
 
 def as_record(answer: Answer) -> dict[str, Any]:

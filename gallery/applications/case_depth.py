@@ -83,4 +83,10 @@ APPLICATION = Application(
     answers=answers,
     picture=picture,
     caption="Exposure over depth for a case of 0.5 mm, and the largest exposure by case depth.",
+    coarser=(
+        ("nx = 96", "nx = 48"),
+        ("dx = 20e-6", "dx = 40e-6"),
+        ("nz = 80", "nz = 40"),
+        ("dz = 20e-6", "dz = 40e-6"),
+    ),
 )

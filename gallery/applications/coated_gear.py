@@ -105,4 +105,10 @@ APPLICATION = Application(
     picture=picture,
     caption="Stress along the profile at the interface, on both sides, and over depth where the "
     "tension is largest.",
+    coarser=(
+        ("nx = 41", "nx = 21"),
+        ("ny = 41", "ny = 21"),
+        ("dx = 24e-6", "dx = 48e-6"),
+        ("dy = 0.36e-3", "dy = 0.72e-3"),
+    ),
 )

@@ -89,4 +89,5 @@ APPLICATION = Application(
     answers=answers,
     picture=picture,
     caption="Pressure along the roller: maximum over the width of the contact, and map.",
+    coarser=(("accuracy = 0.02", "accuracy = 0.04"),),
 )

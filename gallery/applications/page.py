@@ -57,6 +57,16 @@ def answers(record: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
+def errors(application: Application) -> str:
+    """Return the sentences on the errors."""
+    text = "The commands estimate the errors on cells of twice the size."
+    if not application.coarser:
+        return text
+    changed = ", ".join(f"`{new}`" for _, new in application.coarser)
+    other = "Errors of other answers are the differences\nfrom the same commands with"
+    return f"{text} {other} {changed} in the case file."
+
+
 def page(application: Application, record: dict[str, Any]) -> str:
     """Return the page of an application."""
     one = application
@@ -83,7 +93,7 @@ def page(application: Application, record: dict[str, Any]) -> str:
 
 {answers(record)}
 
-The commands estimate the errors on cells of twice the size. The difference is that from the check.
+{errors(one)} The difference is that from the check.
 {one.limits}
 
 ## Commands

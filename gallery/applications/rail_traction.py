@@ -97,4 +97,12 @@ APPLICATION = Application(
     picture=picture,
     caption="Shear traction with the stick zone at the leading edge, and the plastic strain of the "
     "rail after one pass.",
+    coarser=(
+        ("nx = 27", "nx = 15"),
+        ("ny = 21", "ny = 11"),
+        ("dx = 0.65e-3", "dx = 1.3e-3"),
+        ("dy = 0.65e-3", "dy = 1.3e-3"),
+        ("nz = 12", "nz = 6"),
+        ("dz = 0.65e-3", "dz = 1.3e-3"),
+    ),
 )

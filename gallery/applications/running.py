@@ -10,26 +10,40 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from .application import Application, Work, as_record
+from .application import Answer, Application, Work, as_record, with_errors
 
 
 def run(application: Application, folder: Path) -> tuple[Work, dict[str, Any]]:
     """Run the commands; return the folder with the results, and the record to be stored."""
-    words = [["new", application.kind], *map(split, application.commands)]
-    done = [command(one, folder) for one in words]
-    work = Work(folder, application.kind, tuple(output for output, _ in done[1:]))
+    command(["new", application.kind], folder)
+    done = [command(split(one), folder) for one in application.commands]
+    work = Work(folder, application.kind, tuple(output for output, _ in done))
+    answers = application.answers(work)
+    if application.coarser:
+        answers = with_errors(answers, coarse_answers(application, folder))
     record = {
-        "answers": [as_record(answer) for answer in application.answers(work)],
+        "answers": [as_record(answer) for answer in answers],
         "tables": [
             table
             for output in work.outputs
             for title in application.shown
             if (table := printed_table(output, title))
         ],
-        "seconds": [round(seconds, 1) for _, seconds in done[1:]],
+        "seconds": [round(seconds, 1) for _, seconds in done],
         "case": (folder / f"{application.kind}.toml").read_text(encoding="utf-8"),
     }
     return work, record
+
+
+def coarse_answers(application: Application, folder: Path) -> list[Answer]:
+    """Run the commands on coarser cells in a subfolder; return the answers."""
+    case = f"{application.kind}.toml"
+    text = (folder / case).read_text(encoding="utf-8")
+    coarse = folder / "coarse"
+    coarse.mkdir()
+    (coarse / case).write_text(application.coarse_case(text), encoding="utf-8")
+    outputs = tuple(command(split(one), coarse)[0] for one in application.commands)
+    return application.answers(Work(coarse, application.kind, outputs))
 
 
 def split(command: str) -> list[str]:

@@ -20,6 +20,7 @@ def answers(work: Work) -> list[Answer]:
     pressure = swept["max_pressure"].values
     first = [float(row[0]) for row in pressure]
     last = [float(row[np.isfinite(row)][-1]) for row in pressure]
+    cycles = [int(np.isfinite(row).sum()) for row in pressure]
     volume = float(found["volume"].sum())
     volumes = [float(np.nansum(row)) for row in swept["volume_body2"].values]
     heights = found["heights_body2"].values
@@ -34,7 +35,8 @@ def answers(work: Work) -> list[Answer]:
                abs(last[0] / last[1] - 1)),
         Answer("volume", "worn volume", volume, "µm³", abs(volumes[0] / volumes[1] - 1),
                "difference of the surfaces", removed),
-        Answer("cycles", "cycles until wear ceases", float(found.sizes["cycle"]), ""),
+        Answer("cycles", "cycles until wear ceases", float(found.sizes["cycle"]), "",
+               abs(cycles[0] / cycles[1] - 1)),
     ]  # fmt: skip
 
 

@@ -212,7 +212,7 @@ def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
         remedy = "for another material, omit material and write its constants, e.g. E and nu"
         raise ValueError(text.replace(ADVICE, remedy)) from None
     for field in ("E", "nu"):
-        if field in given:
+        if field in given and field in known:
             raise ValueError(
                 f"{field} cannot be combined with material = {name!r}, which has {field}: omit one "
                 "of them"

@@ -26,13 +26,13 @@ def materials(name: str | None) -> None:
         for constant, known in entry.values.items():
             note = f"; {known.condition}" if known.condition else ""
             click.echo(f"  {constant:<14}{known!s:<18}{known.source}{note}")
-        click.echo(f"  laws: {', '.join(entry.laws)}")
+        click.echo(f"  laws: {', '.join(entry.laws) or 'none, constants are missing'}")
         return
     sheet = Sheet("Library of materials; samcontact materials NAME shows the sources")
     sheet.add("name", [entry.name for entry in entries])
-    sheet.add("E", [str(entry.values["E"]) for entry in entries])
-    sheet.add("nu", [str(entry.values["nu"]) for entry in entries])
+    for constant in ("E", "nu"):
+        sheet.add(constant, [str(entry.values.get(constant, "-")) for entry in entries])
     sheet.add("heat", ["yes" if entry.thermal else "-" for entry in entries])
-    sheet.add("laws", [", ".join(entry.laws) for entry in entries])
+    sheet.add("laws", [", ".join(entry.laws) or "-" for entry in entries])
     sheet.add("description", [entry.description for entry in entries])
     new_console().print(sheet)

@@ -9,20 +9,23 @@ Row = tuple[str, float, str, str]
 BOUCLY = "Boucly (2008), doctoral thesis, INSA Lyon"
 SKF = "SKF, Rolling bearings catalogue, properties of bearing steel and silicon nitride"
 ISO_6336_2 = "ISO 6336-2, elasticity factor"
-ASM_STEEL = "ASM Handbook, vol. 1 (1990), physical constants of carbon and low-alloy steels"
-MIL_HDBK_5 = "MIL-HDBK-5, low-alloy steels"
 ATLAS = "Atlas Steels, grade data sheet 440A, 440B, 440C"
 EN_10088_1 = "EN 10088-1, 1.4404"
 EN_1993_1_4 = "EN 1993-1-4"
 SMC_045 = "Special Metals, data sheet SMC-045"
-TI_SHEET = "ASM Aerospace Specification Metals, data sheet MTP644"
-AL_SHEET = "Aluminum Association, in ASM Aerospace Specification Metals, data sheet MA7075T6"
-CDA = "Copper Development Association, alloy C93200"
-VICTREX = "Victrex, data sheet PEEK 450G"
-CARBIDE = "ASM Handbook, vol. 2 (1990), cobalt-bonded cemented carbides"
-FERRARI = "Ferrari et al. (1999), Appl. Phys. Lett. 75, 1893-1895"
+ROUND_STEEL = "Round-Steel, 16MnCr5/20MnCr5, www.round-steel.com"
+MATWEB_4140 = "MatWeb, AISI 4140, www.matweb.com"
+DOUBLE_EAGLE = "Double Eagle Alloys, AISI 4140, doubleeaglealloys.com"
+TI_SHEET = "ASM Aerospace Specification Metals, data sheet MTP644, asm.matweb.com"
+TI_BTI = "BTI Metals, data sheet Ti 6Al-4V ELI, btimetals.com"
+AL_SHEET = "APAC Infrastructure, specification of 7075 T6, apacinfrastructure.com.au"
+BRONZE = "Spectrum Machine, data sheet C93200, www.spectrummachine.com"
+MAKE_IT_FROM = "MakeItFrom, {}, www.makeitfrom.com"
+CARBIDE = MAKE_IT_FROM.format("Tungsten Carbide (WC)")
+PEEK = "Sci. Rep. (2024), doi.org/10.1038/s41598-024-79536-3, table 1"
+DLC = "Nat. Commun. (2021), doi.org/10.1038/s41467-021-24766-6, table 1"
 KIM = "Kim et al. (1992), J. Appl. Phys. 72, 1805-1811"
-HOLLECK = "Holleck (1986), J. Vac. Sci. Technol. A 4, 2661-2669"
+MITSUBISHI = "Mitsubishi Materials, Cutting tool materials, www.mitsubishicarbide.net"
 
 DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
     "52100": (
@@ -70,8 +73,12 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         "case-hardening steel; strength of the core",
         ("1.7131", "5115"),
         (
-            ("E", 206e9, ISO_6336_2, "steel"),
-            ("nu", 0.3, ISO_6336_2, "steel"),
+            ("E", 211e9, ROUND_STEEL, ""),
+            ("nu", 0.28, ROUND_STEEL, ""),
+            ("density", 7890.0, ROUND_STEEL, "7850 in the data sheet of Akrostal"),
+            ("conductivity", 41.0, ROUND_STEEL, "101 °C"),
+            ("expansion", 12.59e-6, ROUND_STEEL, ""),
+            ("specific_heat", 481.0, ROUND_STEEL, "0 to 100 °C"),
             (
                 "yield_stress",
                 490e6,
@@ -83,19 +90,27 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
     "18CrNiMo7-6": (
         "case-hardening steel",
         ("1.6587", "17CrNiMo6"),
-        (("E", 206e9, ISO_6336_2, "steel"), ("nu", 0.3, ISO_6336_2, "steel")),
+        (
+            ("E", 206e9, ISO_6336_2, "steel; 207 GPa in the gear tables of Roymech, roymech.org"),
+            ("nu", 0.3, ISO_6336_2, "steel; the same in the gear tables of Roymech"),
+        ),
     ),
     "4140": (
         "heat-treatable steel",
         ("42CrMo4", "1.7225", "SCM440"),
         (
-            ("E", 200e9, MIL_HDBK_5, "29.0e6 psi"),
-            ("nu", 0.32, MIL_HDBK_5, ""),
-            ("density", 7850.0, "Callister, Materials Science and Engineering, table B.1", ""),
-            ("conductivity", 42.7, ASM_STEEL, "100 °C, hardened and tempered"),
-            ("expansion", 12.3e-6, ASM_STEEL, "20 to 100 °C"),
-            ("specific_heat", 473.0, ASM_STEEL, "150 to 200 °C"),
-            ("yield_stress", 655e6, "ASM, in MatWeb, AISI 4140", "normalised at 870 °C, 25 mm"),
+            ("E", 205e9, MATWEB_4140, "steels in general; 29e6 psi at Double Eagle Alloys"),
+            ("nu", 0.29, MATWEB_4140, "calculated"),
+            ("density", 7850.0, MATWEB_4140, ""),
+            (
+                "conductivity",
+                42.7,
+                "Croxon, Physical Properties of 4140 Steel, www.hunker.com",
+                "30 BTU/(ft h °F), 51.9 W/(m K), at Double Eagle Alloys",
+            ),
+            ("expansion", 12.3e-6, DOUBLE_EAGLE, "6.83e-6 1/°F, 20 to 100 °C"),
+            ("specific_heat", 477.0, DOUBLE_EAGLE, "0.114 BTU/(lb °F)"),
+            ("yield_stress", 655e6, MATWEB_4140, "normalised at 870 °C, 25 mm"),
         ),
     ),
     "316L": (
@@ -118,9 +133,9 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
             ("E", 114e9, TI_SHEET, "mean of tension and compression"),
             ("nu", 0.33, TI_SHEET, ""),
             ("density", 4430.0, TI_SHEET, ""),
-            ("conductivity", 6.7, "BTI Metals, data sheet Ti 6Al-4V", "100 to 300 °C"),
-            ("expansion", 8.6e-6, "BTI Metals, data sheet Ti 6Al-4V", "20 to 100 °C"),
-            ("specific_heat", 526.0, "BTI Metals, data sheet Ti 6Al-4V", "25 °C"),
+            ("conductivity", 6.7, TI_BTI, "100 to 300 °C"),
+            ("expansion", 8.6e-6, TI_BTI, "20 to 100 °C"),
+            ("specific_heat", 526.0, TI_BTI, "25 °C"),
             ("yield_stress", 830e6, TI_SHEET, "annealed"),
         ),
     ),
@@ -141,39 +156,41 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         "aluminium alloy, temper T6",
         ("7075-T6", "7075", "AW-7075", "EN AW-7075"),
         (
-            ("E", 71.7e9, AL_SHEET, "mean of tension and compression"),
+            (
+                "E",
+                71.7e9,
+                "SubsTech, alloy 7075, www.substech.com",
+                "10.4e6 psi; 71.0 GPa in the data sheet of BTI Metals",
+            ),
             ("nu", 0.33, AL_SHEET, ""),
             ("density", 2810.0, AL_SHEET, ""),
-            ("conductivity", 130.0, AL_SHEET, ""),
-            ("expansion", 23.6e-6, AL_SHEET, "20 to 100 °C"),
+            ("conductivity", 130.0, AL_SHEET, "the same in the data sheet of BTI Metals"),
+            ("expansion", 23.6e-6, AL_SHEET, "23.4e-6 1/K, 20 to 100 °C, at BTI Metals"),
             ("specific_heat", 960.0, AL_SHEET, ""),
-            ("yield_stress", 503e6, AL_SHEET, "typical"),
+            ("yield_stress", 503e6, AL_SHEET, "the same in the data sheet of BTI Metals"),
         ),
     ),
     "bronze": (
         "leaded tin bronze for plain bearings, continuously cast",
         ("C93200", "SAE 660", "CuSn7ZnPb", "CC493K"),
         (
-            ("E", 100e9, CDA, "14.5e6 psi"),
-            ("nu", 0.3, ISO_6336_2, "tin bronze"),
-            ("density", 8910.0, CDA, "0.322 lb/in^3"),
-            ("conductivity", 58.2, CDA, "33.6 BTU/(ft h °F), 20 °C"),
-            ("expansion", 18.0e-6, CDA, "10.0e-6 1/°F"),
-            ("specific_heat", 377.0, CDA, "0.09 BTU/(lb °F), 20 °C"),
-            ("yield_stress", 138e6, "ASTM B505", "20 ksi, minimum at 0.5 % extension"),
+            ("E", 100e9, BRONZE, "14.5e6 psi"),
+            ("nu", 0.35, MAKE_IT_FROM.format("UNS C93200"), ""),
+            ("density", 8910.0, BRONZE, "0.322 lb/in^3, 20 °C"),
+            ("conductivity", 58.2, BRONZE, "33.6 BTU/(ft h °F), 20 °C"),
+            ("expansion", 18.0e-6, BRONZE, "10.0e-6 1/°F, 20 to 100 °C"),
+            ("specific_heat", 377.0, BRONZE, "0.09 BTU/(lb °F), 20 °C"),
+            ("yield_stress", 138e6, BRONZE, "20 ksi, minimum at 0.5 % extension (ASTM B505)"),
         ),
     ),
     "PEEK": (
-        "polymer, not reinforced; elastic constants hold for short loading at 23 °C",
-        ("PEEK 450G",),
+        "polymer, not reinforced; elastic constants hold for short loading at room temperature",
+        ("polyetheretherketone",),
         (
-            ("E", 4.0e9, VICTREX, "tension, 23 °C"),
-            ("nu", 0.4, "Victrex, Materials Properties Guide", "23 °C"),
-            ("density", 1300.0, VICTREX, "crystalline"),
-            ("conductivity", 0.32, VICTREX, "23 °C"),
-            ("expansion", 55e-6, VICTREX, "mean of the directions, below 143 °C"),
-            ("specific_heat", 2200.0, VICTREX, "23 °C"),
-            ("yield_stress", 98e6, VICTREX, "tensile strength at yield, 23 °C"),
+            ("E", 3.5e9, PEEK, "3.6 GPa in Wikipedia, Polyether ether ketone"),
+            ("nu", 0.4, PEEK, ""),
+            ("density", 1300.0, PEEK, ""),
+            ("conductivity", 0.25, "Wikipedia, Polyether ether ketone", ""),
         ),
     ),
     "Si3N4": (
@@ -187,32 +204,31 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         ),
     ),
     "WC-Co": (
-        "cemented carbide with 6 % cobalt, medium grain",
-        ("WC-6Co", "tungsten carbide"),
+        "cemented tungsten carbide; the constants depend on the content of cobalt",
+        ("cemented carbide", "tungsten carbide"),
         (
-            ("E", 648e9, CARBIDE, "94WC-6Co, medium grain"),
-            ("nu", 0.22, "ZZBetter, characteristics of cemented carbide", "0.21 to 0.24"),
-            ("density", 15000.0, CARBIDE, "94WC-6Co, medium grain"),
-            ("conductivity", 100.0, CARBIDE, "94WC-6Co, medium grain"),
-            ("expansion", 4.3e-6, CARBIDE, "94WC-6Co, up to 200 °C"),
+            ("E", 630e9, CARBIDE, "530 to 700 GPa in Wikipedia, Tungsten carbide"),
+            ("nu", 0.24, CARBIDE, "0.21 to 0.24 at ZZBetter, zzbetter.com"),
+            ("density", 15000.0, CARBIDE, "14400 to 15300 at www.tungstenchina.com"),
+            ("conductivity", 85.0, CARBIDE, ""),
+            ("expansion", 5.4e-6, CARBIDE, ""),
+            ("specific_heat", 280.0, CARBIDE, ""),
         ),
     ),
     "DLC": (
-        "diamond-like carbon with hydrogen, ta-C:H; E of other DLC differs by a factor of ten",
-        ("ta-C:H",),
+        "diamond-like carbon with 20 % hydrogen, a-C:H; E of other DLC differs by a factor of ten",
+        ("a-C:H",),
         (
-            ("E", 300e9, FERRARI, "± 49 GPa, Brillouin scattering, 70 % sp3"),
-            ("nu", 0.3, FERRARI, "from the bulk and shear moduli"),
-            ("density", 2360.0, FERRARI, ""),
+            ("E", 259e9, DLC, ""),
+            ("density", 2070.0, DLC, "estimated from E"),
         ),
     ),
     "DLC ta-C": (
-        "tetrahedral amorphous carbon without hydrogen",
+        "tetrahedral amorphous carbon without hydrogen, 79 % sp3",
         ("ta-C",),
         (
-            ("E", 757e9, FERRARI, "± 47.5 GPa, Brillouin scattering, 88 % sp3"),
-            ("nu", 0.12, FERRARI, ""),
-            ("density", 3260.0, FERRARI, ""),
+            ("E", 625e9, DLC, "493 to 625 GPa with 62 to 79 % sp3"),
+            ("density", 3010.0, DLC, "estimated from E"),
         ),
     ),
     "TiN": (
@@ -227,8 +243,9 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
                 "c44 in Lee et al. (2005), Phys. Rev. B 71, 144106",
             ),
             ("nu", 0.254, KIM, "Hill average of the same constants"),
-            ("density", 5400.0, HOLLECK, ""),
-            ("expansion", 9.4e-6, HOLLECK, ""),
+            ("density", 5210.0, "CRC Handbook of Chemistry and Physics, 97th ed., p. 4.92", ""),
+            ("conductivity", 29.0, MITSUBISHI, "the same at 50 °C in Wikipedia, Titanium nitride"),
+            ("expansion", 9.4e-6, MITSUBISHI, ""),
         ),
     ),
 }

@@ -155,9 +155,10 @@ class MaterialData(HtmlTable):
         constants = self.constants(law)
         missing = [name for name in LAWS[law].constants if name not in constants]
         if missing:
+            allowed = f"be one of {', '.join(self.laws)} for" if self.laws else "have the values of"
             raise ValueError(
-                f"law must be one of {', '.join(self.laws)} for {self.name}, got {law!r}: the "
-                f"library has no {', '.join(missing)}; use Material.{law} with your own values, or "
+                f"law must {allowed} {self.name}, got {law!r}: the library has no "
+                f"{', '.join(missing)}; use Material.{law} with your own values, or "
                 "Material.from_test with a measured curve"
             )
         made = Material(law, constants)

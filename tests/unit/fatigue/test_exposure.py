@@ -106,5 +106,5 @@ def test_a_study_of_depth_and_material():
     found = sc.sweep(Case.model_validate(FLANK_CASE), studied, progress=False)
     exposed, lives = found["exposure_yield"].values, found["life_log_integral"].values
     assert (exposed[0] > exposed[1]).all()  # a thinner case is weaker
-    assert (exposed[:, 0] > exposed[:, 1]).all()  # E = 210 and 206 GPa
+    assert (exposed[:, 0] < exposed[:, 1]).all()  # E = 210 and 211 GPa
     assert (lives[0] == lives[1]).all()  # the elastic stress does not depend on the hardness

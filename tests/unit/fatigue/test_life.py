@@ -151,3 +151,48 @@ def test_a_dent_shortens_the_life():
 
     dent = sc.dents.spherical(grid, depth=3e-6, radius=0.4 * contact.a)
     assert life(relief2=dent).relative_to(life()) < 0.8
+
+
+def lives_over_a_dent(grid):
+    """Lives of a smooth raceway, of one with the shape of a dent, and of one with the dent.
+
+    The shape alone lies on an elastic raceway; the dent of a particle also has its residual stress
+    and hardening.
+    """
+    ball = sc.Material.elastic(210e9, 0.3)
+    steel = sc.Material.swift(210e9, 0.3, B=945e6, C=20.0, n=0.121)
+    particle = sc.overrolling.Particle(radius=500e-6, approach=5e-6)
+    dented = sc.overrolling.indent(grid, steel, [particle], increments=12)
+    roll = {"load": 79.0, "distance": 320e-6, "step": 16e-6}
+    gap = sc.surfaces.paraboloid(grid, 4.7625e-3)
+    over = sc.overrolling.roll_over(grid, ball, steel, dented, gap, **roll)
+
+    def states(body, **relief):
+        simulation = sc.Simulation(grid, ball, body, gap, **relief)
+        simulation.step(load=0.0, advance=(160e-6, 160e-6))
+        return simulation.run(sc.paths.rolling(**roll, increments=4), progress=False)
+
+    shape = sc.Relief(-dented.residual_displacement(), dented.first)
+    passes = {"smooth": states(steel), "shape": states(ball, relief2=shape), "dent": over.states}
+    fields = {
+        name: sc.fatigue.dang_van(
+            sc.fatigue.cycle([one for one in found if one.load > 0]), slope=0.3
+        )
+        for name, found in passes.items()
+    }
+    lives = {name: sc.fatigue.life(one, model="zaretsky") for name, one in fields.items()}
+    return {name: lives[name].relative_to(lives["smooth"]) for name in ("shape", "dent")}
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
+def test_residual_stress_of_a_dent_restores_a_part_of_the_life():
+    lives = lives_over_a_dent(sc.Grid(31, 23, 16e-6, 16e-6, 10, 16e-6))
+    assert lives["shape"] == pytest.approx(0.36, abs=0.01)
+    assert lives["dent"] == pytest.approx(0.53, abs=0.01)
+
+
+@pytest.mark.slow
+def test_lives_over_a_dent_on_finer_cells():
+    lives = lives_over_a_dent(sc.Grid(61, 45, 8e-6, 8e-6, 20, 8e-6))
+    assert lives["shape"] == pytest.approx(0.27, abs=0.01)
+    assert lives["dent"] == pytest.approx(0.47, abs=0.01)

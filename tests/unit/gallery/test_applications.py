@@ -9,7 +9,7 @@ from PIL import Image
 
 from command import invoke
 from gallery.applications.__main__ import DOCS, NAMES, find, records, texts
-from gallery.applications.application import Work
+from gallery.applications.application import Answer, Work, with_errors
 from gallery.applications.page import shown
 from gallery.applications.running import run, split
 from samcontact.cases.examples import FIRST_CASES, example_text
@@ -39,6 +39,8 @@ ACCEPTED = {
     ("misaligned_roller", "middle"): 3.69e9,
     ("case_depth", "dang_van"): 0.1707 * 1.5e9,
 }
+# Places, which are known to about one cell.
+PLACES = {("dented_raceway", "place"), ("dented_raceway", "below"), ("blade_root", "place")}
 # Changes of the case files and of the commands for runs of a few seconds, and looser tolerances.
 SMALL_VERSIONS = {
     "case_depth": (
@@ -98,9 +100,8 @@ def test_stored_answers_agree_with_their_checks(name):
     answers = STORED[name]["answers"]
     require_checks(answers, TOLERANCES[name])
     assert len({a["key"] for a in answers}) == len(answers)
-    estimated = [a["error"] for a in answers if a["error"] is not None]
-    assert estimated
-    assert max(estimated) < 0.2
+    assert all(math.isfinite(a["error"]) for a in answers)
+    assert max(a["error"] for a in answers if (name, a["key"]) not in PLACES) < 0.25
     for one in answers:
         accepted = ACCEPTED.get((name, one["key"]))
         if accepted is not None:
@@ -155,6 +156,17 @@ def test_the_commands_give_the_stored_answers(name, tmp_path):
     require_checks(record["answers"], TOLERANCES[name])
     for now, before in zip(record["answers"], STORED[name]["answers"], strict=True):
         assert now["value"] == pytest.approx(before["value"], rel=1e-3, abs=1e-30), now["key"]
+
+
+def test_missing_errors_are_differences_from_coarser_cells():
+    fine = [Answer("a", "", 2.0, "", 0.1), Answer("b", "", 4.0, ""), Answer("c", "", -5.0, "")]
+    coarse = [Answer("a", "", 3.0, ""), Answer("b", "", 3.0, ""), Answer("c", "", -6.0, "")]
+    errors = [one.error for one in with_errors(fine, coarse)]
+    assert errors == pytest.approx([0.1, 0.25, 0.2])
+    for name in NAMES:
+        application = find(name)
+        text = application.coarse_case(example_text(FIRST_CASES[application.kind]))
+        assert all(f"\n{new}\n" in text for _, new in application.coarser)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Library of materials: each value has a source and a plausible size; missing values are errors."""
 
+import math
 import re
 
 import pytest
@@ -41,7 +42,8 @@ def test_the_library_has_the_usual_materials_each_value_with_a_source():
         for constant, known in entry.values.items():
             low, high = RANGES[constant]
             assert low <= known.value <= high
-            assert re.search(r"[A-Z]{2,}|\(\d{4}\)|[A-Z]\w+ |/", known.source)
+            assert known.source.strip()
+            assert re.search(r"[A-Z]{2,}|\(\d{4}\)|[A-Z]\w+ |/|www\.", known.source)
         for law in entry.laws:
             made = entry.material(law)
             assert (made.E, made.thermal) == (entry.value("E"), entry.thermal)
@@ -60,12 +62,36 @@ def test_stiffness_of_titanium_nitride_follows_from_its_crystal():
     assert entry.value("nu") == pytest.approx(ratio, rel=5e-3)
 
 
+def test_gear_steel_has_the_elasticity_factor_of_steel_gears():
+    # (E / (2 pi (1 - nu^2)))^(1/2) = 190 (N/mm^2)^(1/2) of a pair of steel gears (Roymech)
+    entry = sc.materials.get("18CrNiMo7-6")
+    factor = (entry.value("E") * 1e-6 / (2 * math.pi * (1 - entry.value("nu") ** 2))) ** 0.5
+    assert factor == pytest.approx(190.0, abs=0.5)
+
+
+def test_constants_of_different_sources_agree():
+    # diffusivity of tungsten carbide [mm^2/s] as MakeItFrom computes it
+    assert sc.materials.get("WC-Co").value("diffusivity") == pytest.approx(21e-6, rel=0.05)
+    # US units of the data sheets: psi, BTU/(ft h °F), 1/°F, BTU/(lb °F), lb/in^3
+    bronze = sc.materials.get("bronze")
+    read = {"E": 14.5e6 * 6894.757, "conductivity": 33.6 * 1.730735, "expansion": 10.0e-6 * 1.8,
+            "specific_heat": 0.09 * 4186.8, "density": 0.322 * 27679.9,
+            "yield_stress": 20e3 * 6894.757}  # fmt: skip
+    assert {name: bronze.value(name) for name in read} == pytest.approx(read, rel=2e-3)
+    steel = sc.materials.get("4140")
+    assert steel.value("expansion") == pytest.approx(6.83e-6 * 1.8, rel=2e-3)
+    assert steel.value("specific_heat") == pytest.approx(0.114 * 4186.8, rel=2e-3)
+    assert sc.materials.get("Al 7075").value("E") == pytest.approx(10.4e6 * 6894.757, rel=1e-3)
+
+
 @pytest.mark.parametrize(
     ("call", "says"),
     [
         (lambda: sc.materials.get("unobtainium"), "name must be one of 52100, M50"),
         (lambda: sc.materials.get("DLC").value("conductivity"), "no source is known"),
-        (lambda: sc.materials.get("DLC").source("B"), "constant must be one of E, nu"),
+        (lambda: sc.materials.get("DLC").source("B"), "one of E, density for DLC, got 'B'"),
+        (lambda: sc.materials.get("DLC").material(), "values of DLC.* library has no nu"),
+        (lambda: sc.materials.get("PEEK").value("yield_stress"), "for PEEK, got 'yield_stress'"),
         (lambda: sc.materials.get("Si3N4").material("swift"), "library has no B, C, n"),
         (lambda: sc.materials.get("52100").material("rigid"), "law must be one of elastic"),
     ],
@@ -91,6 +117,10 @@ def test_a_case_file_takes_constants_from_the_library():
         CASE | {"body2": {"material": "52100", "thermal": thermal}, "heat": {"factor": [0.0, 0.01]}}
     )
     assert heated.body2.build().thermal == tuple(thermal.values())
+    # a constant that the library lacks is given with the material
+    carbon = [{"material": "DLC", "nu": 0.2, "thickness": "2 um"}]
+    known = body2(material="52100", layers=carbon).build().layers[0][0]
+    assert (known.E, known.nu) == (sc.materials.get("DLC").value("E"), 0.2)
     # a study that replaces the material reads the fields of the file only
     changed = body2(material="52100", law="swift").model_dump(exclude_unset=True)
     assert body2(**changed | {"material": "M50"}).build().parameters["B"] == 1280e6
@@ -102,6 +132,7 @@ def test_a_case_file_takes_constants_from_the_library():
         ({"material": "nope"}, "material must be one of 52100"),
         ({"material": "M50", "E": 2e11}, "E cannot be combined with material"),
         ({"material": "440C", "law": "swift"}, "B, C, n must be given: the library has no"),
+        ({"material": "DLC"}, "nu must be given: the library has no such value of 'DLC'"),
         ({"material": "M50", "law": "rigid"}, "unknown field"),
         ({"material": True}, "must be text"),
     ],
