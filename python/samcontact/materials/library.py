@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import difflib
 import re
 from collections.abc import Mapping
 
@@ -46,8 +47,10 @@ def get(name: str) -> MaterialData:
         raise TypeError(f"name must be text, got {in_short(name)}")
     key = _plain(name)
     if key not in _BY_NAME:
+        near = difflib.get_close_matches(key, _BY_NAME, 1)
+        hint = f" (did you mean {_BY_NAME[near[0]]}?)" if near else ""
         raise ValueError(
-            f"name must be one of {', '.join(_LIBRARY)}, got {in_short(name)}: {ADVICE}"
+            f"name must be one of {', '.join(_LIBRARY)}, got {in_short(name)}{hint}: {ADVICE}"
         )
     return _LIBRARY[_BY_NAME[key]]
 

@@ -88,6 +88,7 @@ def test_constants_of_different_sources_agree():
     ("call", "says"),
     [
         (lambda: sc.materials.get("unobtainium"), "name must be one of 52100, M50"),
+        (lambda: sc.materials.get("Bronz"), r"got 'Bronz' \(did you mean bronze\?\)"),
         (lambda: sc.materials.get("DLC").value("conductivity"), "no source is known"),
         (lambda: sc.materials.get("DLC").source("B"), "one of E, density for DLC, got 'B'"),
         (lambda: sc.materials.get("DLC").material(), "values of DLC.* library has no nu"),
