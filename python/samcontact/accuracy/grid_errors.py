@@ -186,9 +186,9 @@ def estimate_errors(
         )
     if run.engine.history.has_given_strain:
         raise ValueError(
-            "run must be a simulation without set_plastic_strain, got one with a prescribed plastic "
-            "strain, which is known on its own grid only: repeat the run on a grid with half as "
-            "many cells, and compare"
+            "run must be a simulation without set_plastic_strain, got one with a prescribed "
+            "plastic strain, which is known on its own grid only: repeat the run on a grid with "
+            "half as many cells, and compare"
         )
     if path is None or states is None:
         raise ValueError("path and states are required if run is a samcontact.Simulation")

@@ -91,7 +91,7 @@ def test_a_grid_of_another_length_leaves_the_dents_in_place(dented, more):
 
 def test_a_shift_by_half_a_cell_is_refused(dented):
     even = sc.Grid(GRID.nx + 1, GRID.ny, CELL, CELL, dz=6e-6)
-    with pytest.raises(ValueError, match="^nx must be odd, as on the grid of dented, got 26"):
+    with pytest.raises(ValueError, match=r"^nx must be odd, as on the grid of dented, got 26"):
         roll_over(even, BALL, STEEL, dented, gap, load=1.0, distance=4 * CELL, step=CELL)
 
 
