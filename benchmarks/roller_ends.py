@@ -44,24 +44,27 @@ def hertz_pressure(load: float = LOAD) -> float:
     return sc.hertz.line(RADIUS, modulus, load_per_length=load / LENGTH).p0
 
 
-def ratios(end: str, method: str, cell_y: float = CELL_Y) -> NDArray[np.float64]:
+def ratios(
+    end: str, method: str, cell_y: float = CELL_Y, length: float = LENGTH
+) -> NDArray[np.float64]:
     """Return the pressure on the centre line over the maximum by Hertz, at the distances.
 
-    method: that of the free faces; "" means half-spaces.
+    method: that of the free faces; "" means half-spaces. length: of the roller, under the same load
+    per length.
     """
-    rows = round(LENGTH / cell_y)
+    rows = round(length / cell_y)
     grid = sc.Grid(38, rows + 2 * ROWS_BEYOND, CELL_X, cell_y)
     faces = STEEL
     if method:
-        faces = STEEL.with_free_faces(low=-LENGTH / 2, high=LENGTH / 2, method=method)
+        faces = STEEL.with_free_faces(low=-length / 2, high=length / 2, method=method)
     bodies = (faces, faces if end == "flush" else STEEL)
-    inside = np.abs(grid.y) < LENGTH / 2
+    inside = np.abs(grid.y) < length / 2
     gap = np.where(inside, grid.x[:, None] ** 2 / (2 * RADIUS), np.inf)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", sc.SingularPressureWarning)
-        found = sc.ContactSolver(grid, *bodies).solve(gap, load=LOAD)
+        found = sc.ContactSolver(grid, *bodies).solve(gap, load=LOAD * length / LENGTH)
     centre = found.pressure[grid.nx // 2 - 1 : grid.nx // 2 + 1, inside].mean(axis=0)
-    ratio = np.interp(DISTANCES, grid.y[inside] + LENGTH / 2, centre) / hertz_pressure()
+    ratio = np.interp(DISTANCES, grid.y[inside] + length / 2, centre) / hertz_pressure()
     return np.asarray(ratio)
 
 

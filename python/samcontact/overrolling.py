@@ -239,11 +239,33 @@ def _require_same_material(dented: Track, body2: Body) -> None:
         )
 
 
+def _require_same_cells(grid: Grid, dented: Track) -> None:
+    """Raise ValueError if the cells of a grid are not at the places of those of a track."""
+    cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
+    if cells[0] != cells[1]:
+        raise ValueError(
+            "dented must have the cells of the grid: (ny, dx, dy, dz, periodic) are "
+            f"{cells[0]} and {cells[1]}"
+        )
+    if grid.along_x and grid.nx != dented.grid.nx:
+        raise ValueError(
+            f"nx of a grid that is periodic along x must be that of dented, {dented.grid.nx}, "
+            f"got {grid.nx}"
+        )
+    rows = (dented.x[0] - grid.x[0]) / grid.dx
+    if abs(rows - round(rows)) > 1e-6:
+        raise ValueError(
+            f"nx must be {'odd' if grid.nx % 2 == 0 else 'even'}, as on the grid of dented, got "
+            f"{grid.nx}: the dents would move by half a cell along x"
+        )
+
+
 def start_from(simulation: Simulation, dented: Track) -> None:
-    """Give body 2 of a simulation the plastic strain and the hardening of a track."""
+    """Give body 2 of a simulation the plastic strain and the hardening of a track, in place."""
     backstress = dented.backstress() if backstresses_of(simulation.body2) else None
+    first = round((dented.x[0] - simulation.grid.x[0]) / simulation.grid.dx)
     simulation.set_plastic_strain(
-        2, dented.plastic_strain(), dented.equivalent_plastic_strain(), backstress, dented.first
+        2, dented.plastic_strain(), dented.equivalent_plastic_strain(), backstress, first
     )
 
 
@@ -322,7 +344,8 @@ def roll_over(
     Parameters
     ----------
     grid : Grid
-        Grid with the cells of `dented`.
+        Grid with the cells of `dented`. Its nx may differ from that of the grid of the indentation
+        by an even number; dents keep their positions on the body.
     body1, body2 : Material or Layered
         Upper body, and the body with the dents.
     dented : Track
@@ -359,12 +382,7 @@ def roll_over(
     require_type("dented", dented, Track)
     require_bodies(body1, body2)
     _require_same_material(dented, body2)
-    cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
-    if cells[0] != cells[1]:
-        raise ValueError(
-            "dented must have the cells of the grid: (ny, dx, dy, dz, periodic) are "
-            f"{cells[0]} and {cells[1]}"
-        )
+    _require_same_cells(grid, dented)
     for name, length in (("distance", distance), ("step", step), ("middle", middle)):
         number = in_cells(name, finite(name, length), grid.dx)
         if abs(number - round(number)) > 1e-6:

@@ -157,7 +157,8 @@ def estimate_errors(
     Raises
     ------
     ValueError
-        The grid cannot be coarsened, or a simulation is given without path and states.
+        The grid cannot be coarsened, a simulation is given without path and states, or its plastic
+        strain was prescribed by `Simulation.set_plastic_strain`.
     ConvergenceError, MemoryError, GridTooSmallError
         One of the two solutions failed.
 
@@ -182,6 +183,12 @@ def estimate_errors(
     if not isinstance(run, Simulation):
         raise TypeError(
             f"run must be a samcontact.Simulation, or a Case of one contact, got {in_short(run)}"
+        )
+    if run.engine.history.has_given_strain:
+        raise ValueError(
+            "run must be a simulation without set_plastic_strain, got one with a prescribed "
+            "plastic strain, which is known on its own grid only: repeat the run on a grid with "
+            "half as many cells, and compare"
         )
     if path is None or states is None:
         raise ValueError("path and states are required if run is a samcontact.Simulation")

@@ -33,7 +33,8 @@ def set_plastic_strain(
 ) -> None:
     """Set the plastic strain of a body, see `Simulation.set_plastic_strain`.
 
-    anywhere: whether the strain may lie entirely outside the grid, into which it may move.
+    anywhere: for a preparation, which repetitions begin with too: the strain may lie entirely
+    outside the grid, into which it may move.
     """
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])
@@ -43,6 +44,7 @@ def set_plastic_strain(
     with engine.access:
         engine.core.set_plastic_state(index, first or 0, *fields)
     engine.history.forget()
+    engine.history.has_given_strain = not anywhere
 
 
 def prepare(simulation: Any, preparation: Preparation | None) -> None:

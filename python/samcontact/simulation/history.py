@@ -24,6 +24,8 @@ class History:
     increment are unknown."""
     checked: int = 0
     """Number of increments at the last error estimate."""
+    has_given_strain: bool = False
+    """Whether a plastic strain was prescribed, which a repetition would lack."""
 
     def add(self, given: Mapping[str, Any]) -> None:
         """Add an increment; an increment with prescribed tractions ends the record."""

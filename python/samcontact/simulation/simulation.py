@@ -319,8 +319,8 @@ class Simulation(Configured, HtmlTable):
 
     @property
     def counters(self) -> dict[str, int]:
-        """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves,
-        plastic_iterations, halvings, joint_steps; volume_bytes: memory of kernels and strains."""
+        """Counts of contact_solves, contact_iterations, yield_checks, plastic_solves, halvings,
+        plastic_iterations, joint_steps; volume_bytes: memory of kernels and strains."""
         return dict(self.engine.core.counters)
 
     def set_plastic_strain(

@@ -66,6 +66,22 @@ def test_a_distant_face_leaves_the_half_space(method):
     assert 1.2 * image < ended.approach - whole.approach < 1.8 * image
 
 
+def test_two_faces():
+    """The effect of a distant second face decreases; equal distances give a symmetric pressure."""
+    near = sc.ContactSolver(GRID, RIGID, ENDED).solve(ball, load=LOAD).pressure
+    change = []
+    for low in (-4e-3, -8e-3):
+        both = STEEL.with_free_faces(low=low, high=FACE)
+        found = sc.ContactSolver(GRID, RIGID, both).solve(ball, load=LOAD).pressure
+        change.append(abs(found - near).max() / near.max())
+    assert change[1] < 0.3 * change[0] < 0.003
+    equal = STEEL.with_free_faces(low=-FACE, high=FACE)
+    found = sc.ContactSolver(GRID, RIGID, equal).solve(ball, load=LOAD)
+    np.testing.assert_allclose(
+        found.pressure[:, ::-1], found.pressure, atol=1e-7 * found.pressure.max()
+    )
+
+
 def test_mirror_and_exchange_of_bodies():
     """A low face mirrors a high face; with one body at each end the bodies may be exchanged."""
     first = sc.ContactSolver(GRID, OTHER, ENDED).solve(ball, load=LOAD)

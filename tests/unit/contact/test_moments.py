@@ -175,3 +175,8 @@ def test_a_moment_on_a_roller_costs_what_its_tilt_costs(profile):
         assert held.moment[0] == pytest.approx(load * arm, rel=1e-6)
         assert driven.iterations <= 1.25 * held.iterations
     assert driven.pressure[:, :8].max() == 0.0  # lifted
+    # Both moments: most further steps are due to the shape of the contact.
+    both = contact.solve(gap, load=load, moment=(load * 0.3 * length, load * 0.2 * b))
+    held = contact.solve(gap, load=load, tilt=both.tilt)
+    assert both.iterations <= 1.25 * held.iterations
+    assert both.iterations <= 1.6 * contact.solve(gap, load=load).iterations

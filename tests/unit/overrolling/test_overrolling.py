@@ -75,6 +75,36 @@ def test_a_dent_elsewhere_is_the_same_dent(rolled):
     assert moved.position == pytest.approx(rolled.position + shift, abs=1e-12)
 
 
+@pytest.mark.parametrize("more", [-4, 6])
+def test_a_grid_of_another_length_leaves_the_dents_in_place(dented, more):
+    """Residual displacement of the unloaded start, by position on the body."""
+    grid = sc.Grid(GRID.nx + more, GRID.ny, CELL, CELL, dz=6e-6)
+    simulation = sc.Simulation(grid, BALL, STEEL, gap)
+    sc.overrolling.start_from(simulation, dented)
+    start = simulation.step(load=0.0).track(2)
+    before, after = dented.residual_displacement(), start.residual_displacement()
+    common = np.intersect1d(np.round(dented.x / CELL), np.round(start.x / CELL))
+    rows = [np.isin(np.round(x / CELL), common) for x in (dented.x, start.x)]
+    assert common.size >= GRID.nx - 4
+    np.testing.assert_allclose(after[rows[1]], before[rows[0]], atol=1e-4 * before.max())
+
+
+def test_a_shift_by_half_a_cell_is_refused(dented):
+    even = sc.Grid(GRID.nx + 1, GRID.ny, CELL, CELL, dz=6e-6)
+    with pytest.raises(ValueError, match=r"^nx must be odd, as on the grid of dented, got 26"):
+        roll_over(even, BALL, STEEL, dented, gap, load=1.0, distance=4 * CELL, step=CELL)
+
+
+def test_errors_of_a_prescribed_strain_are_refused(dented):
+    """A repetition on coarser cells would begin without the dents."""
+    simulation = sc.Simulation(GRID, BALL, STEEL, gap)
+    sc.overrolling.start_from(simulation, dented)
+    path = [{"load": 1.0}]
+    states = simulation.run(path)
+    with pytest.raises(ValueError, match="run must be a simulation without set_plastic_strain"):
+        sc.estimate_errors(simulation, path, states)
+
+
 @pytest.mark.slow
 def test_distant_dents_do_not_interact(dented):
     """The second particle finds the first dent; far away, imprints add up."""

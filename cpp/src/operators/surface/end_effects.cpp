@@ -296,18 +296,29 @@ SharedEndEffects EndEffects::of(const Grid& grid,
     }
     effects->effects_.emplace_back(grid, distance, distinct);
   }
+  std::map<std::tuple<double, double, double>, double> pairs;  // low, high, nu
+  for (const auto& [elastic, own] : bodies) {
+    if (!own.has_low() || !own.has_high() || own.method != FaceMethod::exact) continue;
+    pairs[{own.low, own.high, elastic.nu}] += 1 / elastic.E;
+  }
+  for (const auto& [key, softness] : pairs) {
+    const auto [low, high, nu] = key;
+    effects->pairs_.emplace_back(grid, low, high, nu, softness);
+  }
   return effects;
 }
 
 Field EndEffects::displacement(const double* pressure) const {
   Field sum(size_, 0.0);
   for (const EndEffect& effect : effects_) effect.add(pressure, sum.data());
+  for (const FacePair& pair : pairs_) pair.add(pressure, sum.data());
   return sum;
 }
 
 double EndEffects::cost() const {
   double sum = 0.0;
   for (const EndEffect& effect : effects_) sum += effect.cost();
+  for (const FacePair& pair : pairs_) sum += pair.cost();
   return sum;
 }
 

@@ -11,6 +11,7 @@
 #include "samcontact/base/free_faces.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/fft/plan.hpp"
+#include "samcontact/operators/surface/face_pair.hpp"
 
 namespace samcontact::operators {
 
@@ -70,6 +71,7 @@ class EndEffects {
  private:
   std::size_t size_ = 0;
   std::vector<EndEffect> effects_;
+  std::vector<FacePair> pairs_;  // reflections between two faces of a body
 };
 
 using SharedEndEffects = std::shared_ptr<const EndEffects>;
