@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <memory>
-#include <random>
 #include <vector>
 
 #include "samcontact/base/errors.hpp"
@@ -31,11 +29,12 @@ operators::SurfaceInfluence soft() {
 }
 
 Field rough_ball(const Grid& grid, double radius, double height) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> noise(0.0, height);
   Field gap;
   for (const double x : grid.x()) {
-    for (const double y : grid.y()) gap.push_back((x * x + y * y) / (2 * radius) + noise(random));
+    for (const double y : grid.y()) {
+      const double noise = 0.5 + 0.5 * std::sin(40.0 * static_cast<double>(gap.size()));
+      gap.push_back((x * x + y * y) / (2 * radius) + noise * height);
+    }
   }
   return gap;
 }

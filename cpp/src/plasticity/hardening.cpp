@@ -2,7 +2,6 @@
 #include "samcontact/plasticity/hardening.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <type_traits>
 
 #include "samcontact/base/errors.hpp"

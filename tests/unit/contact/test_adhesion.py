@@ -92,7 +92,7 @@ def test_constant_attraction_approaches_maugis(transition):
 
 
 def test_a_long_range_is_the_limit_of_stiff_spheres():
-    """With the Tabor number 0.1, the pull-off force is between that of Maugis and 2 pi w R."""
+    """Pull-off force at the Tabor number 0.1, between that of Maugis and 2 pi w R."""
     reach = (R * (W / E) ** 2 / 0.1**3) ** (1 / 3)
     law = sc.Adhesion.exponential(W, reach)
     solver, gap = ball(64, 24.0, law)
@@ -122,7 +122,7 @@ def test_waves_converge_to_johnson():
 
 
 def test_approach_and_retraction_agree_on_one_branch():
-    """With a resolved law, the contact edge does not stick to cells."""
+    """Equal loads of approach and retraction: the contact edge does not stick to cells."""
     law = sc.Adhesion.exponential(W, 1.0e-9)
     solver, gap = ball(36, 4.2, law)
     assert law.on(solver.grid, TIP, SOFT).kappa < 0.6

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -52,7 +53,7 @@ class LennardJones final : public ContactLaw {
     return 8.0 / 3.0 * work_ / z0_ * (c - c * c * c);
   }
   double largest_attraction() const override {
-    return 16.0 / (9.0 * std::sqrt(3.0)) * work_ / z0_;  // at s^6 = 3
+    return 16.0 / (9.0 * std::numbers::sqrt3) * work_ / z0_;  // at s^6 = 3
   }
   double fall(double gap) const override {
     if (std::isinf(gap)) return 0.0;

@@ -37,7 +37,7 @@ AdhesiveSurface::AdhesiveSurface(const Grid& grid, const operators::SurfaceInflu
   if (influence.ends(grid)) {
     throw std::invalid_argument("adhesion cannot be combined with free faces of the bodies");
   }
-  const double points = static_cast<double>(size());
+  const auto points = static_cast<double>(size());
   const double largest = *std::max_element(compliance_.begin(), compliance_.end());
   const bool periodic = grid.period.x > 0 && grid.period.y > 0;
   has_free_mean_ = periodic && compliance_[0] <= rounding * largest;
