@@ -6,7 +6,7 @@ import pytest
 
 import samcontact as sc
 
-FEW, MANY = 15, 500
+PATHS_IN_CI, PATHS_IN_ALL = 15, 500
 NAMED = (sc.ConvergenceError, sc.GridTooSmallError)
 """Errors that a path may end in. A PullOffError is a ConvergenceError."""
 IGNORED = pytest.mark.filterwarnings(
@@ -92,7 +92,7 @@ def check(solution, gap):
 
 
 @IGNORED
-@pytest.mark.parametrize("seed", range(FEW))
+@pytest.mark.parametrize("seed", range(PATHS_IN_CI))
 def test_a_rough_path_ends_in_states_or_a_named_error(seed):
     follow(seed)
 
@@ -100,6 +100,6 @@ def test_a_rough_path_ends_in_states_or_a_named_error(seed):
 @pytest.mark.slow
 @IGNORED
 def test_most_of_many_rough_paths_are_followed_to_their_end():
-    ends = [follow(seed) for seed in range(MANY)]
+    ends = [follow(seed) for seed in range(PATHS_IN_ALL)]
     stopped = [end for end in ends if not isinstance(end, int)]
-    assert len(stopped) <= 0.02 * MANY, [str(end)[:200] for end in stopped]
+    assert len(stopped) <= 0.02 * PATHS_IN_ALL, [str(end)[:200] for end in stopped]
