@@ -139,3 +139,44 @@ def test_return_restart_and_refusals(tmp_path):
         sim.step(load=0.0, advance=(0.0, 0.5 * grid.dx), duration=0.1)
     with pytest.raises(ValueError, match=r"along y is not supported of viscoelastic bodies"):
         sim.step(load=0.0, advance=((0.0, 0.0), (0.0, grid.dy)), duration=0.1)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+def test_creepage_is_the_slip_of_the_crept_shear():
+    """Steady partial slip at a speed between both limits, on a grid that holds the whole track."""
+    body = sc.Material.elastic(1e7, 0.4).with_relaxation(times=[2e-2, 2e-1], shares=[0.3, 0.3])
+    grid, speed, cells = sc.Grid(30, 1, 6e-5, 1e-3), 3e-3, 400
+    gap = grid.x[:, None] ** 2 / (2 * 10e-3)
+    given = {"friction": sc.Coulomb(0.3), "tol": 1e-10, "on_border": "warn"}
+    sim = sc.Simulation(grid, body, body, gap, **given)
+    shift = 8e-3 * grid.dx
+    state = marched(sim, 250, 0.05, speed, shift=(shift, 0.0))[-1]
+    acting = crept(state.shear[0], cells, body, speed / grid.dx)
+    track = sc.Grid(len(acting), 1, grid.dx, grid.dy)
+    zero = sc.ContactSolver(track, RIGID, sc.Material.elastic(body.E, body.nu))
+    shear = np.stack([acting, np.zeros_like(acting)])
+    u = 2 * zero.displacement(np.zeros_like(acting), shear)[0][cells:, 0]
+    loaded = state.pressure[:-1, 0] > 0
+    slip = (shift - (u[:-1] - u[1:]))[loaded]
+    np.testing.assert_allclose(slip, state.slip[0][:-1, 0][loaded], atol=4e-3 * shift)
+    sticking = np.count_nonzero(state.slip[0][:-1, 0][loaded] == 0)
+    assert 3 < sticking < len(slip) - 3
+
+
+def test_march_of_a_coated_body():
+    """Layers that share one relaxation, rolling on 16 cells, approach the steady state."""
+    soft, hard = (
+        sc.Material.elastic(modulus, 0.4).with_relaxation(times=[2e-2], shares=[0.6])
+        for modulus in (1e7, 5e7)
+    )
+    coated = sc.Layered([(soft, 1.5e-3)], hard)
+    grid = sc.Grid(16, 8, 0.75e-3, 2e-3)
+    gap = sc.surfaces.paraboloid(grid, 0.1)
+    steady = sc.rolling.steady(grid, RIGID, coated, gap, load=0.8, friction=0.0, speed=0.05)
+    thick = sc.rolling.steady(grid, RIGID, soft, gap, load=0.8, friction=0.0, speed=0.05)
+    sim = sc.Simulation(grid, RIGID, coated, gap, friction=0.0, tol=1e-8)
+    state = marched(sim, 64, 0.8, 0.05)[-1]
+    assert np.abs(state.pressure - steady.pressure).max() < 0.012 * steady.pressure.max()
+    assert state.approach == pytest.approx(steady.approach, rel=1e-3)
+    assert -state.moment[1] == pytest.approx(steady.rolling_resistance, rel=0.03)
+    assert steady.rolling_resistance < 0.8 * thick.rolling_resistance
