@@ -12,7 +12,8 @@ import numpy as np
 from .. import _core
 from .._util import memory
 from .._util.checks import MAX_STRESS, FloatArray, finite, require_type
-from ..bodies.layered import Body, Layered, materials_of, require_bodies, require_endless
+from ..bodies.free_faces import require_endless
+from ..bodies.layered import Body, Layered, materials_of, require_bodies
 from ..bodies.material import Material
 from ..bodies.relaxation import creep_terms
 from ..bodies.viscoelastic import instantaneous, relaxation_of, relaxes

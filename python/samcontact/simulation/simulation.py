@@ -208,8 +208,8 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         advance : pair of floats, or pair of pairs, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
             [m]: equal for rolling towards -x, different for sliding by the difference (creepage
-            with `Coulomb`). Plastic strain moves with the body. Motion by whole cells is exact,
-            else see `State.origin`. Smooth elastic bodies in full sliding: or ((x1, y1), (x2, y2)).
+            with `Coulomb`). Plastic strain moves with the body. Whole cells are exact (viscoelastic
+            bodies: only these), else see `State.origin`. Smooth elastic bodies: or ((x1, y1), ..).
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.
