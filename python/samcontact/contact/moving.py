@@ -13,10 +13,9 @@ from .. import _core
 from .._util import memory
 from .._util.checks import MAX_STRESS, FloatArray, finite, require_type
 from ..bodies.free_faces import require_endless
-from ..bodies.layered import Body, Layered, materials_of, require_bodies
-from ..bodies.material import Material
+from ..bodies.layered import Body, require_bodies
 from ..bodies.relaxation import creep_terms
-from ..bodies.viscoelastic import instantaneous, relaxation_of, relaxes
+from ..bodies.viscoelastic import instantaneous, relaxation_of, relaxes, vibrating
 from ..problem.grid import Grid
 from ..solutions.contact_solution import ContactSolution
 from .solver import ContactSolver
@@ -36,7 +35,7 @@ class MovingContactSolver(ContactSolver):
     Parameters
     ----------
     grid : Grid
-    bodies : pair of Material or Layered
+    bodies : pair of bodies
         Upper and lower body, viscoelastic, elastic or rigid.
     speeds : pair of float
         Velocity of the material of each body along +x relative to the contact [m/s].
@@ -120,20 +119,7 @@ def _effective(body: Body, speed: float, grid: Grid) -> Body:
 
     For estimates of the contact and for warnings only.
     """
-    if relaxation_of(body) is None:
-        return body
-    omega = 4 * np.pi * abs(speed) / (grid.nx * grid.dx)
-    *layers, substrate = (_vibrating(material, omega) for material in materials_of(body))
-    if isinstance(body, Material):
-        return substrate
-    return Layered([(new, h) for new, (_, h) in zip(layers, body.layers, strict=True)], substrate)
-
-
-def _vibrating(material: Material, omega: float) -> Material:
-    if material.relaxation_terms is None:
-        return material
-    modulus = np.hypot(material.storage(omega), material.loss(omega))
-    return Material.elastic(float(modulus), material.nu)
+    return vibrating(body, 4 * np.pi * abs(speed) / (grid.nx * grid.dx))
 
 
 def require_moving(body1: Any, body2: Any) -> tuple[Body, Body]:

@@ -208,8 +208,8 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         advance : pair of floats, or pair of pairs, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
             [m]: equal for rolling towards -x, different for sliding by the difference (creepage
-            with `Coulomb`). Plastic strain moves with the body. Whole cells are exact (viscoelastic
-            bodies: only these), else see `State.origin`. Smooth elastic bodies: or ((x1, y1), ..).
+            with `Coulomb`). Plastic strain moves with the body. Motion by whole cells is exact,
+            else see `State.origin`. Smooth elastic bodies in full sliding: or ((x1, y1), (x2, y2)).
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.
@@ -222,8 +222,8 @@ class Simulation(Configured, HasLongTimeState, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s]: >= 0 with viscoelastic bodies; > 0 with `heat.partition`,
-            `heat.history` or `FallingCoulomb`, or 0 for unloaded bodies that move.
+            Duration of the increment [s]: >= 0 with viscoelastic bodies, which move by whole cells;
+            > 0 with `heat.partition`, `heat.history` or `FallingCoulomb`, or 0 to move unloaded.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 
