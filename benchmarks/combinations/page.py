@@ -90,8 +90,8 @@ REASONS = (
     ),
     Reason(
         "viscoelastic",
-        "Motion of viscoelastic bodies, whose track recovers outside the grid, and heat in them, "
-        "whose thermal stress relaxes; also histories of heat and heat due to slip.",
+        "Heat in viscoelastic bodies, whose thermal stress relaxes; also histories of heat and "
+        "heat due to slip.",
     ),
 )
 

@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._util.checks import FloatArray, exactly_one, require_type
 from ._util.short_text import in_short
-from .bodies.layered import require_bodies
-from .bodies.material import Material
+from .bodies.layered import Body, require_bodies
 from .bodies.viscoelastic import relaxes
 from .contact.moving import (
     UNSHEARED,
@@ -37,8 +36,8 @@ __all__ = ["steady"]
 
 def steady(
     grid: Grid,
-    body1: Material,
-    body2: Material,
+    body1: Body,
+    body2: Body,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     load: float | None = None,
@@ -66,7 +65,7 @@ def steady(
     grid : Grid
         Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; otherwise
         a single row of cells is a strip of width dy.
-    body1, body2 : Material
+    body1, body2 : Material or Layered
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
         Initial separation [m], or a function of a grid that returns this array, as in
@@ -107,8 +106,7 @@ def steady(
     ------
     ValueError, TypeError
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`. With
-        viscoelastic bodies: friction, creepage or tangential forces, a fluid, layers, or free
-        faces.
+        viscoelastic bodies: friction, creepage or tangential forces, a fluid, or free faces.
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
@@ -163,7 +161,7 @@ def _require_free(friction: Any, **tangential: Any) -> None:
     if type(friction) not in (int, float) or friction != 0:
         raise ValueError(
             f"friction must be 0.0 with viscoelastic bodies, got {in_short(friction)}: their "
-            "rolling with friction is not available"
+            "rolling with friction is found by steps of a Simulation with advance and duration"
         )
     for name, value in tangential.items():
         if value is not None:
@@ -174,7 +172,7 @@ def _require_free(friction: Any, **tangential: Any) -> None:
 
 
 def _free_solver(
-    grid: Grid, bodies: tuple[Material, Material], speed: float | None, settings: dict[str, Any]
+    grid: Grid, bodies: tuple[Body, Body], speed: float | None, settings: dict[str, Any]
 ) -> MovingContactSolver:
     if speed is None:
         raise ValueError(

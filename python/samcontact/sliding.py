@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from ._util.checks import FloatArray, exactly_one, finite_array, require_type
 from ._util.frozen import read_only
-from .bodies.material import Material
+from .bodies.layered import Body
 from .contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving, speed_of
 from .contact.normal_drive import NormalDrive
 from .contact.solver import solve_driven
@@ -25,8 +25,8 @@ __all__ = ["FrictionCurve", "over_speed", "steady"]
 
 def steady(
     grid: Grid,
-    body1: Material,
-    body2: Material,
+    body1: Body,
+    body2: Body,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     load: float | None = None,
@@ -48,7 +48,7 @@ def steady(
     ----------
     grid : Grid
         Grid of any periodicity. `periodic="y"` with one row of cells is plane strain.
-    body1, body2 : Material
+    body1, body2 : Material or Layered
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
         Initial separation [m], or a function of a grid that returns this array, as in
@@ -73,7 +73,7 @@ def steady(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments; a viscoelastic fluid, layers or free faces; GridTooSmallError if the
+        Invalid arguments; a viscoelastic fluid or free faces; GridTooSmallError if the
         contact reaches the edge of the grid.
     ConvergenceError
         No convergence, e.g. white noise at low velocities on a body that relaxes to less than 0.1 %
@@ -160,8 +160,8 @@ class FrictionCurve:
 
 def over_speed(
     grid: Grid,
-    body1: Material,
-    body2: Material,
+    body1: Body,
+    body2: Body,
     gap: ArrayLike | Callable[[Grid], ArrayLike],
     *,
     load: float,

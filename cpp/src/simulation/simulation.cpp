@@ -108,6 +108,8 @@ void require_free_to_advance_along_y(const State& state) {
     reason = "with partial slip: use full sliding";
   } else if (setup.bodies[0].is_plastic() || setup.bodies[1].is_plastic()) {
     reason = "of elastic-plastic bodies, whose strain moves along x only: use elastic bodies";
+  } else if (setup.is_viscoelastic()) {
+    reason = "of viscoelastic bodies, whose track is kept along x only: use elastic bodies";
   } else if (setup.followed() >= 0) {
     reason = "with relief1 or relief2, which move along x only: omit the relief";
   } else if (state.eigenstrain[0] || state.eigenstrain[1]) {
@@ -116,6 +118,18 @@ void require_free_to_advance_along_y(const State& state) {
     return;
   }
   throw std::invalid_argument(std::string("advance along y is not supported ") + reason);
+}
+
+/// Throws std::invalid_argument unless the bodies move by whole cells, since the memory of a
+/// viscoelastic body is stored by cell.
+void require_whole_cells(const Travel& by, double dx) {
+  for (int b = 0; b < 2; ++b) {
+    if (std::fabs(by.x[b] - std::round(by.x[b])) > 1e-6) {
+      throw std::invalid_argument(
+          "advance of body " + std::to_string(b + 1) + " must be a multiple of the cell size, " +
+          to_text(dx) + " m, if a body is viscoelastic, got " + to_text(by.x[b] * dx) + " m");
+    }
+  }
 }
 
 /// Friction power per area from the work per area in a time [i][j] [W/m^2].
@@ -169,9 +183,7 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 
 void Simulation::check(const Target& target) const {
   if (!target.advance.is_along_x()) require_free_to_advance_along_y(state_);
-  if (setup_->is_viscoelastic() && target.advance != Travel{}) {
-    throw std::invalid_argument("viscoelastic bodies cannot travel through the contact");
-  }
+  if (setup_->is_viscoelastic()) require_whole_cells(target.advance, setup_->grid.dx);
   if (setup_->transient_heating.is_on() && target.duration == 0 && state_.load != 0) {
     throw std::invalid_argument(
         "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");

@@ -3,10 +3,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from .layered import Body, Layered, materials_of
+from .material import Material
 from .relaxation import RelaxationTerms
 
 
@@ -22,12 +26,27 @@ def relaxes(*bodies: Body) -> bool:
 
 def instantaneous(body: Body) -> Body:
     """Return the elastic body that a body is for fast loads."""
+    return _changed(body, lambda material: replace(material, relaxation_terms=None))
+
+
+def vibrating(body: Body, omega: float) -> Body:
+    """Return the elastic body with the absolute values of the moduli at a frequency [rad/s]."""
+    return _changed(
+        body,
+        lambda material: Material.elastic(
+            float(np.hypot(material.storage(omega), material.loss(omega))), material.nu
+        ),
+    )
+
+
+def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
+    """Return a viscoelastic body with other materials, except for a rigid base."""
     if relaxation_of(body) is None:
         return body
+    *layers, base = (m if m.is_rigid else change(m) for m in materials_of(body))
     if isinstance(body, Layered):
-        layers = [(replace(material, relaxation_terms=None), h) for material, h in body.layers]
-        return Layered(layers, replace(body.substrate, relaxation_terms=None))
-    return replace(body, relaxation_terms=None)
+        return Layered([(m, h) for m, (_, h) in zip(layers, body.layers, strict=True)], base)
+    return base
 
 
 def require_no_relaxation(reason: str, *bodies: Any) -> None:

@@ -120,12 +120,6 @@ def require_durations(case: Any) -> None:
     heated = case.heat is not None and case.heat.is_timed
     timed = relaxes or heated or case.friction.needs_duration
     for index, segment in enumerate(case.path):
-        moving = segment.passes is not None or segment.advance is not None
-        if relaxes and moving:
-            raise ValueError(
-                f"path[{index}]: viscoelastic bodies must not move: remove roll, slide and "
-                "advance, or the relaxation of the bodies"
-            )
         if segment.is_timed != timed:
             name = "duration" if segment.passes is None else "speed"
             raise ValueError(

@@ -12,10 +12,10 @@ import numpy as np
 from .. import _core
 from .._util import memory
 from .._util.checks import MAX_STRESS, FloatArray, finite, require_type
-from ..bodies.layered import require_homogeneous
-from ..bodies.material import Material
+from ..bodies.free_faces import require_endless
+from ..bodies.layered import Body, require_bodies
 from ..bodies.relaxation import creep_terms
-from ..bodies.viscoelastic import instantaneous
+from ..bodies.viscoelastic import instantaneous, relaxation_of, vibrating
 from ..problem.grid import Grid
 from ..solutions.contact_solution import ContactSolution
 from .solver import ContactSolver
@@ -38,7 +38,7 @@ class MovingContactSolver(ContactSolver):
     Parameters
     ----------
     grid : Grid
-    bodies : pair of Material
+    bodies : pair of bodies
         Upper and lower body, viscoelastic, elastic or rigid.
     speeds : pair of float
         Velocity of the material of each body along +x relative to the contact [m/s].
@@ -51,7 +51,7 @@ class MovingContactSolver(ContactSolver):
     def __init__(
         self,
         grid: Grid,
-        bodies: tuple[Material, Material],
+        bodies: tuple[Body, Body],
         speeds: tuple[float, float],
         finish: Finish,
         **settings: Any,
@@ -131,34 +131,33 @@ def pressure_of(start: Any, kind: type[ContactSolution]) -> FloatArray:
     return pressure
 
 
-def moving_creep(body: Material, speed: float) -> _core.MovingCreep:
+def moving_creep(body: Body, speed: float) -> _core.MovingCreep:
     """Return the creep of a body over the distance moved, for the core."""
-    if body.relaxation_terms is None:
+    terms = relaxation_of(body)
+    if terms is None:
         return _core.MovingCreep([], [], speed > 0)
-    shares, times, _ = creep_terms(body.relaxation_terms)
+    shares, times, _ = creep_terms(terms)
     return _core.MovingCreep(shares.tolist(), (abs(speed) * times).tolist(), speed > 0)
 
 
-def _effective(body: Material, speed: float, grid: Grid) -> Material:
+def _effective(body: Body, speed: float, grid: Grid) -> Body:
     """Elastic body with the modulus at the frequency of waves as long as half of the grid.
 
     For estimates of the contact and for warnings only.
     """
-    if body.relaxation_terms is None:
-        return body
-    omega = 4 * np.pi * abs(speed) / (grid.nx * grid.dx)
-    modulus = np.hypot(body.storage(omega), body.loss(omega))
-    return Material.elastic(float(modulus), body.nu)
+    return vibrating(body, 4 * np.pi * abs(speed) / (grid.nx * grid.dx))
 
 
-def require_moving(body1: Any, body2: Any) -> tuple[Material, Material]:
+def require_moving(body1: Any, body2: Any) -> tuple[Body, Body]:
     """Return both bodies; raise TypeError or ValueError unless they can move steadily."""
-    require_homogeneous("the creep of layers depends on the wavelength", body1, body2)
+    require_bodies(body1, body2)
+    require_endless("ends of bodies are not supported", body1, body2)
     for number, body in ((1, body1), (2, body2)):
-        if body.relaxation_terms is not None and creep_terms(body.relaxation_terms)[2] > 0:
+        terms = relaxation_of(body)
+        if terms is not None and creep_terms(terms)[2] > 0:
             raise ValueError(
                 f"body{number} must be a solid in steady motion, with a sum of shares < 1, got "
-                f"shares = {list(body.relaxation_terms[1])!r}: a fluid flows without limit, so "
+                f"shares = {list(terms[1])!r}: a fluid flows without limit, so "
                 "that its contact never becomes steady"
             )
     return body1, body2

@@ -4,11 +4,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 from .._util.checks import non_negative, number
-from .._util.short_text import in_short
 from ..bodies.layered import Body
 from ..bodies.viscoelastic import relaxes, require_no_relaxation
 from ..heat import Heat
@@ -50,17 +48,12 @@ def require_cold(heat: Heat, bodies: tuple[Body, Body]) -> None:
             )
 
 
-def relaxing_duration(duration: Any, advance: Sequence[Sequence[float]]) -> float:
+def relaxing_duration(duration: Any) -> float:
     """Check and return the duration of an increment [s]; infinite for the long-time state."""
     if duration is None:
         raise ValueError(
             "duration is required because a body is viscoelastic: give the duration of the "
             "increment [s], 0 for an elastic step"
-        )
-    if any(any(along) for along in advance):
-        raise ValueError(
-            f"advance cannot be combined with viscoelastic bodies, got {in_short(advance)} cells: "
-            "the track behind the contact would have to recover outside the grid"
         )
     return (
         math.inf if number("duration", duration) == math.inf else non_negative("duration", duration)

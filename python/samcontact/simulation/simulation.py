@@ -220,8 +220,8 @@ class Simulation(Configured, HtmlTable):
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
-            Duration of the increment [s]: >= 0 with viscoelastic bodies; > 0 with `heat.partition`,
-            `heat.history` or `FallingCoulomb`, or 0 for unloaded bodies that move.
+            Duration of the increment [s]: >= 0 with viscoelastic bodies, which move by whole cells;
+            > 0 with `heat.partition`, `heat.history` or `FallingCoulomb`, or 0 to move unloaded.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
 

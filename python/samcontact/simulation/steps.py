@@ -144,7 +144,7 @@ class StepArguments:
         if self._slips_by_rate:
             slides_for, of_heat = _of_friction(friction, heat, duration)
         if self._relaxes:
-            lasts: float | None = relaxing_duration(duration, travels)
+            lasts: float | None = relaxing_duration(duration)
         else:
             lasts = _duration(heat, of_heat, is_unloaded=is_unloaded)
         if heat_factor is not None:

@@ -341,8 +341,6 @@ def test_refusals():
         sim.step(load=1.0)
     with pytest.raises(ValueError, match="duration must be a finite number >= 0"):
         sim.step(load=1.0, duration=-1.0)
-    with pytest.raises(ValueError, match="advance cannot be combined with viscoelastic bodies"):
-        sim.step(load=1.0, duration=1.0, advance=(GRID.dx, GRID.dx))
     with pytest.raises(ValueError, match="a fluid flows without limit"):
         simulation(SOFT.with_relaxation([1.0], [1.0])).relax()
     with pytest.raises(ValueError, match="relax requires a viscoelastic body"):

@@ -180,7 +180,7 @@ def test_separated_bodies():
         ({"velocity": np.inf}, ValueError, "velocity must be"),
         ({"velocity": None}, TypeError, "velocity must be"),
         ({"body2": RUBBER.with_relaxation([1.0], [1.0])}, ValueError, "body2 must be a solid"),
-        ({"body2": sc.Layered([(UNIT, 1e-3)], UNIT)}, ValueError, "body2 must be a Material"),
+        ({"body2": 1.0}, TypeError, "body2 must be a samcontact.Material or"),
         ({"body2": RIGID}, ValueError, "both rigid"),
         ({"load": None}, ValueError, "load"),
         ({"start": 1.0}, TypeError, "start must be"),
@@ -210,3 +210,20 @@ def test_white_noise_on_nearly_liquid_rubber_is_continued_from_higher_velocities
     assert np.abs(found.pressure - direct.pressure).max() < 1e-6 * found.pressure.max()
     with pytest.raises(sc.ConvergenceError, match=r"did not converge at load 0\.1 N"):
         sc.sliding.steady(*given, **drive, max_iterations=5)
+
+
+def test_wave_on_a_coated_body():
+    """In full contact each wave has the compliance of the layers times the factor of creep."""
+    relaxing = {"times": [2e-2], "shares": [0.6]}
+    grid = sc.Grid(64, 1, 0.1 / 64, 0.1, periodic="xy")
+    q, speed, height = 20 * np.pi, 0.4, 1e-4
+    gap = height * (1 - np.cos(q * grid.x))[:, None]
+    elastic = sc.Layered([(sc.Material.elastic(1e7, 0.4), 1e-2)], sc.Material.elastic(5e7, 0.3))
+    layers = [(material.with_relaxation(**relaxing), h) for material, h in elastic.layers]
+    coated = sc.Layered(layers, elastic.substrate.with_relaxation(**relaxing))
+    found = sc.sliding.steady(grid, RIGID, coated, gap, load=900.0, velocity=speed)
+    assert (found.pressure > 0).all()
+    top = layers[0][0]
+    loss = top.loss(q * speed) / top.E / elastic.wave_compliance(q)
+    expected = 0.5 * q * height**2 * loss * 0.01
+    assert found.tangential_load[0] == pytest.approx(float(expected), rel=1e-3)

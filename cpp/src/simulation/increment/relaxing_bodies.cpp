@@ -11,8 +11,8 @@ RelaxingBodies::RelaxingBodies(const IncrementTask& task) : from_(task.from) {
   }
 }
 
-std::array<operators::Tractions, 2> RelaxingBodies::remembered() const {
-  std::array<operators::Tractions, 2> tractions;
+std::array<TrackTractions, 2> RelaxingBodies::remembered() const {
+  std::array<TrackTractions, 2> tractions;
   for (int b = 0; b < 2; ++b) {
     const auto& step = steps_[b];
     if (!step || !from_.memory[b]) continue;
@@ -21,31 +21,21 @@ std::array<operators::Tractions, 2> RelaxingBodies::remembered() const {
   return tractions;
 }
 
-Field RelaxingBodies::slip() const {
+Field RelaxingBodies::slip(const operators::Tractions& before) const {
   Field slip;
-  const auto add_to = [](double factor, const Field& part, Field& sum) {
-    if (part.empty()) return;
-    sum.resize(part.size(), 0.0);
-    contact::add_scaled(factor, part, sum);
-  };
-  std::array<operators::Tractions, 2> causes = remembered();
+  std::array<TrackTractions, 2> causes = remembered();
   for (int b = 0; b < 2; ++b) {
     if (!steps_[b] || !from_.memory[b]) continue;
-    const operators::Tractions before = from_.equivalent_tractions(b);
-    const auto add = [&](Field& cause, const Field& previous, const Field& traction) {
-      add_to(-1.0, previous, cause);
-      add_to(compliances_[b], traction, cause);
-    };
-    operators::Tractions& cause = causes[b];
-    add(cause.pressure, before.pressure, from_.tractions.pressure);
-    add(cause.shear_x, before.shear_x, from_.tractions.shear_x);
-    add(cause.shear_y, before.shear_y, from_.tractions.shear_y);
-    const double sign = operators::shear_sign(b);
-    const auto displacement = from_.setup().cache.displacement(b);
-    Field u = (*displacement)(cause, sign, operators::Axis::x);
-    const Field v = (*displacement)(cause, sign, operators::Axis::y);
+    const RelaxingBody body(from_.setup(), b);
+    TrackTractions& cause = causes[b];
+    const TrackTractions past = equivalent(*from_.memory[b], body);
+    cause.subtract(past.tractions);
+    cause.add(compliances_[b], before, body.grid, true);
+    Field u = displacement(cause, body, operators::Axis::x);
+    const Field v = displacement(cause, body, operators::Axis::y);
     u.insert(u.end(), v.begin(), v.end());
-    add_to(-sign, u, slip);
+    slip.resize(u.size(), 0.0);
+    contact::add_scaled(-operators::shear_sign(b), u, slip);
   }
   return slip;
 }

@@ -105,6 +105,8 @@ Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
   Field slip;
   for (int b = 0; b < 2; ++b) {
     const bool differs = std::fabs(travel[b] - cells) >= min_travel_difference;
+    // The memory of a viscoelastic body contains its tractions at their positions on the body.
+    if (setup.bodies[b].is_viscoelastic()) continue;
     if (setup.media[b]->is_rigid() || !(cut || differs)) continue;
     slip.resize(2 * setup.grid.surface_size(), 0.0);
     // Previous displacement of body 2 is not slip in the opposite direction.
@@ -221,7 +223,10 @@ SlipHistory::SlipHistory(const IncrementTask& task, const RelaxingBodies& relaxi
   before_ = contact_before(task);
   conditions_ = conditions_of(task);
   travel_slip_ = before_.free_slip;
-  const Field of_memory = relaxing.slip();
+  const Field of_memory =
+      relaxing.slip(task.from.advance == Travel{}
+                        ? task.from.tractions
+                        : taken_along(task.from.tractions, task.setup().grid, cells_moved(task)));
   if (of_memory.empty()) return;
   travel_slip_.resize(of_memory.size(), 0.0);
   contact::add_scaled(1.0, of_memory, travel_slip_);

@@ -52,27 +52,34 @@ class InitialStress : public Source {
 /// stress in these bodies is that of the present tractions.
 class Remembered : public Source {
  public:
-  Remembered(const Setup& setup, std::array<operators::Tractions, 2> tractions)
+  Remembered(const Setup& setup, std::array<TrackTractions, 2> tractions)
       : setup_(setup), tractions_(std::move(tractions)) {}
 
-  bool acts_on(int body) const override { return !tractions_[body].pressure.empty(); }
+  bool acts_on(int body) const override { return !tractions_[body].empty(); }
   bool remains() const override { return true; }
-  fft::Symmetry symmetry() const override {
-    return common(symmetry_of(tractions_[0], setup_.grid), symmetry_of(tractions_[1], setup_.grid));
-  }
+  fft::Symmetry symmetry() const override { return common(symmetry_of(0), symmetry_of(1)); }
   void displace(int body, Field& sum) const override {
     if (!acts_on(body)) return;
     Field& own = displacement_[body];
     if (own.empty()) {
-      const auto displacement = setup_.cache.displacement(body);
-      own = (*displacement)(tractions_[body], operators::shear_sign(body), operators::Axis::z);
+      own = displacement(tractions_[body], RelaxingBody(setup_, body), operators::Axis::z);
     }
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own[i];
   }
 
  private:
+  /// A track outside the grid lies on one side of the contact.
+  fft::Symmetry symmetry_of(int body) const {
+    const auto& [box, tractions] = tractions_[body];
+    if (tractions.pressure.empty()) return fft::Symmetry::xy;
+    Grid wide = setup_.grid;
+    wide.nx = box.nx;
+    const fft::Symmetry own = simulation::symmetry_of(tractions, wide);
+    return wide.nx == setup_.grid.nx ? own : common(own, fft::Symmetry::y);
+  }
+
   const Setup& setup_;
-  std::array<operators::Tractions, 2> tractions_;
+  std::array<TrackTractions, 2> tractions_;
   mutable std::array<Field, 2> displacement_;  // empty until first used
 };
 
@@ -80,12 +87,12 @@ class Remembered : public Source {
 
 Sources::Sources(const Setup& setup, const Travel& travel, const std::array<GivenHeat, 2>& heat,
                  const Eigenstrains& eigenstrains, operators::ResidualMethod method,
-                 std::array<operators::Tractions, 2> memory) {
+                 std::array<TrackTractions, 2> memory) {
   all_.push_back(std::make_unique<Undeformed>(setup, travel));
   all_.push_back(std::make_unique<HeatSource>(setup.grid, heat, setup.placement(travel).offset));
   all_.push_back(std::make_unique<InitialStress>(setup, travel));
   all_.push_back(std::make_unique<Eigenstrain>(setup, travel, method, eigenstrains));
-  if (!memory[0].pressure.empty() || !memory[1].pressure.empty()) {
+  if (!memory[0].empty() || !memory[1].empty()) {
     all_.push_back(std::make_unique<Remembered>(setup, std::move(memory)));
   }
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "samcontact/simulation/cells/motion.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
 
 namespace samcontact::simulation {
@@ -58,10 +59,29 @@ Tractions over(const Box& whole, const TractionMemory& memory, std::size_t terms
   return tractions;
 }
 
+/// A cell outside the grid is forgotten if its values are smaller than this part of the largest.
+constexpr double forgotten = 1e-12;
+
+/// Cells over which the displacement due to tractions in a box is computed: the grid, and the track
+/// outside it in few different lengths, so that operators are seldom built.
+Box track_box(const Box& loaded, const Grid& grid) {
+  const Box surface = Box::surface(grid);
+  if (loaded.empty() || surface.contains(loaded)) return surface;
+  const auto rounded = [&](int cells) {
+    if (cells <= 0) return 0;
+    const unsigned unit = std::max(8, grid.nx / 4);
+    return static_cast<int>(unit * std::bit_ceil((static_cast<unsigned>(cells) + unit - 1) / unit));
+  };
+  const int before = rounded(-loaded.i0);
+  const int after = rounded(loaded.i0 + loaded.nx - grid.nx);
+  return {-before, 0, before + grid.nx + after, grid.ny, 1};
+}
+
 /// Cells over which the work of tractions in a box is computed: few different sizes, so that their
 /// operators are seldom built; the whole grid if it is periodic.
 Box work_box(const Box& loaded, const Grid& grid) {
-  if (grid.period.is_on()) return Box::surface(grid);
+  if (grid.period.is_on()) return track_box(loaded, grid);
+  if (!Box::surface(grid).contains(loaded)) return track_box(loaded, grid);
   const auto rounded = [](int cells, int all) {
     const int unit = std::max(8, (all + 7) / 8);
     return std::min(all, (cells + unit - 1) / unit * unit);
@@ -114,6 +134,44 @@ TractionMemory extended(const TractionMemory* before, std::size_t terms, const B
     to += (terms + 1) * cells;
   }
   return wider;
+}
+
+/// Columns at the ends of a box [field][i][j] whose values have faded, outside the grid.
+std::array<int, 2> faded_columns(const TractionMemory& memory, const Grid& grid) {
+  const Box& box = memory.box;
+  const std::size_t cells = box.surface_size(), fields = memory.values.size() / cells;
+  Field largest(box.nx, 0.0);  // of each column
+  for (std::size_t field = 0; field < fields; ++field) {
+    for (std::size_t n = 0; n < cells; ++n) {
+      double& most = largest[n / box.ny];
+      most = std::max(most, std::fabs(memory.values[field * cells + n]));
+    }
+  }
+  const double limit = forgotten * *std::max_element(largest.begin(), largest.end());
+  std::array<int, 2> faded{};
+  while (box.i0 + faded[0] < 0 && faded[0] < box.nx && largest[faded[0]] <= limit) ++faded[0];
+  const int beyond = std::min(box.i0 + box.nx - grid.nx, box.nx - faded[0]);
+  while (faded[1] < beyond && largest[box.nx - 1 - faded[1]] <= limit) ++faded[1];
+  return faded;
+}
+
+/// Memory without the cells outside the grid that have recovered.
+TractionMemory without_faded(TractionMemory memory, const Grid& grid) {
+  if (memory.box.empty() || Box::surface(grid).contains(memory.box)) return memory;
+  const auto [first, last] = faded_columns(memory, grid);
+  if (first + last == 0) return memory;
+  const Box from = memory.box;
+  memory.box.i0 += first;
+  memory.box.nx -= first + last;
+  if (memory.box.nx == 0) return {Box{0, 0, 0, 0, 1}, 0, {}, memory.supplied};
+  const std::size_t cells = from.surface_size(), fields = memory.values.size() / cells;
+  Field kept(fields * memory.box.surface_size());
+  for (std::size_t field = 0; field < fields; ++field) {
+    extract(memory.values.data() + field * cells, from,
+            kept.data() + field * memory.box.surface_size(), memory.box);
+  }
+  memory.values = std::move(kept);
+  return memory;
 }
 
 /// Change of the equivalent tractions in a step and mean of the tractions, of one kind [i][j] of
@@ -178,22 +236,94 @@ RelaxingBody::RelaxingBody(const Setup& setup, int body_)
       relaxation(setup.bodies[body_].relaxation()),
       body(body_) {}
 
-Tractions equivalent(const TractionMemory& memory, const RelaxingBody& body) {
-  return over(Box::surface(body.grid), memory, body.relaxation.terms(),
-              [](const Part& part, Field& sum) { add(1.0, part.equivalent(), sum); });
+Tractions TrackTractions::of_box(const Box& other) const {
+  if (box == other) return tractions;
+  Tractions out;
+  for (const Traction kind : operators::all_tractions) {
+    const Field& field = tractions.of(kind);
+    if (field.empty()) continue;
+    Field& part = field_of(out, kind);
+    part.assign(other.surface_size(), 0.0);
+    copy_common(field.data(), box, part.data(), other);
+  }
+  return out;
 }
 
-Tractions remembered(const TractionMemory& memory, const RelaxingBody& body,
-                     const RelaxationStep& step) {
+void TrackTractions::subtract(const Tractions& other) {
+  for (const Traction kind : operators::all_tractions) {
+    const Field& field = other.of(kind);
+    Field& sum = field_of(tractions, kind);
+    if (field.empty()) continue;
+    sum.resize(field.size(), 0.0);
+    simulation::add(-1.0, field.data(), sum);
+  }
+}
+
+void TrackTractions::add(double factor, const Tractions& of_grid, const Grid& grid, bool all) {
+  const Box surface = Box::surface(grid);
+  Field placed;
+  for (const Traction kind : operators::all_tractions) {
+    const Field& field = of_grid.of(kind);
+    Field& sum = field_of(tractions, kind);
+    if (field.empty() || (sum.empty() && !all)) continue;
+    placed.assign(box.surface_size(), 0.0);
+    insert(field.data(), surface, placed.data(), box);
+    sum.resize(placed.size(), 0.0);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * placed[i];
+  }
+}
+
+Field displacement(const TrackTractions& cause, const RelaxingBody& body, operators::Axis axis) {
+  const auto of_box = body.cache.displacement(body.body, cause.box.nx, cause.box.ny);
+  Field u = (*of_box)(cause.tractions, operators::shear_sign(body.body), axis);
+  const Box surface = Box::surface(body.grid);
+  if (cause.box == surface) return u;
+  Field out(surface.surface_size());
+  extract(u.data(), cause.box, out.data(), surface);
+  return out;
+}
+
+TrackTractions equivalent(const TractionMemory& memory, const RelaxingBody& body) {
+  const Box whole = track_box(memory.box, body.grid);
+  return {whole, over(whole, memory, body.relaxation.terms(),
+                      [](const Part& part, Field& sum) { add(1.0, part.equivalent(), sum); })};
+}
+
+TrackTractions remembered(const TractionMemory& memory, const RelaxingBody& body,
+                          const RelaxationStep& step) {
   const Relaxation& relaxation = body.relaxation;
   const double sum_of_means = mean_modulus(relaxation, step);
-  const Box whole = Box::surface(body.grid);
-  return over(whole, memory, relaxation.terms(), [&](const Part& part, Field& sum) {
+  const Box whole = track_box(memory.box, body.grid);
+  Tractions sums = over(whole, memory, relaxation.terms(), [&](const Part& part, Field& sum) {
     add(step.compliance * sum_of_means, part.equivalent(), sum);
     for (std::size_t i = 0; i < relaxation.terms(); ++i) {
       add(-step.compliance * relaxation.shares[i] * step.decay[i], part.fading(i), sum);
     }
   });
+  return {whole, std::move(sums)};
+}
+
+std::shared_ptr<const TractionMemory> moved(std::shared_ptr<const TractionMemory> memory,
+                                            const Grid& grid, int cells) {
+  if (!memory || cells == 0 || memory->box.empty()) return memory;
+  if (grid.period.x == 0) {
+    TractionMemory along = *memory;
+    along.box = along.box.moved(cells, 0);
+    return std::make_shared<const TractionMemory>(std::move(along));
+  }
+  const Box& from = memory->box;
+  TractionMemory around{{0, from.j0, grid.nx, from.ny, 1}, memory->kinds, {}, memory->supplied};
+  Grid strip = grid;
+  strip.ny = from.ny;
+  const std::size_t fields = memory->values.size() / from.surface_size();
+  around.values.reserve(fields * around.box.surface_size());
+  for (std::size_t field = 0; field < fields; ++field) {
+    Field own(around.box.surface_size(), 0.0);
+    insert(memory->values.data() + field * from.surface_size(), from, own.data(), around.box);
+    own = moved(own, strip, cells);
+    around.values.insert(around.values.end(), own.begin(), own.end());
+  }
+  return std::make_shared<const TractionMemory>(std::move(around));
 }
 
 std::shared_ptr<const TractionMemory> after_step(const TractionMemory* before,
@@ -219,7 +349,7 @@ std::shared_ptr<const TractionMemory> after_step(const TractionMemory* before,
     if (!memory.has(kind)) continue;
     const Field& field = tractions.of(kind);
     own.assign(cells, 0.0);
-    if (!field.empty()) extract(field.data(), Box::surface(grid), own.data(), box);
+    if (!field.empty()) copy_common(field.data(), Box::surface(grid), own.data(), box);
     const Change here = advance(values, cells, relaxation, step, own);
     values += (relaxation.terms() + 1) * cells;
     for (auto [part, of] : {std::pair{&here.equivalent, &change}, std::pair{&here.mean, &mean}}) {
@@ -229,7 +359,7 @@ std::shared_ptr<const TractionMemory> after_step(const TractionMemory* before,
     }
   }
   memory.supplied += work(body, around, mean, change);
-  return std::make_shared<const TractionMemory>(std::move(memory));
+  return std::make_shared<const TractionMemory>(without_faded(std::move(memory), grid));
 }
 
 double stored_energy(const TractionMemory& memory, const RelaxingBody& body) {

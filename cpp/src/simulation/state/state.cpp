@@ -113,6 +113,7 @@ State State::moved(const Travel& to) const {
   require_followed(eigenstrain, *setup_, to);
   for (int b = 0; b < 2; ++b) {
     const int by = from.first[b] - place.first[b];
+    state.memory[b] = simulation::moved(memory[b], grid, by);
     if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, 0);
     if (!plastic[b]) continue;
     if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
@@ -125,25 +126,20 @@ State State::moved(const Travel& to) const {
   return state;
 }
 
-std::array<operators::Tractions, 2> State::delayed() const {
-  std::array<operators::Tractions, 2> delayed;
+std::array<TrackTractions, 2> State::delayed() const {
+  std::array<TrackTractions, 2> delayed;
   for (int b = 0; b < 2; ++b) {
     if (!memory[b]) continue;
-    delayed[b] = equivalent_tractions(b);
-    const auto subtract = [](const Field& present, Field& from) {
-      if (present.empty() || from.empty()) return;
-      contact::add_scaled(-1.0, present, from);
-    };
-    subtract(tractions.pressure, delayed[b].pressure);
-    subtract(tractions.shear_x, delayed[b].shear_x);
-    subtract(tractions.shear_y, delayed[b].shear_y);
+    delayed[b] = equivalent(*memory[b], RelaxingBody(*setup_, b));
+    delayed[b].add(-1.0, tractions, setup_->grid, false);
   }
   return delayed;
 }
 
 operators::Tractions State::equivalent_tractions(int body) const {
   if (!memory[body]) return tractions;
-  return equivalent(*memory[body], RelaxingBody(*setup_, body));
+  const TrackTractions past = equivalent(*memory[body], RelaxingBody(*setup_, body));
+  return past.of_box(Box::surface(setup_->grid));
 }
 
 double State::viscous_work(int body) const {

@@ -77,20 +77,19 @@ void add(Field& sum, const Field& part) {
 Field recovering_displacement(const State& state, int body, operators::Axis axis,
                               const Box& region) {
   const Grid& grid = state.setup().grid;
-  const operators::Tractions delayed = state.delayed()[body];
-  const double sign = operators::shear_sign(body);
+  const TrackTractions delayed = state.delayed()[body];
   Box whole = Box::surface(grid), surface = region;
   surface.nz = 1;
   Field u;
   if (whole.contains(surface)) {
-    u = (*state.setup().cache.displacement(body))(delayed, sign, axis);
+    u = displacement(delayed, RelaxingBody(state.setup(), body), axis);
   } else {
-    whole = whole.united(surface);
+    whole = delayed.box.united(surface);
     Grid wide = grid;
     wide.nx = whole.nx;
     wide.ny = whole.ny;
-    u = operators::surface_displacement(wide, *state.setup().media[body], {},
-                                        window(delayed, grid, whole), sign, axis);
+    u = operators::surface_displacement(wide, *state.setup().media[body], {}, delayed.of_box(whole),
+                                        operators::shear_sign(body), axis);
   }
   Field out(surface.surface_size());
   extract(u.data(), whole, out.data(), surface);

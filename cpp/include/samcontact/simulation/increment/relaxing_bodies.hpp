@@ -17,11 +17,12 @@ class RelaxingBodies {
   /// Factors on the elastic compliances of the bodies.
   const Compliances& compliances() const { return compliances_; }
   /// Tractions whose elastic displacement the bodies remember; empty: none.
-  std::array<operators::Tractions, 2> remembered() const;
+  std::array<TrackTractions, 2> remembered() const;
   /// Slip of body 1 relative to body 2 in the increment that is due to memory [2][i][j]: the
   /// tangential displacement that it causes now, less the part of the previous displacement that
-  /// tractions do not cause with the present compliances. Empty: none.
-  Field slip() const;
+  /// tractions do not cause with the present compliances. before: tractions at the start of the
+  /// increment, as the contact compares with them. Empty: none.
+  Field slip(const operators::Tractions& before) const;
   /// Stores the memory at the end of the increment in the state after it.
   void remember(const operators::Tractions& tractions, State& state) const;
 

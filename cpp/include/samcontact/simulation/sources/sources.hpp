@@ -9,6 +9,7 @@
 #include "samcontact/simulation/sources/eigenstrain.hpp"
 #include "samcontact/simulation/sources/given_heat.hpp"
 #include "samcontact/simulation/sources/source.hpp"
+#include "samcontact/simulation/sources/traction_memory.hpp"
 
 namespace samcontact::simulation {
 
@@ -20,7 +21,7 @@ class Sources {
   /// viscoelastic bodies, as tractions that cause an elastic displacement; empty: none.
   Sources(const Setup& setup, const Travel& travel, const std::array<GivenHeat, 2>& heat,
           const Eigenstrains& eigenstrains, operators::ResidualMethod method,
-          std::array<operators::Tractions, 2> memory = {});
+          std::array<TrackTractions, 2> memory = {});
 
   /// Whether all stress of a body that is not due to tractions and plastic strain remains after
   /// unloading.

@@ -31,9 +31,10 @@ struct RelaxationStep {
 };
 
 /// Tractions of the past, of the kinds that have occurred, on the box of all cells that have been
-/// loaded. Immutable.
+/// loaded. It moves with the body and extends beyond a grid that is not periodic along x: the track
+/// of the contact, which still displaces the surface in the grid. Immutable.
 struct TractionMemory {
-  Box box;        // nz = 1
+  Box box;        // nz = 1; counted from the first cell of the grid
   int kinds = 0;  // bits of operators::Traction
   /// [kind][0: equivalent; then fading part of each term][i][j] [Pa]
   Field values = {};
@@ -56,12 +57,31 @@ struct RelaxingBody {
   int body;
 };
 
-/// Equivalent tractions [i][j] of the grid [Pa].
-operators::Tractions equivalent(const TractionMemory& memory, const RelaxingBody& body);
-/// Tractions [i][j] of the grid whose elastic displacement remains at the end of a step in addition
-/// to that of the tractions times the compliance factor.
-operators::Tractions remembered(const TractionMemory& memory, const RelaxingBody& body,
-                                const RelaxationStep& step);
+/// Tractions [i][j] on a box of cells that contains the grid, and all of the track of the contact.
+struct TrackTractions {
+  Box box;
+  operators::Tractions tractions;
+
+  bool empty() const { return tractions.pressure.empty(); }
+  /// Tractions [i][j] on another box; 0 outside this one.
+  operators::Tractions of_box(const Box& other) const;
+  /// Subtracts tractions of the same box.
+  void subtract(const operators::Tractions& other);
+  /// Adds tractions [i][j] of the grid times a factor, of the kinds that this has or `all`.
+  void add(double factor, const operators::Tractions& of_grid, const Grid& grid, bool all);
+};
+/// Elastic displacement of a body along an axis [i][j] of the grid [m].
+Field displacement(const TrackTractions& cause, const RelaxingBody& body, operators::Axis axis);
+
+/// Equivalent tractions [Pa].
+TrackTractions equivalent(const TractionMemory& memory, const RelaxingBody& body);
+/// Tractions whose elastic displacement remains at the end of a step in addition to that of the
+/// tractions times the compliance factor.
+TrackTractions remembered(const TractionMemory& memory, const RelaxingBody& body,
+                          const RelaxationStep& step);
+/// Memory of a body that has moved through the grid by some cells towards +x. memory: may be null.
+std::shared_ptr<const TractionMemory> moved(std::shared_ptr<const TractionMemory> memory,
+                                            const Grid& grid, int cells);
 /// Memory after a step that ends with tractions [i][j] of the grid. before: may be null.
 std::shared_ptr<const TractionMemory> after_step(const TractionMemory* before,
                                                  const RelaxingBody& body,

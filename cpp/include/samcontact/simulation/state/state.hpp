@@ -125,7 +125,7 @@ class State {
 
   /// Tractions whose elastic displacement a viscoelastic body has in addition to that of the
   /// present tractions [i][j]; empty: none.
-  std::array<operators::Tractions, 2> delayed() const;
+  std::array<TrackTractions, 2> delayed() const;
   /// Tractions whose elastic displacement a body has [i][j].
   operators::Tractions equivalent_tractions(int body) const;
   /// Energy dissipated by the viscosity of a body since the start [J].
