@@ -140,7 +140,11 @@ SlabMatrix slab_reflections(const std::vector<double>& nodes, double q, double n
                    slab_compliance(endless, z, more, count, false, false, q, nu) - one -
                    one.reverse();  // the other face
   sum = 0.5 * (sum + sum.transpose()).eval();
-  return sum.array() - sum.mean();
+  const Eigen::VectorXd arms = Eigen::Map<const Eigen::VectorXd>(nodes.data(), count).array() - 0.5;
+  const double rotation = arms.dot(sum * arms) / std::pow(arms.squaredNorm(), 2);
+  const double mean = sum.mean();
+  sum -= rotation * arms * arms.transpose();
+  return sum.array() - mean;
 }
 
 }  // namespace

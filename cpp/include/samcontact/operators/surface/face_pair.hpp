@@ -11,8 +11,8 @@ namespace samcontact::operators {
 
 /// Displacement of a slab between two free faces, less that of the half-space and of the effects of
 /// each face alone. It varies over the distance of the faces, so that few waves along x and
-/// few nodes along y describe it. Symmetric in load and displacement; its mean, a change of the
-/// approach, is omitted: an infinitely deep slab has no finite approach.
+/// few nodes along y describe it. Symmetric in load and displacement; its mean and its rotation,
+/// changes of approach and tilt, are omitted: they are not finite for an infinitely deep slab.
 class FacePair {
  public:
   /// Faces at low and high [m]; bodies of one Poisson's ratio, with the sum of their 1/E [1/Pa].
