@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import APPLICATION_SIZE, axes, depth_down, field, finish_titled
 from .application import Answer, Application, Work
-from .drawing import depth_down, field, lines, panels
 
 BEARING = sc.bearings.standard("6208")
 
@@ -44,17 +44,21 @@ def picture(work: Work) -> Figure:
     found = work.dataset()
     middle = found.sizes["y"] // 2
     x = found["x"].values * 1e6
-    figure, (left, right) = panels(1, 2)
+    figure, (left, right) = axes(size=APPLICATION_SIZE)
     strain = found["equivalent_plastic_strain_body2"].isel(output_increment=-1, y=middle)
     z = found["z"].values * 1e6
     field(left, x, z, 100 * strain.values, "equivalent plastic strain [%]", "magma_r")
     depth_down(left, min(z[-1], 1000.0))
-    lines(left, "x along the groove [µm]", "depth [µm]", "plastic zone of the inner race", False)
+    finish_titled(
+        left, "x along the groove [µm]", "depth [µm]", "plastic zone of the inner race", False
+    )
     for body, name, style in ((1, "ball", "-"), (2, "inner race", "k--")):
         depth = found[f"residual_displacement_body{body}"].isel(increment=-1, y=middle)
         right.plot(x, depth.values * 1e6, style, label=name)
     right.invert_yaxis()
-    lines(right, "x along the groove [µm]", "residual imprint [µm]", "after 24 kN on the bearing")
+    finish_titled(
+        right, "x along the groove [µm]", "residual imprint [µm]", "after 24 kN on the bearing"
+    )
     return figure
 
 

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import APPLICATION_SIZE, axes, finish_titled
 from .application import Answer, Application, Work
-from .drawing import lines, panels
 
 TITANIUM = sc.Material.elastic(E=116e9, nu=0.32)
 MU, P, Q = 0.5, 500.0, 150.0
@@ -67,16 +67,16 @@ def answers(work: Work) -> list[Answer]:
 def picture(work: Work) -> Figure:
     found = work.dataset()
     x = found["x"].values * 1e3
-    figure, (left, right) = panels(1, 2)
+    figure, (left, right) = axes(size=APPLICATION_SIZE)
     last = found.isel(increment=-1, y=0)
     left.plot(x, MU * last["pressure"].values / 1e6, "k--", label="friction limit μp")
     left.plot(x, last["shear_x"].values / 1e6, label="shear traction")
     stress = found["stress_body2"].isel(component=0, output_increment=-1, y=0, z=0)
     left.plot(x, stress.values / 1e6, label="stress along x, 6 µm deep")
     left.set_ylim(-380.0, 400.0)  # room for the legend
-    lines(left, "x [mm]", "[MPa]", "at full force")
+    finish_titled(left, "x [mm]", "[MPa]", "at full force")
     right.plot(found["shift_x"].values * 1e6, found["tangential_load_x"].values, ".-")
-    lines(right, "displacement [µm]", "tangential force [N/mm]", "fretting loop", False)
+    finish_titled(right, "displacement [µm]", "tangential force [N/mm]", "fretting loop", False)
     return figure
 
 

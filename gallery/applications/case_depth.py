@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import APPLICATION_SIZE, axes, depth_down, finish_titled
 from .application import Answer, Application, Work, largest
-from .drawing import depth_down, lines, panels
 
 STEEL = sc.Material.elastic(E=206e9, nu=0.3)
 FLANK = sc.hertz.line(25e-3, sc.hertz.effective_modulus(STEEL, STEEL), p0=1.5e9)
@@ -45,15 +45,17 @@ def answers(work: Work) -> list[Answer]:
 
 def picture(work: Work) -> Figure:
     judged, swept = work.dataset("fatigue.nc"), work.dataset("sweep/sweep.nc")
-    figure, (left, right) = panels(1, 2)
+    figure, (left, right) = axes(size=APPLICATION_SIZE)
     z = judged["z"].values * 1e3
     for name, label in CRITERIA.items():
         left.plot(judged[f"exposure_{name}"].values, z, label=label)
         depths = swept["body2.hardness.depth"].values * 1e3
         right.plot(depths, np.ravel(swept[f"exposure_{name}"].values), "o-", label=label)
     depth_down(left, 1.5)
-    lines(left, "exposure: stress / local strength", "depth [mm]", "case of 0.5 mm")
-    lines(right, "case hardening depth (CHD) [mm]", "largest exposure", "how deep must it be?")
+    finish_titled(left, "exposure: stress / local strength", "depth [mm]", "case of 0.5 mm")
+    finish_titled(
+        right, "case hardening depth (CHD) [mm]", "largest exposure", "how deep must it be?"
+    )
     return figure
 
 

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import APPLICATION_SIZE, axes, depth_down, finish_titled
 from .application import Answer, Application, Work, largest
-from .drawing import depth_down, lines, panels
 
 STEEL, COATING = sc.Material.elastic(206e9, 0.3), sc.Material.elastic(300e9, 0.22)
 XX, YY, ZZ = 0, 1, 2
@@ -64,10 +64,10 @@ def picture(work: Work) -> Figure:
     above, below = sides(work)
     middle = found.sizes["y"] // 2
     x = found["x"].values * 1e6
-    figure, (left, right) = panels(1, 2)
+    figure, (left, right) = axes(size=APPLICATION_SIZE)
     left.plot(x, above[XX, :, middle] / 1e6, label="coating")
     left.plot(x, below[XX, :, middle] / 1e6, label="steel")
-    lines(left, "x along the profile [µm]", "stress along x [MPa]", "at the interface")
+    finish_titled(left, "x along the profile [µm]", "stress along x [MPa]", "at the interface")
     stress = found["stress_body2"].isel(output_increment=-1, y=middle, component=0)
     trailing, z = int(np.argmax(above[XX, :, middle])), found["z"].values * 1e6
     of_cells = stress.isel(x=trailing).values
@@ -77,7 +77,7 @@ def picture(work: Work) -> Figure:
     right.plot(np.append(ends[1], steel) / 1e6, np.append(3.0, z[z > 3.0]), "o-", label="steel")
     depth_down(right, 6.0)
     right.axhline(3.0, color="k", linestyle="--", label="interface")
-    lines(right, "stress along x [MPa]", "depth [µm]", f"at x = {x[trailing]:.0f} µm")
+    finish_titled(right, "stress along x [MPa]", "depth [µm]", f"at x = {x[trailing]:.0f} µm")
     return figure
 
 

@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import APPLICATION_SIZE, axes, depth_down, field, finish_titled
 from .application import Answer, Application, Work, largest
-from .drawing import depth_down, field, lines, panels
 
 DIAMOND = sc.Material.elastic(E=1141e9, nu=0.07)
 COATED = sc.Layered(
@@ -47,17 +47,17 @@ def answers(work: Work) -> list[Answer]:
 
 def picture(work: Work) -> Figure:
     found = work.dataset()
-    figure, (left, right) = panels(1, 2)
+    figure, (left, right) = axes(size=APPLICATION_SIZE)
     load, depth = found["load"].values * 1e3, found["approach"].values * 1e9
     left.plot([0.0, *depth], [0.0, *load], "o-")
-    lines(left, "depth [nm]", "load [mN]", "indentation curve", False)
+    finish_titled(left, "depth [nm]", "load [mN]", "indentation curve", False)
     middle = found.sizes["y"] // 2
     strain = found["equivalent_plastic_strain_body2"].isel(output_increment=-1, y=middle).values
     x, z = found["x"].values * 1e6, found["z"].values * 1e6
     field(right, x, z, 100 * strain, "plastic strain [%]", "magma_r")
     right.axhline(2.0, color="k", linestyle="--")
     depth_down(right, min(z[-1], 10.0))
-    lines(right, "x [µm]", "depth [µm]", "dashed: interface", False)
+    finish_titled(right, "x [µm]", "depth [µm]", "dashed: interface", False)
     return figure
 
 

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import axes, depth_down, field, finish_titled
 from .application import Answer, Application, Work, largest
-from .drawing import depth_down, field, lines, panels
 
 E_STAR = sc.hertz.effective_modulus(*[sc.Material.elastic(210e9, 0.3)] * 2)
 HERTZ = sc.hertz.point(4.7625e-3, E_STAR, load=79.0)
@@ -44,19 +44,19 @@ def answers(work: Work) -> list[Answer]:
 
 def picture(work: Work) -> Figure:
     found = work.dataset()
-    figure, (above, below) = panels(2, 1, (8.0, 6.4), sharex=True)
+    figure, (above, below) = axes(2, 1, (8.0, 6.4), sharex=True)
     loaded = found["load"].values > 78.9
     position = -found["travel_body2"].values[loaded] * 1e6
     above.plot(position, found["max_pressure"].values[loaded] / 1e9, "o-", label="over the dent")
     above.axhline(HERTZ.p0 / 1e9, color="k", linestyle="--", label="smooth raceway (Hertz)")
-    lines(above, "", "maximum pressure [GPa]", "position of the ball on the raceway")
+    finish_titled(above, "", "maximum pressure [GPa]", "position of the ball on the raceway")
     track = found["track_residual_von_mises_body2"]
     x, z = found["track_position_body2"].values * 1e6, found["z"].values * 1e6
     middle = found.sizes["y"] // 2
     field(below, x, z, track.isel(y=middle).values / 1e6, "residual von Mises [MPa]", "magma_r")
     depth_down(below, z[-1])
     below.set_xlim(-40.0, 360.0)
-    lines(below, "position on the raceway [µm]", "depth [µm]", "after the pass", False)
+    finish_titled(below, "position on the raceway [µm]", "depth [µm]", "after the pass", False)
     return figure
 
 

@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import axes, field, finish_titled
 from .application import Answer, Application, Work
-from .drawing import field, lines, panels
 
 STEEL = sc.Material.elastic(E=210e9, nu=0.3)
 RADIUS, RACE, LENGTH, LOAD = 5e-3, 20e-3, 10e-3, 15e3
@@ -55,14 +55,14 @@ def picture(work: Work) -> Figure:
     found = work.dataset()
     pressure = found["pressure"].isel(increment=-1).values / 1e9
     y, x = found["y"].values * 1e3, found["x"].values * 1e3
-    figure, (above, below) = panels(2, 1, (8.0, 5.6), sharex=True)
+    figure, (above, below) = axes(2, 1, (8.0, 5.6), sharex=True)
     above.plot(y, pressure.max(axis=0), label="tilt of 1 mrad")
     aligned = solved(0.0)
     places = (np.arange(1201) - 600) * LENGTH / 1201 * 1e3
     above.plot(places, aligned.pressure.max(axis=0) / 1e9, "k--", label="no tilt")
-    lines(above, "", "maximum over x [GPa]", "pressure along the roller")
+    finish_titled(above, "", "maximum over x [GPa]", "pressure along the roller")
     field(below, y, x, pressure.T, "pressure [GPa]", "magma_r")
-    lines(below, "y along the roller [mm]", "x [mm]", "", False)
+    finish_titled(below, "y along the roller [mm]", "x [mm]", "", False)
     return figure
 
 

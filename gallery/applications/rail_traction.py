@@ -8,8 +8,8 @@ from matplotlib.figure import Figure
 
 import samcontact as sc
 
+from ..drawing import axes, cells, depth_down, field, finish_titled
 from .application import Answer, Application, Work, largest
-from .drawing import cells, depth_down, field, lines, panels
 
 STEEL = sc.Material.elastic(E=210e9, nu=0.3)
 LOAD = 80e3
@@ -53,13 +53,13 @@ def picture(work: Work) -> Figure:
     found = work.dataset()
     at = int(np.argmax(np.abs(found["tangential_load_x"].values)))
     x, y, z = (found[name].values * 1e3 for name in "xyz")
-    figure, (above, below) = panels(2, 1, (8.0, 7.0), sharex=True)
+    figure, (above, below) = axes(2, 1, (8.0, 7.0), sharex=True)
     touching = found["pressure"].isel(increment=at).values > 0
     shear = np.where(touching, np.abs(found["shear_x"].isel(increment=at).values), np.nan)
     cells(above, x, y, shear / 1e6, "shear traction [MPa]")
     stuck = np.argwhere(found["sticking"].isel(increment=at).values > 0)
     above.plot(x[stuck[:, 0]], y[stuck[:, 1]], "k.", markersize=3)
-    lines(
+    finish_titled(
         above,
         "",
         "y across the rail [mm]",
@@ -70,7 +70,7 @@ def picture(work: Work) -> Figure:
     strain = found["equivalent_plastic_strain_body2"].isel(output_increment=-1, y=middle).values
     field(below, x, z, 100 * strain, "plastic strain [%]", "magma_r")
     depth_down(below, z[-1])
-    lines(below, "x along the rail [mm]", "depth [mm]", "rail after the pass", False)
+    finish_titled(below, "x along the rail [mm]", "depth [mm]", "rail after the pass", False)
     return figure
 
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
+from ..drawing import axes, field, finish_titled
 from .application import Answer, Application, Work
-from .drawing import field, lines, panels
 
 SWEEP = (
     "sweep rough.toml --zip --set grid.nx=67,135 --set grid.ny=67,135 --set grid.dx=5e-6,2.5e-6 "
@@ -45,13 +45,13 @@ def picture(work: Work) -> Figure:
     heights = found["heights_body2"].values * 1e6
     x, y = found["x_body2"].values * 1e6, found["y"].values * 1e6
     row = int(np.unravel_index(np.argmax(heights[0] - heights[-1]), heights[0].shape)[1])
-    figure, (above, below) = panels(2, 1, (8.0, 7.4))
+    figure, (above, below) = axes(2, 1, (8.0, 7.4))
     for cycle in range(1, len(heights)):
         worn = heights[cycle][:, row] - heights[0][:, row]
         above.plot(x, worn, label=f"after cycle {cycle}")
-    lines(above, "x [µm]", "change of height [µm]", f"wear at y = {y[row]:.0f} µm")
+    finish_titled(above, "x [µm]", "change of height [µm]", f"wear at y = {y[row]:.0f} µm")
     field(below, x, y, heights[0] - heights[-1], "worn depth [µm]", "magma_r")
-    lines(below, "x [µm]", "y [µm]", "", False)
+    finish_titled(below, "x [µm]", "y [µm]", "", False)
     below.set_aspect("equal")
     return figure
 
