@@ -55,7 +55,7 @@ TEST_CASE("the recursion is exact for equivalent tractions linear in each step")
     CHECK(traction == doctest::Approx(during_ramp(5.0, time)).epsilon(1e-13));
   }
   // The rise ends: what it left fades.
-  double left = during_ramp(5.0, time + 2e4) - during_ramp(5.0, 2e4);
+  const double left = during_ramp(5.0, time + 2e4) - during_ramp(5.0, 2e4);
   CHECK(point.rise(0.0, 2e4) == doctest::Approx(left).epsilon(1e-12));
 }
 

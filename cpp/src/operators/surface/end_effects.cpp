@@ -28,7 +28,7 @@ constexpr int longest_period = 8192;
 /// Product of wavenumber and distance beyond which a face has no effect: exp(-22) = 3e-10.
 constexpr double reach = 22.0;
 /// Gauss points for the mean over a cell.
-constexpr double gauss_point = 0.5773502691896258;
+constexpr double gauss_point = std::numbers::inv_sqrt3;
 
 using Matrix = Eigen::MatrixXd;
 

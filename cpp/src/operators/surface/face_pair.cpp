@@ -111,11 +111,12 @@ SlabMatrix slab_compliance(const std::vector<double>& y, const std::vector<doubl
       }
     }
   }
-  Eigen::SparseMatrix<double> all(3 * unknowns, 3 * unknowns);
+  const Eigen::Index size = 3 * static_cast<Eigen::Index>(unknowns);
+  Eigen::SparseMatrix<double> all(size, size);
   all.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(all);
-  SlabMatrix forces = SlabMatrix::Zero(3 * unknowns, count), found(count, count);
-  const auto top = [&](int n) { return number[(first + n) * nz] + 2; };
+  SlabMatrix forces = SlabMatrix::Zero(size, count), found(count, count);
+  const auto top = [&](int n) { return number[static_cast<std::size_t>(first + n) * nz] + 2; };
   for (int n = 0; n < count; ++n) forces(top(n), n) = 1.0;
   const SlabMatrix moved = solver.solve(forces);
   for (int n = 0; n < count; ++n) found.row(n) = moved.row(top(n));
@@ -205,8 +206,8 @@ void FacePair::add(const double* pressure, double* displacement) const {
     forces.row(node + 1) += share * lines.row(row);
   }
   for (int n = 0; n < wave_count; ++n) {
-    forces.middleCols(2 * n, 2) =
-        (factor_ * waves_->effects[n] * forces.middleCols(2 * n, 2)).eval();
+    const Eigen::Index pair = 2 * static_cast<Eigen::Index>(n);
+    forces.middleCols(pair, 2) = (factor_ * waves_->effects[n] * forces.middleCols(pair, 2)).eval();
   }
   for (const auto& [row, node, share] : places_) {
     rows.row(row) = (1 - share) * forces.row(node) + share * forces.row(node + 1);

@@ -138,8 +138,8 @@ std::array<TrackTractions, 2> State::delayed() const {
 
 operators::Tractions State::equivalent_tractions(int body) const {
   if (!memory[body]) return tractions;
-  const TrackTractions past = equivalent(*memory[body], RelaxingBody(*setup_, body));
-  return past.of_box(Box::surface(setup_->grid));
+  const TrackTractions track = equivalent(*memory[body], RelaxingBody(*setup_, body));
+  return track.of_box(Box::surface(setup_->grid));
 }
 
 double State::viscous_work(int body) const {

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "samcontact/operators/surface/surface_displacement.hpp"
-#include "samcontact/simulation/cells/traction_window.hpp"
 #include "samcontact/simulation/state/flow_zones.hpp"
 #include "samcontact/simulation/strain/acting_strain.hpp"
 
