@@ -29,8 +29,8 @@ def _write_new(file: Path, text: str) -> bool:
     return True
 
 
-@click.command()
-@click.argument("kind", type=click.Choice(sorted(FIRST_CASES)))
+@click.command(epilog=f"Kinds: {', '.join(sorted(FIRST_CASES))}.")
+@click.argument("kind", type=click.Choice(sorted(FIRST_CASES)), metavar="KIND")
 @click.argument("path", required=False, type=click.Path(dir_okay=False, path_type=Path))
 def new(kind: str, path: Path | None) -> None:
     """Write a commented case file for a kind of problem.
@@ -39,8 +39,9 @@ def new(kind: str, path: Path | None) -> None:
     """
     with short_errors():
         file = Path(f"{kind}.toml") if path is None else path
-        _write_new(file, example_text(FIRST_CASES[kind], str(file)))
-        click.echo(f"{file}\nsolve it with: samcontact run {file}")
+        written = _write_new(file, example_text(FIRST_CASES[kind], str(file)))
+        exists = "" if written else " (exists already, unchanged)"
+        click.echo(f"{file}{exists}\nsolve it with: samcontact run {file}")
 
 
 @click.command()
