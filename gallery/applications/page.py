@@ -39,12 +39,18 @@ def save(figure: Figure, file: Path) -> None:
     few.save(file, optimize=True, dpi=(DPI, DPI))
 
 
+def error_text(share: float) -> str:
+    """Return a relative error in per cent, e.g. "0.24 %" or "170 %"."""
+    percent = 100 * share
+    return f"{percent:.0f} %" if percent >= 99.5 else f"{percent:.2g} %"
+
+
 def answers(record: dict[str, Any]) -> str:
     """Return the Markdown table of the answers."""
     heads = ["answer", "value", "estimated error", "by the check", "difference", "check"]
     lines = [f"| {' | '.join(heads)} |", "|---" * len(heads) + "|"]
     for one in record["answers"]:
-        error = "" if one["error"] is None else f"{100 * one['error']:.2g} %"
+        error = "" if one["error"] is None else error_text(one["error"])
         expected = difference = ""
         if one["expected"] is not None:
             expected = shown(one["expected"], one["unit"])
