@@ -65,7 +65,7 @@ def answers(record: dict[str, Any]) -> str:
 
 def errors(application: Application) -> str:
     """Return the sentences on the errors."""
-    text = "The commands estimate the errors on cells of twice the size."
+    text = "The commands estimate the errors by a second solution on cells of twice the size."
     if not application.coarser:
         return text
     changed = ", ".join(f"`{new}`" for _, new in application.coarser)
@@ -99,7 +99,7 @@ def page(application: Application, record: dict[str, Any]) -> str:
 
 {answers(record)}
 
-{errors(one)} The difference is that from the check.
+{errors(one)} The column difference compares the value with the check.
 {one.limits}
 
 ## Commands

@@ -123,8 +123,8 @@ std::array<typename HeatedWave<Scalar>::Potential, 2> HeatedWave<Scalar>::potent
 }
 
 template <class Scalar>
-HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(std::size_t layer,
-                                                              const Potential& potential) const {
+typename HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(
+    std::size_t layer, const Potential& potential) const {
   const double stress = modulus_[layer] * q_, strain = eigenstrain_[layer] * q_;
   return {{-stress * potential.slope, stress * q_ * potential.value},
           {-strain * q_ * potential.value, strain * potential.slope}};
@@ -186,7 +186,7 @@ void HeatedWave<Scalar>::find_waves() {
 }
 
 template <class Scalar>
-HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) const {
+typename HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) const {
   const auto& own = elastic_.layers()[layer];
   const auto& heat = heat_.layers()[layer];
   const Scalar part = 1.0 / (heat.m + q_);

@@ -191,7 +191,7 @@ def _elsewhere(root: type[BaseModel], name: str) -> str | None:
 
 
 def _short_form(section: str, model: type[BaseModel]) -> str:
-    """Return the name of a section: "bearing" for a [surface] with the shape of a bearing."""
+    """Return the kind of a section: "bearing" for a [surface] with the shape of a bearing."""
     words = tags(model, "shape")
     return words[0] if section == "surface" and set(words) & set(SHORT_FORMS) else section
 

@@ -125,7 +125,7 @@ def speed_of(name: str, value: Any) -> float:
 
 
 def pressure_of(start: Any, kind: type[ContactSolution]) -> FloatArray:
-    """Return the pressure of an initial guess; raise TypeError unless it is of this kind."""
+    """Return the pressure of an initial guess; raise TypeError unless it is a `kind`."""
     require_type("start", start, kind)
     pressure: FloatArray = start.pressure
     return pressure

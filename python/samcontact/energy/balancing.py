@@ -92,7 +92,7 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
     The work of an increment is the mean force times the motion. The mean load is computed for a
     load proportional to the power 3/2 of the approach, which is exact for elastic balls under
-    normal load. `EnergyBalance.imbalance` decreases with the size of the increments. The energy of
+    normal load. `EnergyBalance.imbalance` is smaller with smaller increments. The energy of
     the first state is part of the work input. The work of thermal expansion in an increment is the
     mean pressure times the change of the thermal displacement, plus the mean thermal stress times
     the plastic strain increment. If the surface of a body has a slope, the travel of the body does

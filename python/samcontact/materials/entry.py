@@ -105,7 +105,7 @@ class MaterialData(HtmlTable):
 
     @property
     def laws(self) -> tuple[str, ...]:
-        """Names of the laws whose constants are all known, the argument of `material`."""
+        """Names of the laws whose constants are all known; arguments of `material`."""
         return tuple(
             name
             for name, law in LAWS.items()

@@ -231,7 +231,7 @@ def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress
 
 
 def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:
-    """Return the wear depth before smoothing [m], in the rows of `WearProgress.heights`."""
+    """Return the wear depth before smoothing [m], with the same rows as `WearProgress.heights`."""
     grid = setup.grid
     assert grid.dz is not None
     found = np.zeros((setup.rows(body)[1], grid.ny))

@@ -65,7 +65,7 @@ double MappedCoulomb::factor(double at_x, double at_y) const {
   const auto [j, v] = between(y, at_y);
   const std::size_t width = std::max<std::size_t>(y.size(), 1);
   const auto value = [&](std::size_t k, std::size_t l) { return coefficient[k * width + l]; };
-  const auto along_y = [&](std::size_t k) {
+  const auto along_y = [&, j = j, v = v](std::size_t k) {
     return v > 0 ? (1 - v) * value(k, j) + v * value(k, j + 1) : value(k, j);
   };
   const double mu = u > 0 ? (1 - u) * along_y(i) + u * along_y(i + 1) : along_y(i);

@@ -45,6 +45,11 @@ struct Components {
   Turn turn;
   double power = 0.5;  // of time, in the growth of the field under a constant flux
 };
+// Some compilers do not deduce the argument of an aggregate.
+template <class Turn>
+Components(int, std::vector<kernels::Parity>, Turn) -> Components<Turn>;
+template <class Turn>
+Components(int, std::vector<kernels::Parity>, Turn, double) -> Components<Turn>;
 
 /// Rest of a field by rings, for a source at rest. at: q, and values of all components.
 template <class At, class Turn>
