@@ -123,8 +123,8 @@ std::array<typename HeatedWave<Scalar>::Potential, 2> HeatedWave<Scalar>::potent
 }
 
 template <class Scalar>
-typename HeatedWave<Scalar>::Particular HeatedWave<Scalar>::particular(
-    std::size_t layer, const Potential& potential) const {
+auto HeatedWave<Scalar>::particular(std::size_t layer, const Potential& potential) const
+    -> Particular {
   const double stress = modulus_[layer] * q_, strain = eigenstrain_[layer] * q_;
   return {{-stress * potential.slope, stress * q_ * potential.value},
           {-strain * q_ * potential.value, strain * potential.slope}};
@@ -186,7 +186,7 @@ void HeatedWave<Scalar>::find_waves() {
 }
 
 template <class Scalar>
-typename HeatedWave<Scalar>::Field HeatedWave<Scalar>::at(int layer, double z) const {
+auto HeatedWave<Scalar>::at(int layer, double z) const -> Field {
   const auto& own = elastic_.layers()[layer];
   const auto& heat = heat_.layers()[layer];
   const Scalar part = 1.0 / (heat.m + q_);
