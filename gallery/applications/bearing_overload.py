@@ -81,8 +81,8 @@ APPLICATION = Application(
     ),
     guide=("static overload of a bearing", "bearing.md"),
     limits="Manufacturers do not publish internal dimensions; ball and pitch diameter are "
-    "estimates. Palmgren's formula is a fit to tests of steel with 63.5 to 65.5 HRC, another "
-    "steel than the one of the case.",
+    "estimates. Palmgren's formula is a fit to tests of steel with 63.5 to 65.5 HRC, which "
+    "is not the steel in the case file.",
     answers=answers,
     picture=picture,
     caption="Plastic zone below the inner race, and the imprints that remain in ball and race.",

@@ -82,7 +82,6 @@ def page(application: Application, record: dict[str, Any]) -> str:
     functions = "\n".join(f"- `{name}`: {what}" for name, what in one.functions)
     tables = "\n\n".join(f"```text\n{table}\n```" for table in record["tables"])
     title, guide = one.guide
-    of_each = " (of each command)" if len(record["seconds"]) > 1 else ""
     return f"""{SPDX}
 <!-- Written by: python -m gallery.applications {one.name} -->
 # {one.title}
@@ -108,7 +107,7 @@ def page(application: Application, record: dict[str, Any]) -> str:
 {commands}
 ```
 
-Processor time on one core, figures included: {times}{of_each}.
+Processor time of each command on one core, figures included: {times}.
 
 {tables}
 

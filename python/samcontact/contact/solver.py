@@ -68,9 +68,9 @@ class ContactSolver(ContactFields):
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
     adhesion : ContactLaw, optional
-        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0. Friction acts on
-        the repulsive part of the pressure only. Attraction acts over the whole grid, which is not
-        enlarged.
+        Attraction of the surfaces across the gap: a law of `Adhesion`, or `TensileLimit`. Default:
+        `HardContact()`, none. Friction acts on the repulsive part of the pressure only. Attraction
+        acts over the whole grid, which is not enlarged.
 
     Raises
     ------
@@ -216,7 +216,8 @@ class ContactSolver(ContactFields):
         initial_pressure : array_like, shape (nx, ny), optional
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
             for a similar gap or load, saves the coarser grids and most iterations. If the iteration
-            does not converge from this pressure, the solve is repeated without it.
+            does not converge from this pressure, the solve is repeated without it. With `Adhesion`,
+            it selects one of several solutions, and the solve is not repeated.
         duration : float, optional
             Duration of the increment [s], with friction that depends on the slip rate
             (`FallingCoulomb`).
@@ -236,7 +237,8 @@ class ContactSolver(ContactFields):
             Invalid arguments, or a tangential load or torque above the friction limit;
             GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
-            No convergence; the error has the attributes `iterations` and `residual`.
+            No convergence; the error has the attributes `iterations` and `residual`. PullOffError
+            for a tension larger than the adhesion bears on the branch of the initial pressure.
 
         Warns
         -----

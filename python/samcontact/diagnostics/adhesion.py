@@ -8,11 +8,9 @@ import warnings
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-import numpy as np
-
 from .._util.display import quantity
 from .._util.errors import GridTooSmallWarning, ResolutionWarning
-from ..problem.adhesion_laws import MAX_RESOLVED, Adhesion, ResolvedAdhesion
+from ..problem.adhesion_laws import MAX_RESOLVED, ResolvedAdhesion, resolved_of
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
@@ -34,15 +32,24 @@ def warn_of_adhesion(
     stacklevel: int,
 ) -> bool:
     """Warn of adhesion that the grid does not resolve or contain; return True after a warning."""
-    if not isinstance(law, Adhesion):
+    found = resolved_of(law, solution.grid, *bodies)
+    if found is None:
         return False
-    found = law.on(solution.grid, *bodies)
     unresolved = list(_of_resolution(found, bodies))
     for text in unresolved:
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     if cut := _of_edge(found, solution.adhesion_stress):
         warnings.warn(cut, GridTooSmallWarning, stacklevel=stacklevel + 1)
     return bool(unresolved or cut)
+
+
+def attraction_at_edge(attraction: FloatArray, periodic: str) -> float:
+    """Return the largest attraction at those edges of the grid across which it is not periodic.
+
+    attraction: of one or more increments [Pa], shape (..., nx, ny).
+    """
+    edges = {"x": attraction[..., [0, -1], :], "y": attraction[..., [0, -1]]}
+    return max((float(edges[axis].max()) for axis in "xy" if axis not in periodic), default=0.0)
 
 
 def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterator[str]:
@@ -65,12 +72,7 @@ def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterat
 
 def _of_edge(found: ResolvedAdhesion, attraction: FloatArray) -> str:
     """Text if the attraction reaches the edge of the grid, else ""."""
-    edges = []
-    if "x" not in found.grid.periodic:
-        edges.append(attraction[[0, -1], :])
-    if "y" not in found.grid.periodic:
-        edges.append(attraction[:, [0, -1]])
-    share = max((float(np.max(edge)) for edge in edges), default=0.0) / found.law.peak
+    share = attraction_at_edge(attraction, found.grid.periodic) / found.law.peak
     if not share > EDGE_ATTRACTION:
         return ""
     return (

@@ -84,7 +84,10 @@ class Adhesion(ContactLaw):
         return TabulatedAdhesion(gap, stress)
 
     def on(self, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion:
-        """Return the law as it is solved on a grid, with its range, kappa and Tabor number."""
+        """Return the law as it is solved on a grid, with its range, kappa and Tabor number.
+
+        Raises TypeError if an argument is not a grid or a body.
+        """
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
         cores = body1._core, body2._core

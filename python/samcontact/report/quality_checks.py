@@ -14,7 +14,7 @@ from .._util.check import Check
 from .._util.checks import FloatArray
 from ..accuracy.error_rows import error_rows
 from ..accuracy.grid_errors import MAX_RELATIVE_ERROR, MAX_SLOPE_FRACTION
-from ..diagnostics.adhesion import EDGE_ATTRACTION
+from ..diagnostics.adhesion import EDGE_ATTRACTION, attraction_at_edge
 from ..diagnostics.expected_contact import ExpectedContact
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..diagnostics.plausibility import ExpectedExtent, plausibility_checks
@@ -22,7 +22,6 @@ from ..diagnostics.resolution import AREA_ERROR_LIMIT, MINIMUM_CELLS, RECOMMENDE
 from ..problem.adhesion_laws import MAX_RESOLVED
 from ..problem.contact_law import in_contact
 from ..problem.heating import NO_HEAT
-from ..results.adhesion import attraction_at_edge
 from ..results.contact import repulsion_of
 from ..results.reading import cell_size, grid_of
 from . import slipping
@@ -142,7 +141,9 @@ def _adhesion(dataset: xr.Dataset) -> Iterator[Check]:
     name = "resolution number kappa of the adhesion"
     yield Check(name, float(dataset.attrs["kappa"]), MAX_RESOLVED)
     name = "maximum attraction at the edge of the grid, relative to its peak"
-    yield Check(name, attraction_at_edge(dataset), EDGE_ATTRACTION)
+    periodic = str(dataset.attrs.get("periodic", ""))
+    largest = attraction_at_edge(dataset["adhesion_stress"].values, periodic)
+    yield Check(name, largest / float(dataset.attrs["peak_used"]), EDGE_ATTRACTION)
 
 
 def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Check]:

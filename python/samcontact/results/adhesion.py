@@ -15,7 +15,6 @@ from .motion import add
 if TYPE_CHECKING:
     import xarray as xr
 
-    from .._util.checks import FloatArray
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
 
@@ -77,16 +76,3 @@ def _resolved_attributes(
         radius = float(np.sqrt(radii[0] * radii[1]))
         found |= {"radius_used": radius, "tabor": resolved.tabor(radius)}
     return found
-
-
-def attraction_at_edge(dataset: xr.Dataset) -> float:
-    """Return the largest attraction at the edge of the grid, divided by the peak of the law."""
-    attraction: FloatArray = dataset["adhesion_stress"].values
-    periodic = str(dataset.attrs.get("periodic", ""))
-    edges = [
-        values
-        for axis, values in (("x", attraction[:, [0, -1], :]), ("y", attraction[:, :, [0, -1]]))
-        if axis not in periodic
-    ]
-    largest = max((float(edge.max()) for edge in edges), default=0.0)
-    return largest / float(dataset.attrs["peak_used"])

@@ -44,8 +44,8 @@ class ShakedownLimit(HtmlTable):
         Maximum Hertz pressure p0 over the shear yield stress k [-]. k is the uniaxial yield stress
         divided by 2 (Tresca) or by the square root of 3 (von Mises).
     depth : float
-        Depth at which the body yields first above the limit, relative to the half-width or radius
-        of the contact along the rolling direction [-]; 0 at the surface.
+        Depth at which yielding begins if the load exceeds the limit, relative to the half-width or
+        radius of the contact along the rolling direction [-]; 0 at the surface.
     kind : str
         "exact"; "upper": there is no elastic shakedown above this bound; or "lower": there is
         always elastic shakedown below this bound.

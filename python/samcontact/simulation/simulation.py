@@ -87,7 +87,7 @@ class Simulation(Configured, HtmlTable):
     reach : float, optional
         Distance beyond the grid along x up to which plastic strain acts [m]. Default: grid length.
     adhesion : ContactLaw, optional
-        Lower bound of the pressure across a gap. Default: `HardContact()`, p >= 0.
+        Attraction of the surfaces, e.g. `Adhesion.jkr(w)`. Default: `HardContact()`, none.
 
     Raises
     ------
@@ -233,8 +233,8 @@ class Simulation(Configured, HtmlTable):
         ------
         ValueError
             Invalid arguments, or GridTooSmallError.
-        ConvergenceError
-            Its attributes are `iterations`, `residual`. After any error the previous state remains.
+        ConvergenceError, PullOffError
+            Attributes: `iterations`, `residual`. After any error the previous state remains.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError

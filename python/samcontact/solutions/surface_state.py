@@ -49,7 +49,7 @@ class RigidMotionState:
 
 
 class SlipRateState(RigidMotionState):
-    """Slip rate of friction that depends on it."""
+    """Slip rate on which the friction depends."""
 
     grid: Grid
 

@@ -40,11 +40,8 @@ void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law, Compl
   if (pressure.empty()) return std::fill(x_.begin(), x_.end(), 0.0);
   surface_.displace(surface_.padded(pressure), x_, work);
   // Surfaces in contact keep their gap at another approach, and the cells in contact remain closed.
-  double lowest = INFINITY;
+  const double lowest = touching();
   Field gap = x_;
-  for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (is_body(i)) lowest = std::min(lowest, undeformed_[i] + x_[i]);
-  }
   for (std::size_t i = 0; i < gap.size(); ++i) {
     if (is_body(i)) gap[i] = undeformed_[i] + x_[i] - lowest;
   }

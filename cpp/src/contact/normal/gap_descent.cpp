@@ -59,13 +59,16 @@ void GapDescent::press() {
   exact_ = true;
 }
 
-void GapDescent::remove_mean(Field& field) const {
-  if (!surface_.has_free_mean()) return;
+double GapDescent::mean_of_open(const Field& field) const {
   const std::size_t n = field.size();
   const double open = ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? 1.0 : 0.0; });
-  if (open == 0) return;
-  const double mean =
-      ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? field[i] : 0.0; }) / open;
+  if (open == 0) return 0.0;
+  return ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? field[i] : 0.0; }) / open;
+}
+
+void GapDescent::remove_mean(Field& field) const {
+  if (!surface_.has_free_mean()) return;
+  const double mean = mean_of_open(field);
   for_each_cell(std::ssize(field), [&](std::ptrdiff_t i) {
     if (gap_.is_open(i)) field[i] -= mean;
   });
@@ -80,10 +83,7 @@ void GapDescent::find_residual() {
   });
   multiplier_ = 0.0;
   if (surface_.has_free_mean()) {
-    const double open = ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? 1.0 : 0.0; });
-    const double sum =
-        ordered_sum(n, [&](std::size_t i) { return gap_.is_open(i) ? residual_[i] : 0.0; });
-    multiplier_ = open > 0 ? sum / open : 0.0;
+    multiplier_ = mean_of_open(residual_);
     for_each_cell(n, [&](std::ptrdiff_t i) {
       if (!gap_.is_frozen(i)) residual_[i] -= multiplier_;
     });

@@ -45,13 +45,16 @@ class GapDescent {
   void find_residual();
   void find_direction(bool restart);
   /// Moves by a step along the direction, and opens cells by a share of the displacement under
-  /// their residual; whether cells have opened.
+  /// their residual. Returns whether cells have opened.
   bool move(double step, double share);
-  /// One step that decreases the energy; whether the next direction starts anew.
+  /// Takes one step that decreases the energy. Returns whether the next step must be along the
+  /// preconditioned residual alone.
   bool descend_once(bool is_first, double& energy_before);
   double step_length(bool is_first);
   double energy();
-  /// Removes the mean over the open cells, if the mean is fixed.
+  /// Mean over the open cells; 0 if there are none.
+  double mean_of_open(const Field& field) const;
+  /// Removes the mean over the open cells, if the mean displacement is fixed.
   void remove_mean(Field& field) const;
 
   const AdhesiveSurface& surface_;
