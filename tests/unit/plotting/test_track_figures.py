@@ -221,7 +221,9 @@ class Recorder(matplotlib.animation.AbstractMovieWriter):
 
 @pytest.fixture(scope="module")
 def animation(states):
-    return plotting.rolling_animation(states)
+    made = plotting.rolling_animation(states)
+    made._fig.canvas.draw()  # otherwise its deletion warns, in any later test
+    return made
 
 
 class TestAnimation:
