@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from samcontact import materials
+from samcontact import materials, units
 from samcontact.cases import load_case
 from samcontact.cases.examples import FIRST_CASES, example_names, example_text
 from samcontact.commands.main import main
@@ -27,6 +27,18 @@ def test_a_new_case_is_valid_and_names_its_own_path(kind, tmp_path, monkeypatch)
     assert f"#   samcontact run {kind}.toml" in text
     assert "cases/" not in text
     assert load_case(f"{kind}.toml").title
+
+
+def test_examples_need_no_optional_package(tmp_path, monkeypatch):
+    """Values with units would need pint, which a plain installation does not have."""
+
+    def missing():
+        raise ImportError("pint is not installed")
+
+    monkeypatch.setattr(units, "_registry", missing)
+    invoke("cases", tmp_path / "cases")
+    for name in example_names():
+        assert load_case(tmp_path / "cases" / f"{name}.toml").title, name
 
 
 def test_an_existing_file_is_kept(tmp_path):
