@@ -259,6 +259,7 @@ class Drive:
         value: float,
         is_moment: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(2)"],
         tilt: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
+        spring: float = 0.0,
     ) -> None: ...
 
 class ContactSolver:

@@ -167,6 +167,11 @@ class ExponentialAdhesion(Adhesion):
         if self.range is not None:
             object.__setattr__(self, "range", positive("range", self.range))
 
+    @property
+    def is_of_grid(self) -> bool:
+        """Whether the range of the attraction is chosen for the grid."""
+        return self.range is None
+
     def _refined(self, influence: float) -> Adhesion:
         if self.range is not None:
             return self
