@@ -23,10 +23,21 @@ constexpr double pressure_accuracy = 0.05;
 constexpr double least_contact = 1e-3;
 /// Pivots on the diagonal are taken if they are larger than this share of the column.
 constexpr double pivot_share = 0.01;
+/// A decomposition is used again for later systems, until a share of the cells has changed between
+/// full and cavitated, or GMRES takes this many times as many steps as with a new one.
+constexpr double changed_share = 2e-3, slower = 1.5;
+constexpr int few_steps = 4;
+/// Required accuracy of a system above which the state is too far from the solution.
+constexpr double share_when_close = 1e-3;
 constexpr double tiny = 1e-300;
 
+/// The factors are a part of a preconditioner, for which single precision is enough.
 using Sparse = Eigen::SparseMatrix<double>;
-using Vector = Eigen::VectorXd;
+using ShortSparse = Eigen::SparseMatrix<float>;
+using ShortVector = Eigen::VectorXf;
+
+/// Entries below this share of the largest of their row are left out.
+constexpr double negligible_entry = 1e-10;
 
 double largest(const double* values, std::size_t n) {
   return largest_of(n, [&](std::size_t i) { return std::fabs(values[i]); });
@@ -35,8 +46,7 @@ double largest(const double* values, std::size_t n) {
 }  // namespace
 
 struct FilmSystem::Factors {
-  Eigen::SparseLU<Sparse, Eigen::AMDOrdering<int>> lu;
-  Sparse matrix;
+  Eigen::SparseLU<ShortSparse, Eigen::COLAMDOrdering<int>> lu;
 };
 
 FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
@@ -44,7 +54,7 @@ FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
       cell_area_(grid.cell_area()),
       elastic_(elastic),
       factors_(std::make_unique<Factors>()) {
-  factors_->lu.isSymmetric(true);
+
   factors_->lu.setPivotThreshold(pivot_share);
 }
 FilmSystem::~FilmSystem() = default;
@@ -94,8 +104,16 @@ Field FilmSystem::nearest_pressure(const Field& displacement) const {
   return pressure;
 }
 
+bool FilmSystem::needs_decomposition() const {
+  if (is_old_ || decomposed_.size() != size()) return true;
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < size(); ++i) changed += full_[i] != decomposed_[i] ? 1 : 0;
+  return static_cast<double>(changed) > changed_share * static_cast<double>(size());
+}
+
 void FilmSystem::decompose(const Linearised& system) {
   const auto& [by_pressure, by_film, by_void] = system.slopes;
+  decomposed_ = full_;
   const std::size_t n = size();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(n * 40);
@@ -125,21 +143,25 @@ void FilmSystem::decompose(const Linearised& system) {
       }
     }
   }
-  Sparse& matrix = factors_->matrix;
-  matrix.resize(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  Sparse matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
   matrix.setFromTriplets(entries.begin(), entries.end());
-  Field largest_entry(n, 0.0);
-  for (int k = 0; k < matrix.outerSize(); ++k) {
-    for (Sparse::InnerIterator it(matrix, k); it; ++it) {
-      largest_entry[it.row()] = std::max(largest_entry[it.row()], std::fabs(it.value()));
+  row_scale_.assign(n, 0.0);
+  const auto each = [&](const auto& act) {
+    for (int k = 0; k < matrix.outerSize(); ++k) {
+      for (Sparse::InnerIterator it(matrix, k); it; ++it) act(it);
     }
-  }
-  for (std::size_t i = 0; i < n; ++i) row_scale_[i] = 1 / std::max(largest_entry[i], tiny);
-  for (int k = 0; k < matrix.outerSize(); ++k) {
-    for (Sparse::InnerIterator it(matrix, k); it; ++it) it.valueRef() *= row_scale_[it.row()];
-  }
-  factors_->lu.analyzePattern(matrix);
-  factors_->lu.factorize(matrix);
+  };
+  each([&](auto& it) {
+    row_scale_[it.row()] = std::max(row_scale_[it.row()], std::fabs(it.value()));
+  });
+  for (double& scale : row_scale_) scale = 1 / std::max(scale, tiny);
+  each([&](auto& it) { it.valueRef() *= row_scale_[it.row()]; });
+  matrix.prune([](Eigen::Index row, Eigen::Index column, double value) {
+    return row == column || std::fabs(value) > negligible_entry;
+  });
+  const ShortSparse rounded = matrix.cast<float>();
+  factors_->lu.analyzePattern(rounded);
+  factors_->lu.factorize(rounded);
   if (factors_->lu.info() != Eigen::Success) {
     throw ConvergenceError("the flow of the film has no unique solution: use smaller cells", 0,
                            INFINITY);
@@ -148,10 +170,17 @@ void FilmSystem::decompose(const Linearised& system) {
 
 Field FilmSystem::flow_solution(const Field& residual) const {
   const std::size_t n = size();
-  Vector right(static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n; ++i) right[static_cast<Eigen::Index>(i)] = row_scale_[i] * residual[i];
-  const Vector found = factors_->lu.solve(right);
-  return Field(found.data(), found.data() + n);
+  Field right(n);
+  for (std::size_t i = 0; i < n; ++i) right[i] = row_scale_[i] * residual[i];
+  // Single precision has a short range.
+  const double unit = std::max(largest(right.data(), n), tiny);
+  ShortVector scaled(static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    scaled[static_cast<Eigen::Index>(i)] = static_cast<float>(right[i] / unit);
+  }
+  const ShortVector found = factors_->lu.solve(scaled);
+  for (std::size_t i = 0; i < n; ++i) right[i] = unit * found[static_cast<Eigen::Index>(i)];
+  return right;
 }
 
 Field FilmSystem::target(const Linearised& system, const Field& flow, double approach,
@@ -268,7 +297,8 @@ FilmChange FilmSystem::unpack(const Linearised& system, const Field& solution) {
 FilmChange FilmSystem::solve(const Linearised& system, double share, int max_steps) {
   const std::size_t n = size();
   classify(system);
-  decompose(system);
+  const bool is_new = share > share_when_close || needs_decomposition();
+  if (is_new) decompose(system);
   find_response(system);
   Field lag(n), right(2 * n + 1, 0.0), flow(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) lag[i] = full_[i] ? system.lag[i] : 0.0;
@@ -308,6 +338,8 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
       right, share, max_steps, solution);
   change = unpack(system, solution);
   change.steps = steps;
+  if (is_new) steps_when_new_ = steps;
+  is_old_ = steps > slower * steps_when_new_ + few_steps;
   return change;
 }
 

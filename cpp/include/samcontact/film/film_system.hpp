@@ -54,6 +54,7 @@ class FilmSystem {
 
   /// Kinds of cells at the present state.
   void classify(const Linearised& system);
+  bool needs_decomposition() const;
   void decompose(const Linearised& system);
   /// Response of the preconditioner to a unit approach.
   void find_response(const Linearised& system);
@@ -78,6 +79,9 @@ class FilmSystem {
   Field damping_, column_, contact_weight_, row_scale_;
   Field flow_response_, pressure_response_;
   double load_response_ = 1.0;
+  std::vector<char> decomposed_;  // full cells at the decomposition
+  int steps_when_new_ = 0;
+  bool is_old_ = true;
   std::unique_ptr<Factors> factors_;
 };
 
