@@ -18,7 +18,18 @@ MODULES = sorted(PACKAGE.rglob("*.py"))
 # only, types included.
 FLOORS = [
     {"_util"},
-    {"adhesion", "bodies", "files", "hertz", "paths", "kernels", "softening", "surfaces", "units"},
+    {
+        "adhesion",
+        "bodies",
+        "files",
+        "hertz",
+        "kernels",
+        "lubricants",
+        "paths",
+        "softening",
+        "surfaces",
+        "units",
+    },
     {"bearings", "critical", "hardness", "restart", "heat", "heat_kernels", "materials"},
     {"problem", "flattening", "parts"},
     {"measured", "solutions", "dents", "operators"},
