@@ -7,6 +7,10 @@ OIL = sc.Lubricant.roelands(0.04, 22e-9).with_thermal(0.14, 1.7e6, 0.04)
 CONSTANTS = {"viscosity": 0.04, "pressure_viscosity": 22e-9}
 PRESSURES = [0.0, 1e8, 2e8]
 TAIT = {"bulk_modulus": 1.2e9, "modulus_slope": 11.7}
+BALL = sc.hertz.point(0.01, 1.1e11, load=20.0)
+ROLLER = sc.hertz.line(0.01, 1.1e11, load_per_length=1e5)
+CASE = {"contact": BALL, "speed": (1.0, 0.8), "lubricant": OIL}
+FILM = sc.lubrication.estimate(**CASE)
 
 CALLS = [
     ("Lubricant", sc.Lubricant,
@@ -40,4 +44,16 @@ CALLS = [
         )
         for method in ("ratio", "slope")
     ),
+    *(
+        (f"lubrication.{name}", getattr(sc.lubrication, name), CASE)
+        for name in ("estimate", "moes", "nijenbanning", "regime", "rigid_isoviscous")
+    ),
+    ("lubrication.hamrock_dowson", sc.lubrication.hamrock_dowson, {**CASE, "material": "soft"}),
+    ("lubrication.dowson_higginson", sc.lubrication.dowson_higginson, {**CASE, "contact": ROLLER}),
+    ("lubrication.lambda_ratio", sc.lubrication.lambda_ratio,
+     {"film": 1e-6, "roughness1": 1e-7, "roughness2": 2e-7}),
+    ("lubrication.FilmEstimate.lambda_ratio", FILM.lambda_ratio,
+     {"roughness1": 1e-7, "roughness2": 2e-7}),
+    ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
+     {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),
 ]  # fmt: skip

@@ -35,7 +35,7 @@ FLOORS = [
     {"measured", "solutions", "dents", "operators"},
     {"diagnostics"},
     {"contact", "fatigue"},
-    {"simulation", "rolling", "sliding"},
+    {"lubrication", "rolling", "simulation", "sliding"},
     {"shakedown", "wear", "energy"},
     {"asperities", "overrolling"},
     {"cases"},

@@ -259,7 +259,8 @@ class Lubricant(HtmlTable):
         stress = self.thinning.stress(newtonian)
         if self.limiting_coefficient is not None:
             stress = limited(stress, self.limiting_coefficient * pressure)
-        return np.sign(rate) * stress
+        signed: FloatArray = np.sign(rate) * stress
+        return signed
 
     def tables(self, max_pressure: float) -> LubricantTables:
         """Return density and reduced pressure over the pressure, up to a pressure [Pa].
