@@ -24,6 +24,8 @@ from . import (
     heat_kernels,
     hertz,
     kernels,
+    lubricants,
+    lubrication,
     materials,
     measured,
     operators,
@@ -58,6 +60,7 @@ from .bodies.layered import Layered
 from .bodies.material import Material
 from .contact.solver import ContactSolver
 from .heat import Heat
+from .lubricants import Lubricant
 from .problem import friction as _friction
 from .problem import varying_friction as _varying_friction
 from .problem.adhesion_laws import Adhesion
@@ -97,6 +100,7 @@ __all__ = [
     "IncrementErrors",
     "IncrementWarning",
     "Layered",
+    "Lubricant",
     "Material",
     "PartialSlipSolution",
     "PlasticStrainWarning",
@@ -130,6 +134,8 @@ __all__ = [
     "heat_kernels",
     "hertz",
     "kernels",
+    "lubricants",
+    "lubrication",
     "materials",
     "measured",
     "operators",

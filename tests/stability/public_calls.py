@@ -8,6 +8,7 @@ from calls_of_bearings import CALLS as BEARINGS
 from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
 from calls_of_laws import CALLS as OF_LAWS
+from calls_of_lubrication import CALLS as OF_LUBRICATION
 from calls_of_materials import CALLS as OF_MATERIALS
 from calls_of_motion import CALLS as OF_MOTION
 from calls_of_parts import CALLS as OF_PARTS
@@ -17,8 +18,8 @@ from calls_of_viscoelasticity import CALLS as OF_VISCOELASTICITY
 from calls_of_wear import CALLS as OF_WEAR
 
 CALLS = [
-    *FORMULAS, *BEARINGS, *ON_GRIDS, *OF_LAWS, *OF_MATERIALS, *OF_MOTION, *OF_PARTS,
-    *OF_ADHESION, *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY, *OF_WEAR,
+    *FORMULAS, *BEARINGS, *ON_GRIDS, *OF_LAWS, *OF_LUBRICATION, *OF_MATERIALS, *OF_MOTION,
+    *OF_PARTS, *OF_ADHESION, *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY, *OF_WEAR,
 ]  # fmt: skip
 PARTS = {
     "kinematic": {"modulus", "recovery"},

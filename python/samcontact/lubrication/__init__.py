@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lubricated contacts: film thickness, regime of lubrication and friction.
+
+    oil = sc.Lubricant.roelands(viscosity=0.04, pressure_viscosity=22e-9)
+    contact = sc.hertz.point(R=0.01, E_star=113.7e9, load=20.0)
+    sc.lubrication.estimate(contact, (1.0, 1.0), oil)
+
+The speeds (u1, u2) of the surfaces are those in the frame of the contact, along x.
+"""
+
+from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
+from .formulas import (
+    FilmThickness,
+    dowson_higginson,
+    hamrock_dowson,
+    nijenbanning,
+    regime,
+    rigid_isoviscous,
+)
+from .groups import MoesNumbers, moes
+
+__all__ = [
+    "FilmEstimate",
+    "FilmThickness",
+    "MoesNumbers",
+    "bearing_speeds",
+    "dowson_higginson",
+    "estimate",
+    "hamrock_dowson",
+    "lambda_ratio",
+    "moes",
+    "nijenbanning",
+    "regime",
+    "rigid_isoviscous",
+]

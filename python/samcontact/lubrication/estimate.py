@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Estimate of the film of a contact, of a bearing or of a pair of gears."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from .._util.checks import finite, non_negative, positive, require_type
+from .._util.display import HtmlTable, Rows, quantity
+from ..bearings import Bearing
+from ..hertz import LineContact
+from ..lubricants import Lubricant
+from .formulas import Speeds, dowson_higginson, hamrock_dowson, regime, rigid_isoviscous
+from .groups import Contact, MoesNumbers, moes
+
+
+@dataclass(frozen=True)
+class FilmEstimate(HtmlTable):
+    """Film thickness by a formula, from `estimate`.
+
+    Attributes
+    ----------
+    central : float, or None
+        Central film thickness [m]; None for line contacts, whose formula gives the minimum only.
+    minimum : float
+        Minimum film thickness [m].
+    regime : str
+        Regime of lubrication; see `regime`. Line contacts: "elastic-piezoviscous".
+    formula : str
+        Name of the formula used.
+    numbers : MoesNumbers
+        Moes' numbers M and L [-].
+    """
+
+    central: float | None
+    minimum: float
+    regime: str
+    formula: str
+    numbers: MoesNumbers
+
+    def lambda_ratio(self, roughness1: float, roughness2: float = 0.0) -> float:
+        """Ratio of the minimum film to the roughness of both surfaces; see `lambda_ratio`."""
+        return lambda_ratio(self.minimum, roughness1, roughness2)
+
+    def _rows(self) -> Rows:
+        films = [("minimum", quantity(self.minimum, "m"))]
+        if self.central is not None:
+            films.insert(0, ("central", quantity(self.central, "m")))
+        numbers = f"{self.numbers.M:.4g}, {self.numbers.L:.4g}"
+        return [*films, ("regime", self.regime), ("formula", self.formula), ("M, L", numbers)]
+
+
+def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstimate:
+    """Return the film thickness by the formula for the regime of a contact.
+
+    Line contacts: `dowson_higginson`; elliptic contacts: `hamrock_dowson`, for soft bodies if their
+    regime is elastic-isoviscous, or `rigid_isoviscous`. contact: from `samcontact.hertz`,
+    `Bearing.hertz` or `FlankContact.hertz`; speed: (u1, u2) along x [m/s].
+    Raises TypeError or ValueError outside the range of the formulas.
+    """
+    numbers = moes(contact, speed, lubricant)
+    if type(contact) is LineContact:
+        h = dowson_higginson(contact, speed, lubricant)
+        return FilmEstimate(None, h, "elastic-piezoviscous", "Dowson & Higginson", numbers)
+    found = regime(contact, speed, lubricant)
+    if found == "rigid-isoviscous":
+        h = rigid_isoviscous(contact, speed, lubricant)
+        return FilmEstimate(h, h, found, "Brewe, Hamrock & Taylor", numbers)
+    material = "soft" if found == "elastic-isoviscous" else "hard"
+    films = hamrock_dowson(contact, speed, lubricant, material)
+    return FilmEstimate(*films, found, f"Hamrock & Dowson, {material}", numbers)
+
+
+def lambda_ratio(film: float, roughness1: float, roughness2: float = 0.0) -> float:
+    """Return film/(Rq1^2 + Rq2^2)^(1/2) [-], the ratio of a film to the roughness.
+
+    film: smooth film thickness [m]; roughness1, roughness2: rms heights of both surfaces [m]. Above
+    about 3 the surfaces are apart, below 1 the asperities carry load; in heavily loaded contacts
+    they are flattened, and the limits are lower. Raises ValueError if both surfaces are smooth.
+    """
+    film = positive("film", film)
+    heights = non_negative("roughness1", roughness1), non_negative("roughness2", roughness2)
+    if not any(heights):
+        raise ValueError("roughness1 or roughness2 must be > 0, got two smooth surfaces")
+    return film / math.hypot(*heights)
+
+
+def bearing_speeds(bearing: Bearing, inner: float, outer: float = 0.0) -> Speeds:
+    """Return the speeds (u, u) of race and element at both contacts of a bearing [m/s].
+
+    inner, outer: angular velocities of the rings about the axis of the bearing [rad/s]. Pure
+    rolling: u = (inner - outer) dm/4 (1 - gamma^2), gamma = D cos(contact angle)/dm; Harris &
+    Kotzalas (2006), section 10.2. Raises ValueError unless the rings turn relative to each other.
+    """
+    require_type("bearing", bearing, Bearing)
+    rate = finite("inner", inner) - finite("outer", outer)
+    if rate == 0.0:
+        raise ValueError(
+            f"inner must differ from outer, got {inner!r} rad/s for both: the bearing does not roll"
+        )
+    ratio = bearing.element_diameter * math.cos(bearing.contact_angle) / bearing.pitch_diameter
+    u = abs(rate) * bearing.pitch_diameter / 4.0 * (1.0 - ratio**2)
+    return u, u

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Film thickness of lubricated contacts by formulas that were fitted to numerical solutions."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from .._util.checks import choice
+from ..lubricants import Lubricant
+from .groups import Contact, FilmGroups, film_groups
+
+Speeds = tuple[float, float]
+
+
+class FilmThickness(NamedTuple):
+    """Central and minimum film thickness [m]."""
+
+    central: float
+    minimum: float
+
+
+class Limits(NamedTuple):
+    """Films of the four limits of lubrication, in one unit."""
+
+    rigid_isoviscous: float
+    elastic_isoviscous: float
+    rigid_piezoviscous: float
+    elastic_piezoviscous: float
+
+
+def hamrock_dowson(
+    contact: Contact, speed: Speeds, lubricant: Lubricant, material: str = "hard"
+) -> FilmThickness:
+    """Return the film thickness of an elliptic contact by Hamrock & Dowson's formulas [m].
+
+    contact: point or elliptic contact with a_y >= a_x; speed: (u1, u2) along x [m/s]; material:
+    "hard" for a viscosity that increases with the pressure (1977, doi:10.1115/1.3453074), "soft"
+    for an isoviscous lubricant and soft bodies (1978, doi:10.1115/1.3453152). The minimum film of
+    the hard formula is too thick at heavy loads. Raises ValueError outside this range.
+    """
+    choice("material", material, ("hard", "soft"))
+    found = _wide_ellipse(contact, speed, lubricant)
+    U, G, W, k = found.U, found.G, found.W, found.k
+    if material == "soft":
+        central = 7.32 * (1.0 - 0.72 * math.exp(-0.28 * k)) * U**0.64 * W**-0.22
+        minimum = 7.43 * (1.0 - 0.85 * math.exp(-0.31 * k)) * U**0.65 * W**-0.21
+    else:
+        if G == 0.0:
+            raise ValueError(
+                "lubricant must have a pressure-viscosity coefficient > 0 for hard contacts, got "
+                '0: use material="soft"'
+            )
+        central = 2.69 * U**0.67 * G**0.53 * W**-0.067 * (1.0 - 0.61 * math.exp(-0.73 * k))
+        minimum = 3.63 * U**0.68 * G**0.49 * W**-0.073 * (1.0 - math.exp(-0.68 * k))
+    return FilmThickness(found.radius * central, found.radius * minimum)
+
+
+def nijenbanning(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
+    """Return the central film of an elliptic contact in all regimes of lubrication [m].
+
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Fit for an
+    incompressible lubricant: divide by its relative density at the Hertz pressure. Nijenbanning,
+    Venner & Moes (1994, doi:10.1016/0043-1648(94)90150-3). Raises ValueError outside this range.
+    """
+    found = _wide_ellipse(contact, speed, lubricant)
+    limits = _nijenbanning_limits(found)
+    s = 1.5 * (1.0 + math.exp(-1.2 * limits.elastic_isoviscous / limits.rigid_isoviscous))
+    longest = 1.8 / found.D
+    isoviscous = (
+        limits.rigid_isoviscous**1.5 + (limits.elastic_isoviscous**-4 + longest**-4) ** (-3.0 / 8.0)
+    ) ** (2.0 * s / 3.0)
+    piezoviscous = 0.0
+    if found.G > 0.0:
+        low, high = sorted((limits.rigid_piezoviscous, limits.elastic_piezoviscous))
+        # the smaller film is factored out, so that its power cannot overflow
+        piezoviscous = (low * (1.0 + (low / high) ** 8) ** -0.125) ** s
+    return found.scale * float((isoviscous + piezoviscous) ** (1.0 / s))
+
+
+def _nijenbanning_limits(found: FilmGroups) -> Limits:
+    """Return central films over Moes' scale; Nijenbanning, Venner & Moes (1994)."""
+    (M, L), D = found.moes, found.D
+    shape = 1.0 + 0.006 * math.log(D) + 0.63 * D ** (4.0 / 7.0)
+    return Limits(
+        145.0 * (1.0 + 0.796 * D ** (14.0 / 15.0)) ** (-15.0 / 7.0) / D * M**-2,
+        3.18 * shape ** (-14.0 / 25.0) * D ** (-1.0 / 15.0) * M ** (-2.0 / 15.0),
+        1.29 * (1.0 + 0.691 * D) ** (-2.0 / 3.0) * L ** (2.0 / 3.0),
+        1.48 * shape ** (-7.0 / 20.0) * D ** (-1.0 / 24.0) * M ** (-1.0 / 12.0) * L**0.75,
+    )
+
+
+def _hamrock_limits(found: FilmGroups) -> Limits:
+    """Return minimum films times W^2/(U^2 R); Hamrock & Dowson (1979, doi:10.1115/1.3453340)."""
+    U, G, W, k, D = found.U, found.G, found.W, found.k, found.D
+    viscous, elastic = G * W**3 / U**2, W ** (8.0 / 3.0) / U**2
+    side = 1.0 - math.exp(-0.68 * k)
+    return Limits(
+        128.0 / D / (1.0 + 2.0 * D / 3.0) ** 2 * (0.131 * math.atan(0.5 / D) + 1.683) ** 2,
+        8.70 * elastic**0.67 * (1.0 - 0.85 * math.exp(-0.31 * k)),
+        1.66 * viscous ** (2.0 / 3.0) * side,
+        3.42 * viscous**0.49 * elastic**0.17 * side,
+    )
+
+
+def rigid_isoviscous(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
+    """Return the film between rigid bodies with a constant viscosity [m].
+
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Brewe, Hamrock
+    & Taylor (1979, doi:10.1115/1.3453338). Raises ValueError outside this range.
+    """
+    found = _wide_ellipse(contact, speed, lubricant)
+    return found.radius * (found.U / found.W) ** 2 * _hamrock_limits(found).rigid_isoviscous
+
+
+def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
+    """Return the regime of lubrication, the nearest limit of Johnson's chart.
+
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. One of
+    "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" and "elastic-piezoviscous": the
+    mechanism with the thickest minimum film. Deformation thickens isoviscous films and limits
+    piezoviscous ones. Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02); limits of Hamrock &
+    Dowson (1979, doi:10.1115/1.3453340). Raises ValueError outside this range.
+    """
+    limits = _hamrock_limits(_wide_ellipse(contact, speed, lubricant))
+    thickest = max(max(limits[:2]), min(limits[2:]))
+    return Limits._fields[limits.index(thickest)].replace("_", "-")
+
+
+def dowson_higginson(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
+    """Return the minimum film of a line contact [m].
+
+    contact: line contact of hard bodies; speed: (u1, u2) [m/s]. Dowson (1968,
+    doi:10.1243/PIME_CONF_1967_182_011_02). Raises ValueError for other contacts.
+    """
+    found = film_groups(contact, speed, lubricant)
+    if found.D > 0.0:
+        raise ValueError(
+            f"contact must be a line contact, got {type(contact).__name__}: use hamrock_dowson"
+        )
+    if found.G == 0.0:
+        raise ValueError("lubricant must have a pressure-viscosity coefficient > 0, got 0")
+    return found.radius * float(2.65 * found.U**0.70 * found.G**0.54 * found.W**-0.13)
+
+
+def _wide_ellipse(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
+    """Return the groups of an ellipse that is not longer along the motion than across it."""
+    found = film_groups(contact, speed, lubricant)
+    if found.D == 0.0:
+        raise ValueError("contact must be a point or elliptic contact: use dowson_higginson")
+    if found.D > 1.0:
+        raise ValueError(
+            f"contact must have Ry >= Rx (x is the direction of motion), got Rx/Ry = {found.D:.4g}:"
+            " the formula was not fitted to ellipses that are long in the direction of motion"
+        )
+    return found

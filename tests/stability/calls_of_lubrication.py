@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A valid call of all that concerns lubricants and films, with all arguments."""
+
+import samcontact as sc
+
+OIL = sc.Lubricant.roelands(0.04, 22e-9).with_thermal(0.14, 1.7e6, 0.04)
+CONSTANTS = {"viscosity": 0.04, "pressure_viscosity": 22e-9}
+PRESSURES = [0.0, 1e8, 2e8]
+TAIT = {"bulk_modulus": 1.2e9, "modulus_slope": 11.7}
+BALL = sc.hertz.point(0.01, 1.1e11, load=20.0)
+ROLLER = sc.hertz.line(0.01, 1.1e11, load_per_length=1e5)
+CASE = {"contact": BALL, "speed": (1.0, 0.8), "lubricant": OIL}
+FILM = sc.lubrication.estimate(**CASE)
+
+CALLS = [
+    ("Lubricant", sc.Lubricant,
+     {"eta0": 0.04, "law": OIL.law, "density_law": OIL.density_law, "thinning": OIL.thinning,
+      "limiting_coefficient": 0.05, "heat": OIL.heat}),
+    ("Lubricant.roelands", sc.Lubricant.roelands, {**CONSTANTS, "z": 0.6, "density": None}),
+    ("Lubricant.barus", sc.Lubricant.barus, {**CONSTANTS, "density": "dowson-higginson"}),
+    ("Lubricant.doolittle", sc.Lubricant.doolittle,
+     {"viscosity": 0.016, "B": 4.7, "R0": 0.65, **TAIT}),
+    ("Lubricant.tabulated", sc.Lubricant.tabulated,
+     {"p": PRESSURES, "eta": [0.04, 0.3, 2.0], "rho": [900.0, 940.0, 970.0]}),
+    ("Lubricant.with_eyring", OIL.with_eyring, {"stress": 5e6}),
+    ("Lubricant.with_carreau", OIL.with_carreau, {"stress": 5e6, "n": 0.4}),
+    ("Lubricant.with_limiting_shear", OIL.with_limiting_shear, {"coefficient": 0.05}),
+    ("Lubricant.with_thermal", OIL.with_thermal,
+     {"conductivity": 0.14, "capacity": 1.7e6, "beta": 0.04, "temperature": 320.0}),
+    ("Lubricant.viscosity", OIL.viscosity, {"p": PRESSURES, "T": [300.0, 310.0, 320.0]}),
+    ("Lubricant.density", OIL.density, {"p": PRESSURES}),
+    ("Lubricant.shear_stress", OIL.shear_stress,
+     {"rate": [1e5, -1e6, 0.0], "p": PRESSURES, "T": [300.0, 310.0, 320.0]}),
+    ("Lubricant.tables", OIL.tables, {"max_pressure": 1e9}),
+    ("lubricants.LubricantHeat", sc.lubricants.LubricantHeat,
+     {"conductivity": 0.14, "capacity": 1.7e6, "beta": 0.04, "temperature": 320.0}),
+    ("lubricants.DowsonHigginson", sc.lubricants.DowsonHigginson, {"a": 6e-10, "b": 1.7e-9}),
+    ("lubricants.Tait", sc.lubricants.Tait, TAIT),
+    *(
+        (f"lubricants.{type(law).__name__}.{method}", getattr(law, method), {"p": PRESSURES})
+        for law in (
+            sc.lubricants.DowsonHigginson(), sc.lubricants.Incompressible(),
+            sc.lubricants.Tait(**TAIT),
+        )
+        for method in ("ratio", "slope")
+    ),
+    *(
+        (f"lubrication.{name}", getattr(sc.lubrication, name), CASE)
+        for name in ("estimate", "moes", "nijenbanning", "regime", "rigid_isoviscous")
+    ),
+    ("lubrication.hamrock_dowson", sc.lubrication.hamrock_dowson, {**CASE, "material": "soft"}),
+    ("lubrication.dowson_higginson", sc.lubrication.dowson_higginson, {**CASE, "contact": ROLLER}),
+    ("lubrication.lambda_ratio", sc.lubrication.lambda_ratio,
+     {"film": 1e-6, "roughness1": 1e-7, "roughness2": 2e-7}),
+    ("lubrication.FilmEstimate.lambda_ratio", FILM.lambda_ratio,
+     {"roughness1": 1e-7, "roughness2": 2e-7}),
+    ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
+     {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),
+]  # fmt: skip
