@@ -8,7 +8,9 @@
 The speeds (u1, u2) of the surfaces are those in the frame of the contact, along x.
 """
 
+from .boundary import Boundary
 from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
+from .film_solution import FilmLevel, FilmSolution
 from .formulas import (
     FilmThickness,
     dowson_higginson,
@@ -18,9 +20,13 @@ from .formulas import (
     rigid_isoviscous,
 )
 from .groups import MoesNumbers, moes
+from .steady import steady
 
 __all__ = [
+    "Boundary",
     "FilmEstimate",
+    "FilmLevel",
+    "FilmSolution",
     "FilmThickness",
     "MoesNumbers",
     "bearing_speeds",
@@ -32,4 +38,5 @@ __all__ = [
     "nijenbanning",
     "regime",
     "rigid_isoviscous",
+    "steady",
 ]
