@@ -18,7 +18,10 @@ using film::LubricantTable;
 
 film::FilmState to_state(const Content& given) {
   const auto field = [&](const char* name) { return to_field(given[name].cast<Array>()); };
-  return {field("fluid_pressure"), field("boundary_pressure"), field("void_fraction"), {},
+  return {field("fluid_pressure"),
+          field("boundary_pressure"),
+          field("void_fraction"),
+          {},
           given["approach"].cast<double>()};
 }
 
@@ -40,10 +43,11 @@ Content to_python(film::FilmSolution solution, const Grid& grid) {
   return result;
 }
 
-Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Array& gap, bool is_load,
-              double target, const Array& along_x, const Array& along_y, int order, double supply,
-              double thinnest, const std::pair<double, double>& layer, const Content& start,
-              double tol, int max_iterations) {
+Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Array& gap,
+                   bool is_load, double target, const Array& along_x, const Array& along_y,
+                   int order, double supply, double thinnest,
+                   const std::pair<double, double>& layer, const Content& start, double tol,
+                   int max_iterations) {
   const Field undeformed = to_field(gap);
   film::FaceVelocities velocities{to_field(along_x), to_field(along_y)};
   film::FlowSettings flow;
@@ -54,53 +58,55 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
   film::FilmSolution solution;
   {
     const LongWork work;
-    solution = solver.solve({undeformed, is_load, target}, velocities, lubricant, flow,
-                            {layer.first, layer.second}, {}, std::move(state),
-                            {tol, max_iterations});
+    solution =
+        solver.solve({undeformed, is_load, target}, velocities, lubricant, flow,
+                     {layer.first, layer.second}, {}, std::move(state), {tol, max_iterations});
   }
   return to_python(std::move(solution), solver.grid());
 }
 
 /// Outflow of each cell [m^3/s], and its derivatives in the direction of given changes.
 Values film_outflow(const Grid& grid, const LubricantTable& lubricant, const Array& along_x,
-               const Array& along_y, int order, double supply, double layer,
-               const std::vector<Array>& fields) {
+                    const Array& along_y, int order, double supply, double layer,
+                    const std::vector<Array>& fields) {
   film::FlowSettings flow;
   flow.order = order;
   flow.supply = supply;
   flow.boundary_thickness = layer;
   const film::Reynolds reynolds(grid, {to_field(along_x), to_field(along_y)}, lubricant, flow);
-  return surface_array(reynolds.outflow({to_field(fields.at(0)), to_field(fields.at(1)),
-                                         to_field(fields.at(2))}),
-                       grid);
+  return surface_array(
+      reynolds.outflow({to_field(fields.at(0)), to_field(fields.at(1)), to_field(fields.at(2))}),
+      grid);
 }
 
 }  // namespace
 
 void bind_film(py::module_& m) {
   py::class_<LubricantTable>(m, "LubricantTable")
-      .def(py::init([](double scale, double step, std::vector<double> reduced,
-                       std::vector<double> fluidity, std::vector<double> density,
-                       std::vector<double> density_slope) {
-             return LubricantTable({scale, step, std::move(reduced), std::move(fluidity),
-                                    std::move(density), std::move(density_slope)});
+      .def(py::init([](double scale, double step, const Array& reduced, const Array& fluidity,
+                       const Array& density, const Array& density_slope) {
+             return LubricantTable({scale, step, to_field(reduced), to_field(fluidity),
+                                    to_field(density), to_field(density_slope)});
            }),
            py::arg("scale"), py::arg("step"), py::arg("reduced"), py::arg("fluidity"),
            py::arg("density"), py::arg("density_slope"))
       .def_property_readonly("largest_pressure", &LubricantTable::largest_pressure)
-      .def("at", [](const LubricantTable& table, double pressure) {
-        const auto oil = table.at(pressure);
-        return py::make_tuple(oil.reduced, oil.fluidity, oil.density, oil.density_slope);
-      }, py::arg("pressure"));
+      .def(
+          "at",
+          [](const LubricantTable& table, double pressure) {
+            const auto oil = table.at(pressure);
+            return py::make_tuple(oil.reduced, oil.fluidity, oil.density, oil.density_slope);
+          },
+          py::arg("pressure"));
 
   py::class_<FilmSolver>(m, "FilmSolver")
-      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
-                       const plasticity::Body& body2) {
-             operators::SurfaceInfluence influence;
-             influence.add(operators::medium_of(body1));
-             influence.add(operators::medium_of(body2));
-             return std::make_unique<FilmSolver>(grid, influence);
-           }),
+      .def(py::init(
+               [](const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2) {
+                 operators::SurfaceInfluence influence;
+                 influence.add(operators::medium_of(body1));
+                 influence.add(operators::medium_of(body2));
+                 return std::make_unique<FilmSolver>(grid, influence);
+               }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"))
       .def("solve", &solve_film, py::arg("lubricant"), py::arg("gap"), py::arg("is_load"),
            py::arg("target"), py::arg("along_x"), py::arg("along_y"), py::arg("order"),

@@ -19,9 +19,7 @@ double dot(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data
 }  // namespace
 
 ElasticFilm::ElasticFilm(const Grid& grid, const operators::SurfaceInfluence& influence)
-    : lattice_(grid),
-      displacement_(grid, influence),
-      near_(grid, influence, displacement_.ends()) {
+    : lattice_(grid), displacement_(grid, influence), near_(grid, influence, displacement_.ends()) {
   Field unit(lattice_.size(), 0.0), found(lattice_.size());
   const int i = grid.nx / 2, j = grid.ny / 2;
   unit[lattice_.at(i, j)] = 1.0;

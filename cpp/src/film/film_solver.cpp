@@ -147,8 +147,7 @@ void FilmSolver::Newton::find_layer() {
     double& p = s_.boundary_pressure[i];
     const double distance = s_.film[i] - layer_.thickness;
     if (distance > far_film * layer_.thickness) p = layer_pressure(s_.film[i]);
-    const double excess =
-        std::log(p / layer_.pressure) + 3 * std::log(distance / layer_.thickness);
+    const double excess = std::log(p / layer_.pressure) + 3 * std::log(distance / layer_.thickness);
     stiffness_[i] = 3 * p / distance;
     lag_[i] = -p * std::clamp(excess, -2.0, 2.0);
     layer_error_ = std::max(layer_error_, std::fabs(excess) * p);
@@ -184,9 +183,9 @@ double FilmSolver::Newton::error() {
 
 FilmChange FilmSolver::Newton::change(double share, int max_steps) {
   const double load = problem_.has_load ? problem_.target : peak_ * area_;
-  return solver_.system_.solve({slopes_, outflow_, cavitated_, stiffness_, lag_, missing_load_,
-                                problem_.has_load, load},
-                               share, max_steps);
+  return solver_.system_.solve(
+      {slopes_, outflow_, cavitated_, stiffness_, lag_, missing_load_, problem_.has_load, load},
+      share, max_steps);
 }
 
 double FilmSolver::Newton::step_limit(const FilmChange& change) const {
@@ -221,8 +220,7 @@ FilmState FilmSolver::Newton::moved(const FilmChange& change, double step,
     next.fluid_pressure[i] = cavitated_[i] ? 0.0 : std::max(p, 0.0);
     next.void_fraction[i] = cavitated_[i] ? std::clamp(voids, 0.0, 1.0) : 0.0;
     const double layer = s_.boundary_pressure[i];
-    next.boundary_pressure[i] =
-        std::max(layer + step * change.boundary_pressure[i], 0.1 * layer);
+    next.boundary_pressure[i] = std::max(layer + step * change.boundary_pressure[i], 0.1 * layer);
   }
   find_film(next);
   return next;
@@ -259,8 +257,9 @@ FilmSolution FilmSolver::Newton::run(const NewtonSettings& settings) {
         !std::isfinite(found.error)) {
       break;
     }
-    const FilmChange step = change(std::clamp(of_error * found.error, finest, loosest),
-                                   settings.max_krylov_steps);
+    const FilmChange step =
+        change(std::clamp(of_error * found.error, finest, loosest), settings.max_krylov_steps);
+    if (step.film.empty()) break;
     found.krylov_steps += step.steps;
     advance(step);
   }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
@@ -54,7 +53,6 @@ FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
       cell_area_(grid.cell_area()),
       elastic_(elastic),
       factors_(std::make_unique<Factors>()) {
-
   factors_->lu.setPivotThreshold(pivot_share);
 }
 FilmSystem::~FilmSystem() = default;
@@ -111,7 +109,7 @@ bool FilmSystem::needs_decomposition() const {
   return static_cast<double>(changed) > changed_share * static_cast<double>(size());
 }
 
-void FilmSystem::decompose(const Linearised& system) {
+bool FilmSystem::decompose(const Linearised& system) {
   const auto& [by_pressure, by_film, by_void] = system.slopes;
   decomposed_ = full_;
   const std::size_t n = size();
@@ -133,8 +131,7 @@ void FilmSystem::decompose(const Linearised& system) {
           continue;
         }
         const double slope = by_pressure.entry(row, slot);
-        add(row, at,
-            column_[at] * (slope * system.stiffness[at] + by_film.entry(row, slot)));
+        add(row, at, column_[at] * (slope * system.stiffness[at] + by_film.entry(row, slot)));
         if (slope == 0) continue;
         for (const auto& near : elastic_.nearest()) {
           const std::ptrdiff_t to = lattice_.at(i + di + near.along_x, j + dj + near.along_y);
@@ -162,10 +159,7 @@ void FilmSystem::decompose(const Linearised& system) {
   const ShortSparse rounded = matrix.cast<float>();
   factors_->lu.analyzePattern(rounded);
   factors_->lu.factorize(rounded);
-  if (factors_->lu.info() != Eigen::Success) {
-    throw ConvergenceError("the flow of the film has no unique solution: use smaller cells", 0,
-                           INFINITY);
-  }
+  return factors_->lu.info() == Eigen::Success;
 }
 
 Field FilmSystem::flow_solution(const Field& residual) const {
@@ -210,9 +204,10 @@ void FilmSystem::find_response(const Linearised& system) {
   flow_response_ = flow_solution(flow);
   Field negative = flow_response_;
   for (double& value : negative) value = -value;
-  pressure_response_ = elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_,
-                                      pressure_accuracy);
-  load_response_ = cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure_response_[i]; });
+  pressure_response_ =
+      elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_, pressure_accuracy);
+  load_response_ =
+      cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure_response_[i]; });
 }
 
 /// Unknowns: [pressure or void fraction of each cell | pressure of touched cells | approach].
@@ -221,8 +216,8 @@ void FilmSystem::precondition(const Linearised& system, const Field& residual, F
   Field contact(n);
   for (std::size_t i = 0; i < n; ++i) contact[i] = residual[n + i] / contact_weight_[i];
   Field flow = flow_solution(residual);
-  Field pressure = elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_,
-                                  pressure_accuracy);
+  Field pressure =
+      elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_, pressure_accuracy);
   double approach = residual[2 * n];
   if (system.has_load) {
     const double load = cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure[i]; });
@@ -265,10 +260,9 @@ void FilmSystem::apply(const Linearised& system, const Field& change, Field& ima
       image[n + i] = (change[n + i] + system.stiffness[i] * film[i]) * contact_weight_[i];
     }
   }
-  image[2 * n] = system.has_load ? cell_area_ * ordered_sum(n, [&](std::size_t i) {
-    return pressure[i];
-  })
-                                 : approach;
+  image[2 * n] = system.has_load
+                     ? cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure[i]; })
+                     : approach;
 }
 
 FilmChange FilmSystem::unpack(const Linearised& system, const Field& solution) {
@@ -298,7 +292,10 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
   const std::size_t n = size();
   classify(system);
   const bool is_new = share > share_when_close || needs_decomposition();
-  if (is_new) decompose(system);
+  if (is_new && !decompose(system)) {
+    is_old_ = true;
+    return {};
+  }
   find_response(system);
   Field lag(n), right(2 * n + 1, 0.0), flow(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) lag[i] = full_[i] ? system.lag[i] : 0.0;

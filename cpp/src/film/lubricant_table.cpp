@@ -43,15 +43,14 @@ LubricantTable::Values LubricantTable::at(double pressure) const {
   if (pressure >= pressures_[last]) {
     const double beyond = pressure - pressures_[last];
     return {nodes_.reduced[last] + nodes_.fluidity[last] * beyond, nodes_.fluidity[last],
-            nodes_.density[last] + nodes_.density_slope[last] * beyond,
-            nodes_.density_slope[last]};
+            nodes_.density[last] + nodes_.density_slope[last] * beyond, nodes_.density_slope[last]};
   }
   const double at = std::log1p(std::max(pressure, 0.0) / nodes_.scale) / nodes_.step;
   const std::size_t k = std::min(static_cast<std::size_t>(at), last - 1);
   const double length = pressures_[k + 1] - pressures_[k];
   const double t = (pressure - pressures_[k]) / length;
-  const Smooth q = hermite(t, length, nodes_.reduced[k], nodes_.fluidity[k],
-                           nodes_.reduced[k + 1], nodes_.fluidity[k + 1]);
+  const Smooth q = hermite(t, length, nodes_.reduced[k], nodes_.fluidity[k], nodes_.reduced[k + 1],
+                           nodes_.fluidity[k + 1]);
   const Smooth rho = hermite(t, length, nodes_.density[k], nodes_.density_slope[k],
                              nodes_.density[k + 1], nodes_.density_slope[k + 1]);
   return {q.value, q.slope, rho.value, rho.slope};

@@ -138,9 +138,8 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
                     along_x ? grid_.dx : grid_.dy};
     const int faces = line.is_closed() ? line.cells : line.cells + 1;
     for (int f = 0; f < faces; ++f) {
-      const std::size_t at =
-          along_x ? static_cast<std::size_t>(f) * lattice_.ny() + across
-                  : static_cast<std::size_t>(across) * (lattice_.ny() + 1) + f;
+      const std::size_t at = along_x ? static_cast<std::size_t>(f) * lattice_.ny() + across
+                                     : static_cast<std::size_t>(across) * (lattice_.ny() + 1) + f;
       const double velocity = along_x ? velocities_.along_x[at] : velocities_.along_y[at];
       const Face found = face(line, f, velocity, fields, values);
       add(line.at(f - 1), 1 - stencil, 1.0, found);
@@ -216,8 +215,8 @@ Reynolds::Entrained Reynolds::entrained(const Line& line, int number, int sign,
 
 void Reynolds::blend(double first, Entrained& found) const {
   const double range = (higher_order_above - first_order_below) * settings_.boundary_thickness;
-  const double s = std::clamp(
-      (first - first_order_below * settings_.boundary_thickness) / range, 0.0, 1.0);
+  const double s =
+      std::clamp((first - first_order_below * settings_.boundary_thickness) / range, 0.0, 1.0);
   const double share = s * s * (3 - 2 * s), difference = found.content - first;
   for (Part& part : found.parts) part.share *= share;
   found.own = (1 - share) + 6 * s * (1 - s) / range * difference;

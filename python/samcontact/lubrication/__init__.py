@@ -21,6 +21,7 @@ from .formulas import (
 )
 from .groups import MoesNumbers, moes
 from .steady import steady
+from .stribeck import StribeckCurve, stribeck
 
 __all__ = [
     "Boundary",
@@ -29,6 +30,7 @@ __all__ = [
     "FilmSolution",
     "FilmThickness",
     "MoesNumbers",
+    "StribeckCurve",
     "bearing_speeds",
     "dowson_higginson",
     "estimate",
@@ -39,4 +41,5 @@ __all__ = [
     "regime",
     "rigid_isoviscous",
     "steady",
+    "stribeck",
 ]

@@ -25,6 +25,9 @@ from .formulas import dowson_higginson, nijenbanning
 
 COARSEST_SIDE = 24
 """Smallest number of cells along x of a coarser grid."""
+COARSE_CELLS, COARSE_CELLS_OF_LINE = 5.0, 10.0
+"""Smallest number of cells per contact radius, or half-width of a line contact, on a coarser
+grid."""
 TABLE_RANGE = 10.0
 """Largest pressure of the tables of the lubricant, relative to that of the dry contact."""
 SMALLEST_TABLE = 1e8
@@ -71,6 +74,16 @@ class FilmTask:
         along_y = np.broadcast_to((v + self.spin * x)[:, None], (nx, ny + 1))
         return np.ascontiguousarray(along_x), np.ascontiguousarray(along_y)
 
+    def layer(self, peak: float) -> tuple[float, float]:
+        """Return thickness [m] and pressure [Pa] of the boundary layer; 0, 0 without one.
+
+        peak: largest pressure of the dry contact [Pa].
+        """
+        if self.boundary is None:
+            return 0.0, 0.0
+        pressure = self.boundary.pressure
+        return self.boundary.thickness, peak if pressure is None else pressure
+
     @property
     def entrainment(self) -> float:
         """Magnitude of the mean velocity of the surfaces [m/s]."""
@@ -104,9 +117,21 @@ def grids_up_to(finest: Grid) -> list[Grid]:
         ny = last.ny if last.ny == 1 else last.ny // 2
         if ny < 1 or (last.periodic and ny > 1 and ny % 2):
             break
-        size = {"dx": finest.nx * finest.dx / nx, "dy": finest.ny * finest.dy / ny}
-        grids.insert(0, replace(finest, nx=nx, ny=ny, **size))
+        dx, dy = finest.nx * finest.dx / nx, finest.ny * finest.dy / ny
+        grids.insert(0, replace(finest, nx=nx, ny=ny, dx=dx, dy=dy))
     return grids
+
+
+def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], FloatArray, DryContact]:
+    """Return the nested grids that resolve the contact; gap and dry contact of the coarsest."""
+    grids = grids_up_to(finest)
+    while True:
+        gap = task.gap_on(grids[0], finest)
+        dry = dry_contact(task, grids[0], gap)
+        needed = COARSE_CELLS_OF_LINE if grids[0].ny == 1 else COARSE_CELLS
+        if len(grids) == 1 or dry.radius >= needed * grids[0].dx:
+            return grids, gap, dry
+        del grids[0]
 
 
 def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> FloatArray:
@@ -122,7 +147,10 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
     solver = ContactSolver(grid, *task.bodies, tol=1e-6, on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a film needs more cells, and is checked by itself
-        found = solver.solve(gap, **{"load" if task.is_load else "approach": task.target})
+        if task.is_load:
+            found = solver.solve(gap, load=task.target)
+        else:
+            found = solver.solve(gap, approach=task.target)
     if not found.load > 0:
         raise ValueError(
             f"approach must press the dry surfaces together, got {task.target!r} m: increase it, "
@@ -194,6 +222,12 @@ def refined(state: dict[str, Any], shape: tuple[int, int]) -> dict[str, Any]:
         "void_fraction": np.where(cavitated, voids, 0.0),
         "approach": state["approach"],
     }
+
+
+def state_of(found: Any) -> dict[str, Any]:
+    """Return the state of a solution, as a start."""
+    names = "fluid_pressure", "boundary_pressure", "void_fraction", "approach"
+    return {name: found[name] for name in names}
 
 
 class LevelSolver:

@@ -32,14 +32,15 @@ from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
 from .film_solution import FilmLevel, FilmSolution
+from .mixed import MixedFilm
 from .nested import (
     DryContact,
     FilmTask,
     LevelSolver,
-    dry_contact,
-    grids_up_to,
     refined,
     start_of,
+    started,
+    state_of,
     table_of,
 )
 
@@ -47,6 +48,10 @@ CELLS_PER_RADIUS = 12.0
 """Cells per contact radius below which a warning is issued."""
 MAX_CHANGE = 0.05
 """Relative change of the central film between the last two grids that causes a warning."""
+THICK = 20.0
+"""Predicted film, in thicknesses of the layer, from which on a full film is tried first."""
+MAX_SHARE = 1e-3
+"""Share of the boundary layer up to which the solution of a full film is taken."""
 MAX_EDGE_PRESSURE = 1e-3
 """Pressure next to the inlet edge of the grid, relative to the largest, that causes a warning."""
 
@@ -129,34 +134,52 @@ def steady(
     Cavitation: Elrod (1981), doi:10.1115/1.3251669. The pressure spike at the outlet converges
     slowly with the cells. See docs/theory/lubrication.md.
     """
-    task = _checked(
+    task = checked_task(
         grid, (body1, body2), gap, load, approach, speed, spin, lubricant, supply, boundary, order,
         tol, max_iterations,
     )  # fmt: skip
-    grids = grids_up_to(grid)
-    coarse = task.gap_on(grids[0], grid)
-    dry = dry_contact(task, grids[0], coarse)
-    table = table_of(lubricant, dry.peak)
-    layer = (0.0, 0.0)
-    if boundary is not None:
-        layer = boundary.thickness, dry.peak if boundary.pressure is None else boundary.pressure
-    state = start_of(task, grids[0], coarse, dry)
-    levels: list[FilmLevel] = []
-    found: Any = None
-    solver = LevelSolver(task, grids[0], coarse, table)
-    for n, cells in enumerate(grids):
-        if n > 0:
-            solver = LevelSolver(task, cells, task.gap_on(cells, grid), table)
-            state = refined(found, cells.surface_shape)
-        found = _solved(solver, state, layer)
-        levels.append(solver.level(found))
-    _require_converged(found, task)
-    solution = _solution(grid, solver.gap, task, found, levels)
+    solution, dry = _full_film(task, grid) if boundary is None else _mixed_film(task, grid)
     _warn_of_grid(solution, dry, task)
     return solution
 
 
-def _checked(
+def _full_film(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
+    """Return the solution on nested grids, from a thick film."""
+    grids, gap, dry = started(task, grid)
+    table = table_of(task.lubricant, dry.peak)
+    layer = task.layer(dry.peak)
+    state = start_of(task, grids[0], gap, dry)
+    levels: list[FilmLevel] = []
+    found: Any = None
+    for n, cells in enumerate(grids):
+        if n > 0:
+            gap = task.gap_on(cells, grid)
+            state = refined(found, cells.surface_shape)
+        solver = LevelSolver(task, cells, gap, table)
+        found = _solved(solver, state, layer)
+        levels.append(solver.level(found))
+    require_converged(found, task)
+    return solution_of(grid, gap, task, found, levels), dry
+
+
+def _mixed_film(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
+    """Return the solution with a boundary layer: of a thick film, or else from the dry contact."""
+    assert task.boundary is not None
+    mixed = MixedFilm(task, grid)
+    if mixed.dry.film > THICK * task.boundary.thickness:
+        try:
+            solution, dry = _full_film(task, grid)
+        except (ValueError, RuntimeError):
+            pass  # a rough surface may touch
+        else:
+            if solution.boundary_share < MAX_SHARE:
+                return solution, dry
+    found = mixed.at(1.0)
+    require_converged(found, task)
+    return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry
+
+
+def checked_task(
     grid: Grid, bodies: tuple[Body, Body], gap: Any, load: float | None, approach: float | None,
     speed: Any, spin: float, lubricant: Lubricant, supply: float | None,
     boundary: Boundary | None, order: int, tol: float, max_iterations: int,
@@ -217,15 +240,10 @@ def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, floa
     first = solver.solve(start, layer, 1)
     if not first["converged"]:
         return found
-    return solver.solve(_state(first), layer, solver.task.order)
+    return solver.solve(state_of(first), layer, solver.task.order)
 
 
-def _state(found: Any) -> dict[str, Any]:
-    names = "fluid_pressure", "boundary_pressure", "void_fraction", "approach"
-    return {name: found[name] for name in names}
-
-
-def _require_converged(found: Any, task: FilmTask) -> None:
+def require_converged(found: Any, task: FilmTask) -> None:
     """Raise an error for a state that is not a solution, or is none of the physical problem."""
     target = quantity(task.target, "N" if task.is_load else "m")
     if not found["converged"]:
@@ -244,7 +262,7 @@ def _require_converged(found: Any, task: FilmTask) -> None:
         )
 
 
-def _solution(
+def solution_of(
     grid: Grid, gap: FloatArray, task: FilmTask, found: Any, levels: list[FilmLevel]
 ) -> FilmSolution:
     fields = {

@@ -32,19 +32,19 @@ struct FilmState {
 
 /// Content of the film at the previous instants, for a film that changes in time.
 struct FilmHistory {
-  double step = 0.0;      // [s]; 0: steady
-  double present = 1.0;   // weight of the present content
-  Field content = {};     // weighted sum of the earlier contents [m]
+  double step = 0.0;     // [s]; 0: steady
+  double present = 1.0;  // weight of the present content
+  Field content = {};    // weighted sum of the earlier contents [m]
 };
 
 struct FilmSolution {
   FilmState state;
-  double load = 0.0;      // [N]
-  double error = 0.0;     // largest residual, relative [-]
-  int iterations = 0;     // of Newton
-  int krylov_steps = 0;   // of GMRES
+  double load = 0.0;          // [N]
+  double error = 0.0;         // largest residual, relative [-]
+  int iterations = 0;         // of Newton
+  int krylov_steps = 0;       // of GMRES
   double applications = 0.0;  // of the elastic operator
-  double fill = 0.0;      // numbers in the factors of the last decomposition
+  double fill = 0.0;          // numbers in the factors of the last decomposition
   bool converged = false;
 };
 

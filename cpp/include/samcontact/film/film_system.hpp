@@ -43,7 +43,8 @@ class FilmSystem {
   FilmSystem(FilmSystem&&) = delete;
   FilmSystem& operator=(FilmSystem&&) = delete;
 
-  /// Solves until the weighted residual is a share of the first, or after max_steps.
+  /// Solves until the weighted residual is a share of the first, or after max_steps. The change is
+  /// empty if the flow has no unique solution.
   FilmChange solve(const Linearised& system, double share, int max_steps);
 
   /// Numbers in the factors of the last decomposition.
@@ -55,7 +56,8 @@ class FilmSystem {
   /// Kinds of cells at the present state.
   void classify(const Linearised& system);
   bool needs_decomposition() const;
-  void decompose(const Linearised& system);
+  /// Whether the matrix can be decomposed.
+  bool decompose(const Linearised& system);
   /// Response of the preconditioner to a unit approach.
   void find_response(const Linearised& system);
   /// Displacement, at the pressure of the fluid where it is given, from the solution of the flow.

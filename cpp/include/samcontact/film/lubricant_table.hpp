@@ -2,7 +2,7 @@
 // Properties of a lubricant over the pressure at one temperature, as tables with slopes.
 #pragma once
 
-#include <vector>
+#include "samcontact/base/aligned.hpp"
 
 namespace samcontact::film {
 
@@ -14,9 +14,9 @@ class LubricantTable {
   /// Values at pressures scale (exp(n step) - 1), n = 0, 1, ...; density relative to that at p = 0.
   struct Nodes {
     double scale, step;            // [Pa], [-]
-    std::vector<double> reduced;   // [1/s]
-    std::vector<double> fluidity;  // density over viscosity [1/(Pa s)]
-    std::vector<double> density, density_slope;  // [-], [1/Pa]
+    Field reduced;                 // [1/s]
+    Field fluidity;                // density over viscosity [1/(Pa s)]
+    Field density, density_slope;  // [-], [1/Pa]
   };
   struct Values {
     double reduced, fluidity, density, density_slope;
@@ -32,7 +32,7 @@ class LubricantTable {
 
  private:
   Nodes nodes_;
-  std::vector<double> pressures_;
+  Field pressures_;
 };
 
 }  // namespace samcontact::film

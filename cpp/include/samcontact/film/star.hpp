@@ -42,9 +42,7 @@ class Star {
   const Lattice& lattice() const { return lattice_; }
   void clear();
   /// Entry of a row for the neighbour at an offset along an axis (0: x, 1: y).
-  double& entry(std::size_t row, int axis, int offset) {
-    return values_[slot(axis, offset)][row];
-  }
+  double& entry(std::size_t row, int axis, int offset) { return values_[slot(axis, offset)][row]; }
   double entry(std::size_t row, int slot) const { return values_[slot][row]; }
   double diagonal(std::size_t row) const { return values_[0][row]; }
   /// Offset of an entry in cells along x and y.
