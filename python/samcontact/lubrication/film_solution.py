@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from scipy.ndimage import map_coordinates
 
 from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, quantity
+from .._util.lazy_scipy import scipy
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
@@ -142,7 +142,7 @@ def film_at_centre(film: FloatArray, gap: FloatArray) -> float:
                 at += 0.5 * (before - after) / bend
         place.append([at])
     order = 3 if min(n for n in film.shape if n > 1) > 3 else 1
-    return float(map_coordinates(film, place, order=order, mode="nearest")[0])
+    return float(scipy.ndimage.map_coordinates(film, place, order=order, mode="nearest")[0])
 
 
 def _line(index: tuple[np.intp, ...], axis: int) -> tuple[slice | int, ...]:

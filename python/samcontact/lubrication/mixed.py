@@ -16,7 +16,7 @@ from .nested import DryContact, FilmTask, LevelSolver, dry_contact, state_of, ta
 
 FILM_OF_DRY = 0.015
 """Film that a formula predicts at the first speed, in thicknesses of the boundary layer."""
-FASTEST, SLOWEST = 3.0, 1.02
+MAX_RATIO, MIN_RATIO = 3.0, 1.02
 """Largest and smallest factor between successive speeds."""
 FEW_ITERATIONS = 12
 """Newton iterations below which the factor grows."""
@@ -44,7 +44,7 @@ class MixedFilm:
         self._solver = LevelSolver(task, grid, self.gap, table_of(task.lubricant, self.dry.peak))
         # the predicted film is nearly proportional to speed^(2/3)
         self._first = (FILM_OF_DRY * self.layer[0] / self.dry.film) ** 1.5
-        self._ratio = FASTEST
+        self._ratio = MAX_RATIO
         self._last: Step | None = None
 
     def _start(self) -> dict[str, Any]:
@@ -80,13 +80,13 @@ class MixedFilm:
         while True:
             last = 0.0 if self._last is None else self._last.factor
             trial = min(self._first, factor) if self._last is None else last * self._ratio
-            trial = factor if trial > factor / math.sqrt(SLOWEST) else trial
+            trial = factor if trial > factor / math.sqrt(MIN_RATIO) else trial
             tol = self._task.tol if trial == factor else max(self._task.tol, _TOL_ON_THE_WAY)
             found = self._solved_at(trial, tol)
             if found["converged"]:
                 self._last = Step(trial, found)
                 if found["iterations"] < FEW_ITERATIONS:
-                    self._ratio = min(self._ratio**GROWTH, FASTEST)
+                    self._ratio = min(self._ratio**GROWTH, MAX_RATIO)
                 if trial == factor:
                     return found
             elif self._last is None:
@@ -95,5 +95,5 @@ class MixedFilm:
                     return found
             else:
                 self._ratio = math.sqrt(self._ratio)
-                if self._ratio < SLOWEST:
+                if self._ratio < MIN_RATIO:
                     return found

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.ndimage import map_coordinates
 
 from .. import _core, hertz
 from .._util.checks import FloatArray, gap_array
+from .._util.lazy_scipy import scipy
 from ..bodies.layered import Body, softest
 from ..contact.solver import ContactSolver
 from ..lubricants.lubricant import Lubricant
@@ -30,9 +30,9 @@ COARSE_CELLS, COARSE_CELLS_OF_LINE = 5.0, 10.0
 grid."""
 TABLE_RANGE = 10.0
 """Largest pressure of the tables of the lubricant, relative to that of the dry contact."""
-SMALLEST_TABLE = 1e8
+MIN_TABLE_PRESSURE = 1e8
 """Smallest range of these tables [Pa]."""
-THINNEST = 1e-9
+MIN_FILM_SHARE = 1e-9
 """Films below this share of the range of the gap conduct as one of this share."""
 _ENTERING_VOID = 1e-6
 """Void fraction at least given to a cell that the coarser grid found cavitated."""
@@ -48,7 +48,7 @@ class FilmTask:
     target: float
     """Load [N] or approach [m]."""
     velocities: FloatArray
-    """Of bodies 1 and 2 along x and y [m/s]."""
+    """Velocities of bodies 1 and 2 along x and y [m/s]."""
     spin: float
     lubricant: Lubricant
     supply: float
@@ -138,7 +138,7 @@ def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> Floa
     """Return a field of cells on other cells of the same area, by splines of an order."""
     places = [(np.arange(n) + 0.5) * m / n - 0.5 for n, m in zip(shape, field.shape, strict=True)]
     at = np.meshgrid(*places, indexing="ij")
-    found: FloatArray = map_coordinates(field, at, order=order, mode="nearest")
+    found: FloatArray = scipy.ndimage.map_coordinates(field, at, order=order, mode="nearest")
     return found
 
 
@@ -248,8 +248,8 @@ class LevelSolver:
         return self._core.solve(
             lubricant=self._table, gap=self.gap, is_load=task.is_load, target=task.target,
             along_x=along_x, along_y=along_y, order=order, supply=task.supply,
-            thinnest=THINNEST * float(np.ptp(self.gap)), layer=layer, start=state, tol=task.tol,
-            max_iterations=task.max_iterations,
+            thinnest=MIN_FILM_SHARE * float(np.ptp(self.gap)), layer=layer, start=state,
+            tol=task.tol, max_iterations=task.max_iterations,
         )  # fmt: skip
 
     def level(self, found: Any) -> FilmLevel:
@@ -263,7 +263,7 @@ class LevelSolver:
 
 def table_of(lubricant: Lubricant, peak: float) -> Any:
     """Return the tables of a lubricant for the core, for a contact with this dry pressure [Pa]."""
-    tables = lubricant.tables(max(TABLE_RANGE * peak, SMALLEST_TABLE))
+    tables = lubricant.tables(max(TABLE_RANGE * peak, MIN_TABLE_PRESSURE))
     return _core.LubricantTable(
         scale=tables.scale, step=tables.step, reduced=tables.reduced, fluidity=tables.fluidity,
         density=tables.density, density_slope=tables.density_slope,

@@ -26,6 +26,7 @@ from .._util.checks import (
 from .._util.display import quantity
 from .._util.errors import GridTooSmallWarning, ResolutionWarning, attach
 from .._util.frozen import read_only
+from .._util.short_text import in_short
 from ..bodies.layered import Body, require_bodies
 from ..bodies.viscoelastic import require_no_relaxation
 from ..lubricants.lubricant import Lubricant
@@ -202,12 +203,12 @@ def checked_task(
     target = positive("load", load) if load is not None else number("approach", approach)
     velocities = velocities_of(speed)
     if grid.ny == 1 and velocities[:, 1].any():
-        raise ValueError(f"speed along y must be 0 for a line contact, got {speed!r}")
+        raise ValueError(f"speed along y must be 0 for a line contact, got {in_short(speed)}")
     spin = finite("spin", spin)
     if not velocities.mean(axis=0).any() and spin == 0:
         raise ValueError(
-            f"speed must have a mean other than 0, got {speed!r}: without it no lubricant is drawn "
-            "into the contact"
+            f"speed must have a mean other than 0, got {in_short(speed)}: without it no "
+            "lubricant is drawn into the contact"
         )
     tol = positive("tol", tol)
     if not 1e-10 <= tol <= 1e-2:
@@ -227,7 +228,7 @@ def velocities_of(speed: Any) -> FloatArray:
     if given.shape != (2, 2) or not np.isfinite(given).all():
         raise ValueError(
             "speed must be (u1, u2) along x, or ((u1, v1), (u2, v2)), in finite numbers [m/s], got "
-            f"{speed!r}"
+            f"{in_short(speed)}"
         )
     return given
 
