@@ -47,7 +47,8 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
                    bool is_load, double target, const Array& along_x, const Array& along_y,
                    int order, double supply, double thinnest,
                    const std::pair<double, double>& layer, const Content& start, double tol,
-                   int max_iterations) {
+                   int max_iterations, const std::pair<double, double>& time,
+                   const MaybeArray& content) {
   const Field undeformed = to_field(gap);
   film::FaceVelocities velocities{to_field(along_x), to_field(along_y)};
   film::FlowSettings flow;
@@ -55,12 +56,15 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
   flow.supply = supply;
   flow.thinnest = thinnest;
   film::FilmState state = to_state(start);
+  Field earlier = to_field_or_empty(content);
   film::FilmSolution solution;
   {
     const LongWork work;
     solution =
         solver.solve({undeformed, is_load, target}, velocities, lubricant, flow,
-                     {layer.first, layer.second}, {}, std::move(state), {tol, max_iterations});
+                     {layer.first, layer.second},
+                     {time.first, time.second, std::move(earlier)}, std::move(state),
+                     {tol, max_iterations});
   }
   return to_python(std::move(solution), solver.grid());
 }
@@ -111,7 +115,8 @@ void bind_film(py::module_& m) {
       .def("solve", &solve_film, py::arg("lubricant"), py::arg("gap"), py::arg("is_load"),
            py::arg("target"), py::arg("along_x"), py::arg("along_y"), py::arg("order"),
            py::arg("supply"), py::arg("thinnest"), py::arg("layer"), py::arg("start"),
-           py::arg("tol"), py::arg("max_iterations"));
+           py::arg("tol"), py::arg("max_iterations"), py::arg("time") = std::pair{0.0, 1.0},
+           py::arg("content") = py::none());
 
   m.def("film_outflow", &film_outflow, py::arg("grid"), py::arg("lubricant"), py::arg("along_x"),
         py::arg("along_y"), py::arg("order"), py::arg("supply"), py::arg("layer"),

@@ -285,6 +285,7 @@ FilmSolution FilmSolver::solve(const FilmProblem& problem, const FaceVelocities&
       throw std::invalid_argument("fields of a film must have a value for each cell of the grid");
     }
   }
+  system_.forget();
   FlowSettings limited = flow;
   limited.boundary_thickness = layer.thickness;
   const Reynolds reynolds(grid_, velocities, lubricant, limited);

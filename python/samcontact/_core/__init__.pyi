@@ -657,6 +657,8 @@ class FilmSolver:
         start: dict[str, typing.Any],
         tol: float,
         max_iterations: int,
+        time: tuple[float, float] = (0.0, 1.0),
+        content: numpy.typing.NDArray[numpy.float64] | None = None,
     ) -> dict[str, typing.Any]: ...
 
 def contact_outline(

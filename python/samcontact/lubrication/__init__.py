@@ -22,10 +22,12 @@ from .formulas import (
 from .groups import MoesNumbers, moes
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
+from .transient import FilmHistory, transient
 
 __all__ = [
     "Boundary",
     "FilmEstimate",
+    "FilmHistory",
     "FilmLevel",
     "FilmSolution",
     "FilmThickness",
@@ -42,4 +44,5 @@ __all__ = [
     "rigid_isoviscous",
     "steady",
     "stribeck",
+    "transient",
 ]

@@ -12,6 +12,7 @@ from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, quantity
 from .._util.lazy_scipy import scipy
+from ..bodies.layered import Body
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
@@ -30,6 +31,22 @@ class FilmLevel(NamedTuple):
     residual: float
     central_film: float
     """Film at the centre [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class FilmPast:
+    """Past of a transient film, with which it continues."""
+
+    time: float
+    """Time since the start [s]."""
+    ways: FloatArray
+    """Ways of the surfaces of bodies 1 and 2 along x and y since the start [m]."""
+    content: FloatArray
+    """Content of the film at the instant before [m]."""
+    gap: FloatArray
+    """Gap of the undeformed surfaces without moving reliefs [m]."""
+    peak: float
+    """Largest pressure at the start [Pa]."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -64,6 +81,10 @@ class FilmSolution(HtmlTable):
     boundary : Boundary, or None
     spin : float
         Mean angular velocity of the surfaces about z [rad/s].
+    bodies : tuple of Material or Layered
+        Upper and lower body.
+    past : FilmPast, or None
+        Past of a transient contact.
     """
 
     grid: Grid
@@ -80,11 +101,25 @@ class FilmSolution(HtmlTable):
     levels: tuple[FilmLevel, ...]
     boundary: Boundary | None = None
     spin: float = 0.0
+    bodies: tuple[Body, ...] = ()
+    past: FilmPast | None = None
 
     @cached_property
     def pressure(self) -> FloatArray:
         """Pressure of fluid and boundary layer [Pa], shape (nx, ny)."""
         return self.fluid_pressure + self.boundary_pressure
+
+    @property
+    def time(self) -> float:
+        """Time since the start of a transient contact [s]; 0 for a steady one."""
+        return 0.0 if self.past is None else self.past.time
+
+    @property
+    def content(self) -> FloatArray:
+        """Lubricant in the film as a thickness at p = 0: filling, density and film [m]."""
+        density = self.lubricant.density(self.fluid_pressure)
+        content: FloatArray = self.filling * density * self.film
+        return content
 
     @property
     def central_film(self) -> float:

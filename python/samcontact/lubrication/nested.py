@@ -237,8 +237,13 @@ class LevelSolver:
         self.task, self.grid, self.gap, self._table = task, grid, gap, table
         self._core = _core.FilmSolver(grid._core, *(body._core for body in task.bodies))
 
-    def solve(self, start: dict[str, Any], layer: tuple[float, float], order: int) -> Any:
-        """Return the solution from a start, as a dictionary; it may not have converged."""
+    def solve(
+        self, start: dict[str, Any], layer: tuple[float, float], order: int, **in_time: Any
+    ) -> Any:
+        """Return the solution from a start, as a dictionary; it may not have converged.
+
+        in_time: time step and earlier contents of a transient film.
+        """
         task = self.task
         along_x, along_y = task.face_velocities(self.grid)
         state = {
@@ -249,7 +254,7 @@ class LevelSolver:
             lubricant=self._table, gap=self.gap, is_load=task.is_load, target=task.target,
             along_x=along_x, along_y=along_y, order=order, supply=task.supply,
             thinnest=MIN_FILM_SHARE * float(np.ptp(self.gap)), layer=layer, start=state,
-            tol=task.tol, max_iterations=task.max_iterations,
+            tol=task.tol, max_iterations=task.max_iterations, **in_time,
         )  # fmt: skip
 
     def level(self, found: Any) -> FilmLevel:

@@ -266,14 +266,15 @@ def require_converged(found: Any, task: FilmTask) -> None:
 def solution_of(
     grid: Grid, gap: FloatArray, task: FilmTask, found: Any, levels: list[FilmLevel]
 ) -> FilmSolution:
-    fields = {
-        name: read_only(found[name]) for name in ("fluid_pressure", "boundary_pressure", "film")
-    }
+    fluid, layer, film = (
+        read_only(found[name]) for name in ("fluid_pressure", "boundary_pressure", "film")
+    )
     return FilmSolution(
         grid=grid, lubricant=task.lubricant, velocities=read_only(task.velocities), gap=gap,
         filling=read_only(1.0 - found["void_fraction"]), approach=found["approach"],
         load=found["load"], residual=found["error"], levels=tuple(levels),
-        boundary=task.boundary, spin=task.spin, **fields,
+        boundary=task.boundary, spin=task.spin, bodies=task.bodies,
+        fluid_pressure=fluid, boundary_pressure=layer, film=film,
     )  # fmt: skip
 
 
