@@ -23,11 +23,13 @@ from .groups import MoesNumbers, moes
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
 from .transient import FilmHistory, transient
+from .yielding import FilmIncrement, press
 
 __all__ = [
     "Boundary",
     "FilmEstimate",
     "FilmHistory",
+    "FilmIncrement",
     "FilmLevel",
     "FilmSolution",
     "FilmThickness",
@@ -40,6 +42,7 @@ __all__ = [
     "lambda_ratio",
     "moes",
     "nijenbanning",
+    "press",
     "regime",
     "rigid_isoviscous",
     "steady",

@@ -122,15 +122,14 @@ def grids_up_to(finest: Grid) -> list[Grid]:
     return grids
 
 
-def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], FloatArray, DryContact]:
-    """Return the nested grids that resolve the contact; gap and dry contact of the coarsest."""
+def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], DryContact]:
+    """Return the nested grids that resolve the contact, and the dry contact on the coarsest."""
     grids = grids_up_to(finest)
     while True:
-        gap = task.gap_on(grids[0], finest)
-        dry = dry_contact(task, grids[0], gap)
+        dry = dry_contact(task, grids[0], task.gap_on(grids[0], finest))
         needed = COARSE_CELLS_OF_LINE if grids[0].ny == 1 else COARSE_CELLS
         if len(grids) == 1 or dry.radius >= needed * grids[0].dx:
-            return grids, gap, dry
+            return grids, dry
         del grids[0]
 
 

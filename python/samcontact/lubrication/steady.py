@@ -38,6 +38,7 @@ from .nested import (
     DryContact,
     FilmTask,
     LevelSolver,
+    dry_contact,
     refined,
     start_of,
     started,
@@ -139,45 +140,55 @@ def steady(
         grid, (body1, body2), gap, load, approach, speed, spin, lubricant, supply, boundary, order,
         tol, max_iterations,
     )  # fmt: skip
-    solution, dry = _full_film(task, grid) if boundary is None else _mixed_film(task, grid)
+    solution, dry, _ = solved_from_dry(task, grid)
     _warn_of_grid(solution, dry, task)
     return solution
 
 
-def _full_film(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
+Found = tuple[FilmSolution, DryContact, Any]
+"""Solution, the dry contact from which it started, and the fields of the core."""
+
+
+def solved_from_dry(task: FilmTask, grid: Grid) -> Found:
+    """Return the solution from the dry contact."""
+    return _full_film(task, grid) if task.boundary is None else _mixed_film(task, grid)
+
+
+def _full_film(task: FilmTask, grid: Grid) -> Found:
     """Return the solution on nested grids, from a thick film."""
-    grids, gap, dry = started(task, grid)
+    grids, dry = started(task, grid)
     table = table_of(task.lubricant, dry.peak)
     layer = task.layer(dry.peak)
-    state = start_of(task, grids[0], gap, dry)
     levels: list[FilmLevel] = []
     found: Any = None
     for n, cells in enumerate(grids):
-        if n > 0:
-            gap = task.gap_on(cells, grid)
+        gap = task.gap_on(cells, grid)
+        if found is not None and found["converged"]:
             state = refined(found, cells.surface_shape)
+        else:  # a state that has not converged misleads the next grid
+            state = start_of(task, cells, gap, dry if n == 0 else dry_contact(task, cells, gap))
         solver = LevelSolver(task, cells, gap, table)
         found = _solved(solver, state, layer)
         levels.append(solver.level(found))
     require_converged(found, task)
-    return solution_of(grid, gap, task, found, levels), dry
+    return solution_of(grid, gap, task, found, levels), dry, found
 
 
-def _mixed_film(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
+def _mixed_film(task: FilmTask, grid: Grid) -> Found:
     """Return the solution with a boundary layer: of a thick film, or else from the dry contact."""
     assert task.boundary is not None
     mixed = MixedFilm(task, grid)
     if mixed.dry.film > THICK * task.boundary.thickness:
         try:
-            solution, dry = _full_film(task, grid)
+            thick = _full_film(task, grid)
         except (ValueError, RuntimeError):
             pass  # a rough surface may touch
         else:
-            if solution.boundary_share < MAX_SHARE:
-                return solution, dry
+            if thick[0].boundary_share < MAX_SHARE:
+                return thick
     found = mixed.at(1.0)
     require_converged(found, task)
-    return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry
+    return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry, found
 
 
 def checked_task(
