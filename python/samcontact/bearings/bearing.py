@@ -279,7 +279,7 @@ class Bearing:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
         The load follows from `element_loads`. If the clearance is unknown, the load is at least the
-        load by Stribeck's rule, which contains a usual clearance. Under a radial load alone, the
+        load by Stribeck's rule, which assumes a usual clearance. Under a radial load alone, the
         load by Stribeck's rule is returned.
         """
         least = 0.0

@@ -205,7 +205,7 @@ class PartialSlipSolution(ShearedSolution):
         Computing work of all transforms for the shear, including transforms for the preconditioner
         and on coarser grids, in units of one evaluation of the shear displacement [-].
     slip_rate : ndarray, shape (nx, ny), or None
-        With `FallingCoulomb`: slip rate that the friction of each cell follows [m/s].
+        With `FallingCoulomb`: slip rate that determines the friction of each cell [m/s].
     falling_number : float
         With `FallingCoulomb`: largest -dmu/dv p C/t of a cell, with the displacement C of a cell
         under its own unit shear and the duration t. Solutions of an increment are unique for values
