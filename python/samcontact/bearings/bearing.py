@@ -136,7 +136,7 @@ class Bearing:
         if self.clearance and self.kind == "angular_contact":
             raise ValueError(
                 'clearance does not apply to kind = "angular_contact", whose contact angle '
-                "contains it: omit it"
+                "includes its effect: omit it"
             )
         if self.clearance and self.clearance >= 0.1 * self.element_diameter:
             raise ValueError(

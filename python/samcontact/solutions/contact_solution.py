@@ -285,7 +285,8 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
     Raises ValueError for a grid with other cells; `name` is the argument named in the message."""
     if not fits(solution, grid):
         raise ValueError(
-            f"{name} must be a solution with equal cells, got one on {solution.grid!r} for {grid!r}"
+            f"{name} must be a solution on a grid with the same cells, got one on "
+            f"{solution.grid!r} for {grid!r}"
         )
     margins = [
         ((n - m) // 2, (n - m) // 2)
