@@ -256,7 +256,7 @@ def top_thickness(body: Body) -> float:
 
 
 def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
-    """Return a homogeneous body as compliant as `body` under a wave of pressure [1/m]."""
+    """Return a homogeneous body as compliant as `body` for a pressure wave (wavenumber in 1/m)."""
     if isinstance(body, Material):
         return body
     nu = body.layers[0][0].nu

@@ -25,7 +25,7 @@ def relaxes(*bodies: Body) -> bool:
 
 
 def instantaneous(body: Body) -> Body:
-    """Return the elastic body that a body is for fast loads."""
+    """Return an elastic body with the instantaneous moduli of a body."""
     return _changed(body, lambda material: replace(material, relaxation_terms=None))
 
 

@@ -214,7 +214,7 @@ class Simulation(Configured, HtmlTable):
         tangential_load : pair of floats, optional
             With `Coulomb`: final force on body 2 [N]. Without force and shift: no motion.
         twist : float, optional
-            With `Coulomb`: rotation of body 1 over body 2 about z in this increment [rad].
+            With `Coulomb`: rotation of body 1 relative to body 2 about z in this increment [rad].
         torque : float, optional
             Final moment on body 2 [N m]. Without twist and torque, no rotation.
         heat_factor : float or pair of floats, optional
@@ -307,8 +307,8 @@ class Simulation(Configured, HtmlTable):
     def relax(self, hold: str | None = None) -> State:
         """Advance viscoelastic bodies to their long-time state, at an unchanged time.
 
-        hold: "load" or "approach", kept constant; default: that of the last step. Raises ValueError
-        without a viscoelastic body, or for a fluid. `State.viscous_work` is that of slow change.
+        hold: "load" or "approach", kept constant; default: as in the last step. Raises ValueError
+        without a viscoelastic body, or for a fluid. `State.viscous_work`: work in a slow change.
         """
         return self.step(**relaxing_step(self.engine, hold))
 

@@ -307,9 +307,9 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to plastic strain, `eigenstrain`, and what viscoelastic bodies still recover; on a
-        periodic grid, relative to great depth. axis="x" or "y": the tangential displacement, along
-        axes that both bodies share.
+        It is due to plastic strain and `eigenstrain`; viscoelastic bodies: the part not yet
+        recovered. On a periodic grid it is relative to great depth. axis="x" or "y": the tangential
+        displacement, along axes that both bodies share.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1
