@@ -125,7 +125,9 @@ class FixedPoint {
   /// over the yield stress, which drives plastic flow: the smaller the excess, the smaller the
   /// contact tolerance must be.
   double contact_tolerance(double residual) const {
-    const double share = std::clamp(result_.overshoot, negligible, 1.0);
+    // Mismatch of elastic cells is driven by the whole stress.
+    const bool elastic = result_.mismatch_norm > 0 && result_.overshoot == 0;
+    const double share = elastic ? 1.0 : std::clamp(result_.overshoot, negligible, 1.0);
     return std::clamp(contact_tol_ratio * share * residual, tightest, loosest);
   }
 
@@ -137,7 +139,8 @@ class FixedPoint {
       for (std::size_t i = begin; i < end; ++i) f[i - begin] = mapped_[i] - x_[i];
       return ordered_dot(f.data(), f.data(), end - begin);
     }));
-    const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
+    const double scale = std::max({norm(mapped_), negligible * result_.yield_strain_norm,
+                                   result_.mismatch_norm});
     residual_ = scale > 0 ? change_ / scale : (change_ > 0 ? 1.0 : 0.0);
   }
 
