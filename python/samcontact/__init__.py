@@ -54,6 +54,8 @@ from ._util.errors import (
 from .accuracy import AccuracyResult, AccuracyWarning, to_accuracy
 from .accuracy.grid_errors import GridErrors, estimate_errors
 from .accuracy.load_search import FoundLoad, find_load
+from .bodies.heterogeneous import Heterogeneous
+from .bodies.inclusion import Inclusion
 from .bodies.layered import Layered
 from .bodies.material import Material
 from .contact.solver import ContactSolver
@@ -94,6 +96,8 @@ __all__ = [
     "GridTooSmallWarning",
     "HardContact",
     "Heat",
+    "Heterogeneous",
+    "Inclusion",
     "IncrementErrors",
     "IncrementWarning",
     "Layered",
