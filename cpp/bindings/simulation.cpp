@@ -45,9 +45,11 @@ simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& 
 }
 
 /// Each None or (first cell, index of each cell among the mixed cells [k][i][j] or -1, constants of
-/// the mixed cells by row: bulk, shear, share, six misfit strains, index of the material; materials).
-using InclusionsTuple = std::tuple<std::array<int, 3>, py::array_t<std::int32_t, py::array::c_style>,
-                                   Array, std::vector<plasticity::Material>>;
+/// the mixed cells by row: bulk, shear, share, six misfit strains, index of the material;
+/// materials).
+using InclusionsTuple =
+    std::tuple<std::array<int, 3>, py::array_t<std::int32_t, py::array::c_style>, Array,
+               std::vector<plasticity::Material>>;
 simulation::InclusionsPair to_inclusions(
     const std::array<std::optional<InclusionsTuple>, 2>& given) {
   simulation::InclusionsPair inclusions;

@@ -21,6 +21,9 @@ Tensor times(double factor, Tensor t) {
   return t;
 }
 
+/// Ratio of moduli beyond which another part of the eigenstrain is kept than for a sphere.
+constexpr double far_ratio = 5.0;
+
 }  // namespace
 
 /// Materials that flow, their weight in the yield stress of the cell, and the share of the cell
@@ -32,10 +35,17 @@ struct MixedLaw::Phases {
 
 MixedLaw::MixedLaw(const Material& matrix) : matrix_(matrix) {
   const double nu = matrix.elastic.nu, G = matrix.elastic.shear_modulus();
-  bulk_part_ = 2 * (1 - 2 * nu) / (3 * (1 - nu));
-  shear_part_ = (7 - 5 * nu) / (15 * (1 - nu));
-  bulk_stiffness_ = 4 * G * (1 + nu) / (3 * (1 - nu));
-  shear_stiffness_ = 2 * G * shear_part_;
+  // 3 K of the bulk part, finite for any nu after multiplication by its p.
+  sphere_bulk_ = {2 * (1 - 2 * nu) / (3 * (1 - nu)), 4 * G * (1 + nu) / (3 * (1 - nu))};
+  const double p = (7 - 5 * nu) / (15 * (1 - nu));
+  sphere_shear_ = {p, 2 * G * p};
+}
+
+MixedLaw::Kept MixedLaw::kept(const Kept& sphere, double ratio) {
+  const double p = ratio < 1 / far_ratio ? 1.0
+                   : ratio > far_ratio   ? 0.5 * sphere.part
+                                         : sphere.part;
+  return {p, p / sphere.part * sphere.stiffness};
 }
 
 MixedLaw::Phases MixedLaw::phases(const MixedCell& cell, const Material* inclusion) const {
@@ -50,22 +60,23 @@ MixedLaw::Phases MixedLaw::phases(const MixedCell& cell, const Material* inclusi
 
 MixedReturn MixedLaw::step(const MixedCell& cell, const Material* inclusion, const Tensor& stress,
                            const Tensor& eigenstrain, const MixedHistory& before) const {
+  const Kept bulk = kept(sphere_bulk_, cell.bulk), shear = kept(sphere_shear_, cell.shear);
   const double sm = mean_of(stress), em = mean_of(eigenstrain), misfit = mean_of(cell.misfit);
   const Tensor s = with_mean(stress, -sm);
-  const double tm = sm + bulk_stiffness_ * em;
-  const Tensor t = sum_of_tensors(s, shear_stiffness_, with_mean(eigenstrain, -em));
-  const double new_sm = (tm - bulk_stiffness_ * misfit) * cell.bulk /
-                        ((1 - bulk_part_) * cell.bulk + bulk_part_);
-  const double ratio = cell.shear / ((1 - shear_part_) * cell.shear + shear_part_);
+  const double tm = sm + bulk.stiffness * em;
+  const Tensor t = sum_of_tensors(s, shear.stiffness, with_mean(eigenstrain, -em));
+  const double new_sm =
+      (tm - bulk.stiffness * misfit) * cell.bulk / ((1 - bulk.part) * cell.bulk + bulk.part);
+  const double ratio = cell.shear / ((1 - shear.part) * cell.shear + shear.part);
   Tensor inelastic = with_mean(cell.misfit, -misfit);
   inelastic = sum_of_tensors(inelastic, 1.0, before.plastic);
-  const Tensor trial = times(ratio, sum_of_tensors(t, -shear_stiffness_, inelastic));
+  const Tensor trial = times(ratio, sum_of_tensors(t, -shear.stiffness, inelastic));
   MixedReturn result;
   Tensor new_s = trial;
   const Phases flowing = phases(cell, inclusion);
   if (flowing.first != nullptr && ratio > 0) {
     // Phases in parallel share the stress: that of the first one is the stress over its weight.
-    const double stiffness = shear_stiffness_ * ratio * flowing.share;
+    const double stiffness = shear.stiffness * ratio * flowing.share;
     const bool both = flowing.second != nullptr;
     const double weight = both ? 1.0 : flowing.first_weight;
     const double G = 0.5 * stiffness / weight;
@@ -73,21 +84,20 @@ MixedReturn MixedLaw::step(const MixedCell& cell, const Material* inclusion, con
     const bool of_matrix = flowing.first == &matrix_;
     const double strength = of_matrix ? before.strength : 1.0;
     const auto backstresses = of_matrix ? before.backstresses : std::span<const Tensor>{};
-    const Return r =
-        both ? radial_return(s, estimate, before.equivalent, G,
-                             {{{*flowing.first, strength * flowing.first_weight},
-                               {*flowing.second, flowing.second_weight}}})
-             : radial_return(times(1 / weight, s), estimate, before.equivalent, G, *flowing.first,
-                             backstresses, strength);
+    const Return r = both ? radial_return(s, estimate, before.equivalent, G,
+                                          {{{*flowing.first, strength * flowing.first_weight},
+                                            {*flowing.second, flowing.second_weight}}})
+                          : radial_return(times(1 / weight, s), estimate, before.equivalent, G,
+                                          *flowing.first, backstresses, strength);
     result.flow = r.increment;
     result.plastic = times(flowing.share, r.increment);
     result.equivalent = r.equivalent;
     result.excess = r.excess;
     result.overshoot = r.overshoot;
-    new_s = sum_of_tensors(trial, -shear_stiffness_ * ratio, result.plastic);
+    new_s = sum_of_tensors(trial, -shear.stiffness * ratio, result.plastic);
   }
-  result.eigenstrain = with_mean(times(1 / shear_stiffness_, sum_of_tensors(t, -1.0, new_s)),
-                                 (tm - new_sm) / bulk_stiffness_);
+  result.eigenstrain = with_mean(times(1 / shear.stiffness, sum_of_tensors(t, -1.0, new_s)),
+                                 (tm - new_sm) / bulk.stiffness);
   return result;
 }
 

@@ -245,8 +245,9 @@ Return radial_return(const Tensor& stress, const Tensor& guess, double g, const 
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
                      const Material& material, std::span<const Tensor> before, double softening) {
   const auto with = [&](const auto& law) {
-    return before.empty() ? isotropic_return(stress, guess, g, shear_modulus, law)
-                          : kinematic_return(stress, guess, g, shear_modulus, material, law, before);
+    return before.empty()
+               ? isotropic_return(stress, guess, g, shear_modulus, law)
+               : kinematic_return(stress, guess, g, shear_modulus, material, law, before);
   };
   return material.hardening.visit([&]<class Law>(const Law& law) {
     return softening == 1 ? with(law) : with(Scaled<Law>{law, softening});

@@ -53,9 +53,16 @@ class MixedLaw {
   /// yields; in series with an inclusion that does not.
   Phases phases(const MixedCell& cell, const Material* inclusion) const;
 
+  /// p of the bulk or shear part, and p times 3 K or 2 G of the matrix [Pa].
+  struct Kept {
+    double part, stiffness;
+  };
+  /// p for a ratio of moduli: for very soft cells 1, for very stiff ones half of that of a sphere,
+  /// with which the iteration was found to take the fewest steps.
+  static Kept kept(const Kept& sphere, double ratio);
+
   const Material& matrix_;
-  double bulk_part_, shear_part_;            // p of bulk and shear
-  double bulk_stiffness_, shear_stiffness_;  // 3 K p and 2 G p of the matrix [Pa]
+  Kept sphere_bulk_, sphere_shear_;
 };
 
 }  // namespace samcontact::plasticity

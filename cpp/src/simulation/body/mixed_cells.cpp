@@ -44,8 +44,7 @@ plasticity::MixedReturn MixedCells::step(std::uint32_t cell, const plasticity::T
   if (!plastic_.empty()) {
     const std::size_t cells = zones_.cells();
     const double* e = plastic_.data() + cell;
-    before.plastic = {e[0],         e[cells],     -(e[0] + e[cells]),
-                      e[2 * cells], e[3 * cells], e[4 * cells]};
+    before.plastic = {e[0], e[cells], -(e[0] + e[cells]), e[2 * cells], e[3 * cells], e[4 * cells]};
   }
   const plasticity::MixedCell& mixed = *cells_[cell];
   return law_->step(mixed, inclusions_->material(mixed), stress, eigenstrain, before);

@@ -14,6 +14,9 @@ using plasticity::MixedCell;
 /// Moduli and shares of cells on both sides of a mirror plane may differ by image_rounding errors.
 constexpr double image_rounding = 1e-10;
 
+/// Ratio of moduli beyond which the strain of inclusions converges slowly.
+constexpr double large_ratio = 20.0;
+
 bool is_image(const MixedCell* a, const MixedCell* b) {
   if (a == nullptr || b == nullptr) return a == b;
   const auto near = [](double x, double y) {
@@ -40,6 +43,12 @@ Inclusions::Inclusions(const Box& box, int k0, std::vector<std::int32_t> number,
   }
   has_misfit_ = std::any_of(cells_.begin(), cells_.end(), [](const MixedCell& cell) {
     return cell.misfit != plasticity::Tensor{};
+  });
+  const auto is_strong = [](double ratio) {
+    return ratio < 1 / large_ratio || ratio > large_ratio;
+  };
+  strong_ = std::any_of(cells_.begin(), cells_.end(), [&](const MixedCell& cell) {
+    return is_strong(cell.bulk) || is_strong(cell.shear);
   });
 }
 

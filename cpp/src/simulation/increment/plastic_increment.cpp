@@ -18,6 +18,10 @@ namespace {
 
 /// Mismatch below this fraction of its largest value so far is not resolved further.
 constexpr double negligible_mismatch = 1e-2;
+/// Finest relative tolerance of the mismatch, far below the error due to the size of cells; also if
+/// moduli differ by a large factor, where convergence is slow: the strain in a void is not unique,
+/// while its surroundings hardly change any more.
+constexpr double mismatch_tol = 1e-4, strong_mismatch_tol = 1e-3;
 
 }  // namespace
 
@@ -108,7 +112,10 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     const PlasticBody& body = bodies_[b];
-    if (body.mixed().at(cell) != nullptr) continue;
+    if (body.mixed().at(cell) != nullptr) {
+      active_.put(active_.get(guess, n), mapped, n);
+      continue;
+    }
     const auto present = active_.get(guess, n);
     const auto r = body.cells().return_map(cell, active_.stress[n], present);
     active_.put(r.increment, mapped, n);
@@ -130,7 +137,12 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
   if (count == 0) return;
   active_.mixed_steps.resize(count);
   double excess = result.excess, overshoot = result.overshoot;
-  Field squares(count);
+  // So far only the other cells have changed.
+  result.plastic_change = std::sqrt(ordered_sum(mapped.size(), [&](std::size_t i) {
+    return (mapped[i] - guess[i]) * (mapped[i] - guess[i]);
+  }));
+  Field squares(count), changes(count);
+  std::vector<plasticity::Tensor> changes_of_mixed(count);
 #pragma omp parallel for schedule(static) \
     reduction(max : excess, overshoot) if (400.0 * count > min_parallel_operations)
   for (std::ptrdiff_t m = 0; m < count; ++m) {
@@ -141,24 +153,38 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
     const auto r = body.mixed().step(cell, active_.stress[n], active_.strain(guess, n),
                                      body.cells().before(cell, place));
     plasticity::Tensor change = r.eigenstrain;
-    const plasticity::Tensor before = active_.before(n);
+    const plasticity::Tensor before = active_.before(n), present = active_.strain(guess, n);
     for (int c = 0; c < 6; ++c) {
       change[c] -= before[c];
+      const double last = r.eigenstrain[c] - present[c];
       squares[m] += r.eigenstrain[c] * r.eigenstrain[c];
+      changes[m] += last * last;
     }
-    active_.put(change, mapped, n);
+    active_.put({}, mapped, n);
+    changes_of_mixed[m] = change;
     active_.equivalent[n] = r.equivalent;
     active_.mixed_steps[m] = r;
     excess = std::max(excess, r.excess);
     overshoot = std::max(overshoot, r.overshoot);
   }
+  result.increment_norm =
+      std::sqrt(ordered_sum(mapped.size(), [&](std::size_t i) { return mapped[i] * mapped[i]; }));
+  for (std::ptrdiff_t m = 0; m < count; ++m) {
+    active_.put(changes_of_mixed[m], mapped, active_.mixed[m]);
+  }
   result.excess = excess;
   result.overshoot = overshoot;
   const double size = ordered_sum(count, [&](std::size_t m) { return squares[m]; });
+  result.mixed_change = std::sqrt(ordered_sum(count, [&](std::size_t m) { return changes[m]; }));
+  result.mismatch_tol = mismatch_tol;
+  for (const PlasticBody& body : bodies_) {
+    if (body.mixed().are_strong()) result.mismatch_tol = strong_mismatch_tol;
+  }
   const double largest = task_.from.largest_mismatch.empty() ? 0.0 : task_.from.largest_mismatch[0];
   const auto cells = static_cast<double>(count);
   largest_mismatch_ = std::max(largest, std::sqrt(size / cells));
-  result.mismatch_norm = std::max(std::sqrt(size), negligible_mismatch * largest * std::sqrt(cells));
+  result.mismatch_norm =
+      std::max(std::sqrt(size), negligible_mismatch * largest * std::sqrt(cells));
 }
 
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,

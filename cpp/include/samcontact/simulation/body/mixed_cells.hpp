@@ -25,6 +25,8 @@ class MixedCells {
              const std::shared_ptr<const PlasticState>& own);
 
   bool is_on() const { return inclusions_ != nullptr; }
+  /// Whether moduli differ from those of the matrix by a large factor, as in a void.
+  bool are_strong() const { return inclusions_ && inclusions_->are_strong(); }
   /// Whole box of the mixed cells that are solved for; empty: none.
   Box box() const;
   /// Sets the zones in which they are numbered.

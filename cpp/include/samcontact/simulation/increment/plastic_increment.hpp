@@ -40,7 +40,11 @@ class PlasticIncrement {
     /// Euclidean norm of the eigenstrain of mixed cells, or of a fraction of its largest value so
     /// far; 0 without such cells.
     double mismatch_norm = 0.0;
-    bool grown = false;  // a zone was too small: evaluate again before accepting the result
+    double mixed_change = 0.0;  // norm of its change in this evaluation
+    /// Norm of the plastic strain increment of all other cells, and of its change.
+    double increment_norm = 0.0, plastic_change = 0.0;
+    double mismatch_tol = 0.0;  // relative error of the mismatch that need not be reduced further
+    bool grown = false;         // a zone was too small: evaluate again before accepting the result
   };
 
   /// Estimate to start from; may be empty.
@@ -84,7 +88,7 @@ class PlasticIncrement {
   ActiveCells active_;
   ZoneManager zones_;
   double largest_mismatch_ = 0.0;  // see State
-  Field gap_;  // without the elastic displacement, from the last evaluation
+  Field gap_;                      // without the elastic displacement, from the last evaluation
 };
 
 }  // namespace samcontact::simulation
