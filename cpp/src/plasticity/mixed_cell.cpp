@@ -21,9 +21,6 @@ Tensor times(double factor, Tensor t) {
   return t;
 }
 
-/// Ratio of moduli beyond which another part of the eigenstrain is kept than for a sphere.
-constexpr double far_ratio = 5.0;
-
 }  // namespace
 
 /// Materials that flow, their weight in the yield stress of the cell, and the share of the cell
@@ -42,9 +39,7 @@ MixedLaw::MixedLaw(const Material& matrix) : matrix_(matrix) {
 }
 
 MixedLaw::Kept MixedLaw::kept(const Kept& sphere, double ratio) {
-  const double p = ratio < 1 / far_ratio ? 1.0
-                   : ratio > far_ratio   ? 0.5 * sphere.part
-                                         : sphere.part;
+  const double p = ratio < 1 ? 1.0 : ratio > 1 ? 0.5 * sphere.part : sphere.part;
   return {p, p / sphere.part * sphere.stiffness};
 }
 

@@ -57,8 +57,8 @@ class MixedLaw {
   struct Kept {
     double part, stiffness;
   };
-  /// p for a ratio of moduli: for very soft cells 1, for very stiff ones half of that of a sphere,
-  /// with which the iteration was found to take the fewest steps.
+  /// p for a ratio of moduli: for softer cells 1, for stiffer ones half of that of a sphere, with
+  /// which the iteration was found to take the fewest steps.
   static Kept kept(const Kept& sphere, double ratio);
 
   const Material& matrix_;
