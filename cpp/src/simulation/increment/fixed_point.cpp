@@ -29,6 +29,8 @@ constexpr double loosest = 1e-6, tightest = 1e-12;
 /// Plastic strain increments below this fraction of the strain at yield are not resolved further:
 /// the relative change refers to the larger of the two.
 constexpr double negligible = 1e-2;
+/// Error of the stress of a single mixed cell relative to that of all of them.
+constexpr double local_ratio = 10.0;
 constexpr double smallest_strain = 1e-300;
 /// If the stress is below yield by this fraction everywhere, the loosest contact tolerance suffices
 /// for an elastic increment.
@@ -91,7 +93,7 @@ class FixedPoint {
       result_.grown = problem_.zones().grow_when_settled(residual_) || result_.grown;
       const double finest = contact_tolerance(settings_.tol);
       // Cells outside a box that has grown may flow too: check them before accepting.
-      if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
+      if (!result_.grown && residual_ <= settings_.tol && yields_within_tolerance()) {
         // The required tolerance changes slightly with every iterate: twice its value is close
         // enough.
         if (contact_tol_ > 2 * finest) {
@@ -146,6 +148,11 @@ class FixedPoint {
     const double scale = std::max(increment, negligible * result_.yield_strain_norm);
     residual_ = scale > 0 ? change / scale : (change > 0 ? 1.0 : 0.0);
     if (mixed > 0) residual_ = std::max(residual_, mixed_residual());
+  }
+
+  bool yields_within_tolerance() const {
+    return result_.excess <= settings_.tol &&
+           result_.mixed_excess <= std::max(settings_.tol, local_ratio * result_.mismatch_tol);
   }
 
   /// Change of the strain of mixed cells relative to its norm, and to the finest tolerance for it.

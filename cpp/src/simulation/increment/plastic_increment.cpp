@@ -136,7 +136,7 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
   const std::ptrdiff_t count = active_.mixed.size();
   if (count == 0) return;
   active_.mixed_steps.resize(count);
-  double excess = result.excess, overshoot = result.overshoot;
+  double excess = 0.0, overshoot = result.overshoot;
   // So far only the other cells have changed.
   result.plastic_change = std::sqrt(ordered_sum(mapped.size(), [&](std::size_t i) {
     return (mapped[i] - guess[i]) * (mapped[i] - guess[i]);
@@ -172,7 +172,7 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
   for (std::ptrdiff_t m = 0; m < count; ++m) {
     active_.put(changes_of_mixed[m], mapped, active_.mixed[m]);
   }
-  result.excess = excess;
+  result.mixed_excess = excess;
   result.overshoot = overshoot;
   const double size = ordered_sum(count, [&](std::size_t m) { return squares[m]; });
   result.mixed_change = std::sqrt(ordered_sum(count, [&](std::size_t m) { return changes[m]; }));

@@ -40,6 +40,7 @@ class PlasticIncrement {
     /// Euclidean norm of the eigenstrain of mixed cells, or of a fraction of its largest value so
     /// far; 0 without such cells.
     double mismatch_norm = 0.0;
+    double mixed_excess = 0.0;    // counterpart of `excess` of mixed cells
     double mixed_change = 0.0;  // norm of its change in this evaluation
     /// Norm of the plastic strain increment of all other cells, and of its change.
     double increment_norm = 0.0, plastic_change = 0.0;
