@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,7 +78,7 @@ class InclusionCells(ShortRepr):
         differs = (self.bulk != 1.0) | (self.shear != 1.0) | self.misfit.any(axis=0)
         return np.asarray(differs)
 
-    def over_grid(self, field: FloatArray, shape: Counts, outside: float = 0.0) -> FloatArray:
+    def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
         """Return a field (n, m, l) of the box on the cells of a grid of this shape."""
         whole = np.full(shape, outside, dtype=field.dtype)
         box, grid = zip(
