@@ -102,8 +102,9 @@ def test_a_misfit_sphere_leaves_the_surface_free_and_tends_to_the_infinite_body(
     jump = as_matrix(sphere.stress(*ends[1]) - sphere.stress(*ends[0]))
     assert np.abs(np.einsum("ij...,j...->i...", jump, NORMAL)).max() < 1e-10
     deep = sc.inclusions.MisfitSphere(1.0, 0.3, 1e-3, 1.0, 1e5)
-    alone = sc.inclusions.eshelby_sphere(sc.Material.elastic(1.0, 0.3),
-                                         sc.Material.elastic(1.0, 0.3), np.zeros(6), 1e-3)  # fmt: skip
+    alone = sc.inclusions.eshelby_sphere(
+        sc.Material.elastic(1.0, 0.3), sc.Material.elastic(1.0, 0.3), np.zeros(6), 1e-3
+    )
     at = 1.5 * NORMAL
     np.testing.assert_allclose(
         deep.stress(at[0], at[1], at[2] + 1e5), alone.stress(*at), atol=1e-12
