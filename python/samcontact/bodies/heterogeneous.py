@@ -239,6 +239,15 @@ class Heterogeneous(HtmlTable):
         return self.matrix.softening
 
     @property
+    def kinematic(self) -> tuple[tuple[float, float], ...]:
+        """Backstresses of the matrix, see `Material.with_kinematic_hardening`."""
+        return self.matrix.kinematic
+
+    @property
+    def _core(self) -> Any:
+        return self.matrix._core
+
+    @property
     def is_rigid(self) -> bool:
         """Always False."""
         return False

@@ -21,6 +21,7 @@ from .._util.short_text import in_short
 from .depth_profiles import checked_depths
 from .display import material_in_short
 from .free_faces import require_endless
+from .heterogeneous import Heterogeneous
 from .material import Material
 
 
@@ -227,7 +228,12 @@ class Layered(HtmlTable):
         self.__dict__.update(state)
 
 
-Body = Material | Layered
+Body = Material | Layered | Heterogeneous
+
+
+def matrix_of(body: Body) -> Material | Layered:
+    """Return the matrix of a heterogeneous body, and any other body itself."""
+    return body.matrix if isinstance(body, Heterogeneous) else body
 
 
 def require_bodies(*bodies: Any) -> None:
@@ -235,13 +241,16 @@ def require_bodies(*bodies: Any) -> None:
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
-                f"body{n} must be a samcontact.Material or samcontact.Layered, got {in_short(body)}"
+                f"body{n} must be a samcontact.Material, samcontact.Layered or "
+                f"samcontact.Heterogeneous, got {in_short(body)}"
             )
 
 
 def require_homogeneous(reason: str, *bodies: Any) -> None:
     """Raise ValueError for layered bodies, with the reason, or free faces; else TypeError."""
     for n, body in enumerate(bodies, 1):
+        if isinstance(body, Heterogeneous):
+            raise ValueError(f"body{n} must be a Material, got a body with inclusions: {reason}")
         if isinstance(body, Layered):
             raise ValueError(
                 f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
@@ -257,6 +266,7 @@ def top_thickness(body: Body) -> float:
 
 def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
     """Return a homogeneous body as compliant as `body` under a wave of pressure [1/m]."""
+    body = matrix_of(body)
     if isinstance(body, Material):
         return body
     nu = body.layers[0][0].nu
@@ -266,6 +276,7 @@ def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
 
 def elastic(body: Body) -> Body:
     """Return an elastic body with the elastic constants of `body`."""
+    body = matrix_of(body)
     *layers, substrate = (
         material if material.is_rigid else Material.elastic(material.E, material.nu)
         for material in materials_of(body)
@@ -277,7 +288,8 @@ def elastic(body: Body) -> Body:
 
 
 def materials_of(body: Body) -> list[Material]:
-    """All materials of a body, from the surface down."""
+    """All materials of a body, from the surface down; of a heterogeneous body its matrix."""
+    body = matrix_of(body)
     if isinstance(body, Material):
         return [body]
     return [material for _, material in body._named_materials()]
@@ -285,6 +297,7 @@ def materials_of(body: Body) -> list[Material]:
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
     """Return thermal constants of all materials from the surface down; None if any has none."""
+    body = matrix_of(body)
     if isinstance(body, Material):
         return None if body.thermal is None else (body.thermal,)
     constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
@@ -293,6 +306,8 @@ def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
 
 def without_softening(body: Body) -> Body:
     """Return a copy of a body whose materials have no softening law."""
+    if isinstance(body, Heterogeneous):
+        return Heterogeneous(replace(body.matrix, softening=None), body.inclusions)
     if isinstance(body, Material):
         return replace(body, softening=None)
     *layers, substrate = (replace(material, softening=None) for material in materials_of(body))
@@ -321,6 +336,7 @@ def backstresses_of(body: Body) -> int:
 
 def softest(body: Body) -> Material:
     """Most compliant material of a body, for order-of-magnitude estimates."""
+    body = matrix_of(body)
     if isinstance(body, Material):
         return body
     return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)

@@ -69,8 +69,11 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       met_(from.met[index] ? unfolded(from.met[index], setup_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]),
       cells_(setup_.bodies[index]),
+      mixed_(setup_, index, from.placement().first[index], symmetry, from.inclusions_flow[index]),
       search_(setup_, index, heating, strength_),
       surface_(setup_, index, copies, symmetry, offset_) {
+  // Mismatch of bulk moduli has a trace.
+  if (mixed_.is_on()) tensor_ = Tensor::full;
   if (!history_) return;
   tensor_ = history_->tensor();
   strained_ = true;
@@ -103,6 +106,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
   }
   cells_.take(zones, std::move(fields.equivalent), std::move(fields.backstress), strength_);
+  mixed_.take(zones);
+  activate_mixed(active);
   split_ = split;
   const auto tables = split ? setup_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
@@ -123,6 +128,16 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
   surface_.take(std::move(outside));
+}
+
+void PlasticBody::activate_mixed(ActiveCells& active) {
+  if (!mixed_.is_on()) return;
+  for (std::size_t cell = 0; cell < zones().cells(); ++cell) {
+    const auto number = static_cast<std::uint32_t>(cell);
+    if (mixed_.at(cell) == nullptr || is_active(number)) continue;
+    active.mixed.push_back(active.size());
+    activate(number, {}, active);
+  }
 }
 
 void PlasticBody::set_strain(std::uint32_t cell, const plasticity::Tensor& strain) {
@@ -204,9 +219,9 @@ PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t 
   double highest = 0.0;
   for (std::size_t i = 0; i < plane; ++i) {
     const std::size_t cell = first + i;
-    double xx = s[0][i], yy = s[1][i];
+    double xx = s[0][i], yy = s[1][i], mean = 0.0;
     if (!deviator) {
-      const double mean = (xx + yy + s[2][i]) / 3;
+      mean = (xx + yy + s[2][i]) / 3;
       xx -= mean;
       yy -= mean;
     }
@@ -223,7 +238,8 @@ PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t 
       highest = std::max(highest, second / limit);
       if (second <= limit) continue;
     }
-    const plasticity::Tensor t{xx, yy, -(xx + yy), s[3][i], s[4][i], s[5][i]};
+    if (number < 0 || mixed_.at(cell) == nullptr) mean = 0.0;
+    const plasticity::Tensor t{xx + mean, yy + mean, mean - (xx + yy), s[3][i], s[4][i], s[5][i]};
     if (number >= 0) {
       active.stress[number] = t;
     } else {

@@ -29,6 +29,7 @@ constexpr double loosest = 1e-6, tightest = 1e-12;
 /// Plastic strain increments below this fraction of the strain at yield are not resolved further:
 /// the relative change refers to the larger of the two.
 constexpr double negligible = 1e-2;
+constexpr double smallest_strain = 1e-300;
 /// If the stress is below yield by this fraction everywhere, the loosest contact tolerance suffices
 /// for an elastic increment.
 constexpr double safe_headroom = 1e-3;
@@ -125,7 +126,9 @@ class FixedPoint {
   /// over the yield stress, which drives plastic flow: the smaller the excess, the smaller the
   /// contact tolerance must be.
   double contact_tolerance(double residual) const {
-    const double share = std::clamp(result_.overshoot, negligible, 1.0);
+    // Mismatch of elastic cells is driven by the whole stress.
+    const bool elastic = result_.mismatch_norm > 0 && result_.overshoot == 0;
+    const double share = elastic ? 1.0 : std::clamp(result_.overshoot, negligible, 1.0);
     return std::clamp(contact_tol_ratio * share * residual, tightest, loosest);
   }
 
@@ -137,8 +140,18 @@ class FixedPoint {
       for (std::size_t i = begin; i < end; ++i) f[i - begin] = mapped_[i] - x_[i];
       return ordered_dot(f.data(), f.data(), end - begin);
     }));
-    const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
-    residual_ = scale > 0 ? change_ / scale : (change_ > 0 ? 1.0 : 0.0);
+    const double mixed = result_.mixed_change;
+    const double change = mixed > 0 ? result_.plastic_change : change_;
+    const double increment = mixed > 0 ? result_.increment_norm : norm(mapped_);
+    const double scale = std::max(increment, negligible * result_.yield_strain_norm);
+    residual_ = scale > 0 ? change / scale : (change > 0 ? 1.0 : 0.0);
+    if (mixed > 0) residual_ = std::max(residual_, mixed_residual());
+  }
+
+  /// Change of the strain of mixed cells relative to its norm, and to the finest tolerance for it.
+  double mixed_residual() const {
+    return result_.mixed_change / std::max(result_.mismatch_norm, smallest_strain) *
+           (settings_.tol / std::max(settings_.tol, result_.mismatch_tol));
   }
 
   void advance() {

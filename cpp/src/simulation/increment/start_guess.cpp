@@ -49,14 +49,14 @@ Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) co
   // Motion in the same direction, with increments that may be longer or shorter.
   const double ratio = std::max(part_of_last_motion(), part_of_last_load());
   if (ratio == 0) return {};
-  Field guess;
   const std::size_t parts = active.components();
+  Field guess(active.size() * parts, 0.0);
   for (PlasticBody& body : bodies) {
     const auto& flow = task_.from.last_flow->bodies[body.index()];
     if (flow.strain.size() != parts * flow.cells.size()) return {};
     for (std::size_t n = 0; n < flow.cells.size(); ++n) {
       const std::ptrdiff_t cell = body.zones().number(flow.cells[n]);
-      if (cell < 0) continue;
+      if (cell < 0 || body.is_active(static_cast<std::uint32_t>(cell))) continue;
       body.activate(static_cast<std::uint32_t>(cell), {}, active);
       for (std::size_t c = 0; c < parts; ++c) guess.push_back(ratio * flow.strain[n * parts + c]);
     }
@@ -81,6 +81,8 @@ void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCe
     if (active.equivalent[n] == 0) continue;
     const PlasticBody& body = bodies[active.cells[n].body];
     if (stands && !body.is_split()) continue;
+    // Strain of inclusions moves with them.
+    if (body.mixed().at(active.cells[n].cell) != nullptr) continue;
     auto& kept = flow->bodies[body.index()];
     kept.cells.push_back(body.zones().cell(active.cells[n].cell));
     for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(increment[n * parts + c]);

@@ -60,7 +60,8 @@ fft::Symmetry symmetry_of_faces(const std::array<plasticity::Body, 2>& bodies) {
 Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap_, contact::FrictionLaw friction_, double image_tol,
              const TransientHeating& transient_heating_, int reach_, Reliefs reliefs_,
-             const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
+             const operators::BandSplit& split_, contact::SharedContactLaw contact_law_,
+             InclusionsPair inclusions_)
     : grid(grid_),
       bodies{body1, body2},
       media(media_of(body1, body2)),
@@ -74,18 +75,22 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       reach(reach_),
       split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
+      inclusions(std::move(inclusions_)),
       cache(grid, media, friction, contact_law, image_tol, split),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies without a contact solution.
   if (!friction.sticks()) cache.solver({});
   symmetry_ = common(symmetry_, friction.symmetry());
   symmetry_ = common(symmetry_, symmetry_of_faces(bodies));
+  for (const auto& own : inclusions) {
+    if (own) symmetry_ = common(symmetry_, own->symmetry(grid));
+  }
 }
 
 int Setup::followed() const {
   // Without plastic strain or relief all positions on a body are equivalent.
   const auto has_history = [this](int body) {
-    return bodies[body].is_plastic() || !reliefs[body].heights.empty() || friction_moves_with(body);
+    return is_strained(body) || !reliefs[body].heights.empty() || friction_moves_with(body);
   };
   return has_history(1) ? 1 : has_history(0) ? 0 : -1;
 }

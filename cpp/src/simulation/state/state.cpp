@@ -115,6 +115,10 @@ State State::moved(const Travel& to) const {
     const int by = from.first[b] - place.first[b];
     state.memory[b] = simulation::moved(memory[b], grid, by);
     if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, 0);
+    if (const auto& own = inclusions_flow[b]) {
+      const auto symmetry = common(own->symmetry(), fft::Symmetry::y);
+      state.inclusions_flow[b] = unfolded(own, grid, symmetry)->moved(by, 0);
+    }
     if (!plastic[b]) continue;
     if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
       state.plastic[1] = state.plastic[0];

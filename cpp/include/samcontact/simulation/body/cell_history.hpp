@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/plasticity/mixed_cell.hpp"
 #include "samcontact/simulation/cells/box_field.hpp"
 #include "samcontact/simulation/setup/strength.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
@@ -58,6 +58,11 @@ class CellHistory {
   /// Radial return of a cell with an estimated plastic strain increment.
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
+  /// Equivalent strain, backstresses (stored in `place`) and strength of a cell before the
+  /// increment.
+  plasticity::MixedHistory before(std::uint32_t cell, plasticity::Tensors& place) const {
+    return {{}, equivalent_[cell], backstresses(cell, place), strength_of(cell)};
+  }
   /// Updates the history of a cell for a plastic strain increment.
   void flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent);
   /// Complete history, with the strain; this object must not be used afterwards.

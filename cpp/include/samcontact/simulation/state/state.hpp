@@ -68,6 +68,11 @@ class State {
   // Mirror planes of all tangential motion so far.
   fft::Symmetry shear_symmetry = fft::Symmetry::xy;
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
+  /// Plastic strain of cells that inclusions fill, completely or partly, where `plastic` has the
+  /// whole eigenstrain; null: none.
+  std::array<std::shared_ptr<const PlasticState>, 2> inclusions_flow;
+  /// Largest root mean square so far of the eigenstrain of these cells [-]; empty: none.
+  Field largest_mismatch;
   Eigenstrains eigenstrain;  // prescribed, at its present position
   TractionMemories memory;   // of viscoelastic bodies; null: no step yet
   operators::ResidualMethod method{};

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cells of heterogeneous bodies for the core."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .._util.checks import BoolArray
+from ..bodies.heterogeneous import Heterogeneous
+from ..bodies.inclusion_cells import InclusionCells
+from ..bodies.layered import Body
+from ..bodies.material import Material
+from .grid import Grid
+
+
+def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
+    """Return the cells that differ from the matrix of a body, and the materials of its inclusions.
+
+    The result is a tuple of the first cell of a box, the index of each of its cells among the mixed
+    cells [k][i][j] (-1 in the matrix), the constants of these cells by row, and the materials of
+    the core; None for a body without such cells. Raises ValueError for materials of inclusions that
+    are not supported.
+    """
+    if not isinstance(body, Heterogeneous):
+        return None
+    _require_supported(number, body)
+    cells = body.cells_on(grid)
+    differs = _differs(cells, body.matrix)
+    if not differs.any():
+        return None
+    materials = [material for material in cells.laws if material is not None]
+    of_law = np.array([-1 if m is None else materials.index(m) for m in cells.laws])
+    in_core = np.ascontiguousarray(differs.transpose(2, 0, 1))
+    index = np.full(in_core.shape, -1, dtype=np.int32)
+    index[in_core] = np.arange(np.count_nonzero(in_core), dtype=np.int32)
+    fields = [cells.bulk, cells.shear, cells.share, *cells.misfit, of_law[cells.law]]
+    rows = np.stack([field.transpose(2, 0, 1)[in_core] for field in fields], axis=1)
+    cores = [material._core for material in materials]
+    return cells.first, index, np.ascontiguousarray(rows, dtype=float), cores
+
+
+def _differs(cells: InclusionCells, matrix: Material) -> BoolArray:
+    """Whether a cell differs from the matrix in its moduli, misfit strain or yield law."""
+    own_law = np.array([material is None or not _flows_like(material, matrix) for material in
+                        cells.laws])  # fmt: skip
+    filled = cells.share > 0.0
+    return np.asarray(filled & (cells.is_deformed | own_law[cells.law]))
+
+
+def _flows_like(material: Material, matrix: Material) -> bool:
+    """Whether both materials have the same yield law."""
+    return (material.law, dict(material.parameters)) == (matrix.law, dict(matrix.parameters))
+
+
+def _require_supported(number: int, body: Heterogeneous) -> None:
+    """Raise ValueError for properties of matrix or inclusions that are not supported."""
+    yields = any(m is not None and m.is_plastic for m in body.phases)
+    if body.matrix.kinematic and yields:
+        raise ValueError(
+            f"body{number}.matrix must not have kinematic hardening if an inclusion can yield, got "
+            f"{body.matrix!r}: use elastic inclusions, or a matrix without kinematic hardening"
+        )
+    for n, material in enumerate(body.phases):
+        if material is None:
+            continue
+        for what, given in (
+            ("kinematic hardening", bool(material.kinematic)),
+            ("a yield profile", material.yield_profile is not None),
+            ("residual stress", material.residual_stress is not None),
+            ("thermal softening", material.softening is not None),
+            ("relaxation", material.relaxation_terms is not None),
+            ("free faces", material.free_faces is not None),
+        ):
+            if given:
+                raise ValueError(
+                    f"the material of body{number}.inclusions[{n}] must not have {what}, which is "
+                    f"supported for the matrix only, got {material!r}"
+                )
