@@ -143,7 +143,7 @@ def statistics(
         )
     values = {name: field.values for name, field in fields.items()}
     strain = _plastic_magnitude(of)
-    if strain.any():
+    if strain[around.is_matrix].any():
         values["plastic_strain"] = strain
     return MatrixStatistics(
         FrozenDict({n: _peak(v, is_near, axes, around, described) for n, v in values.items()}),
