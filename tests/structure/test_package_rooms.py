@@ -24,7 +24,7 @@ FLOORS = [
     {"measured", "solutions", "dents", "operators"},
     {"diagnostics"},
     {"contact", "fatigue"},
-    {"simulation", "rolling", "sliding"},
+    {"inclusions", "simulation", "rolling", "sliding"},
     {"shakedown", "wear", "energy"},
     {"asperities", "overrolling"},
     {"cases"},

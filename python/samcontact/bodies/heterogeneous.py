@@ -15,11 +15,20 @@ from .._util import memory
 from .._util.checks import FloatArray, require_list, require_type
 from .._util.display import HtmlTable, Rows
 from .display import material_in_short
-from .inclusion import Inclusion
-from .inclusion_cells import InclusionCells, VolumeGrid, blocks_on, box_of, require_volume
+from .inclusion import NO_MISFIT, Inclusion, checked_phase
+from .inclusion_cells import (
+    InclusionCells,
+    VolumeGrid,
+    blocks_on,
+    box_of,
+    require_volume,
+    voxels_on,
+)
 from .inclusion_resolution import cells_per_radius, check_resolution
 from .material import Material
+from .microstructure import checked_box, checked_microstructure, checked_seed
 from .phase_mixing import Mixture, relative_phase
+from .voxels import VoxelBlock
 
 _BYTES_PER_CELL = 400.0  # of the box of all inclusions, while its cells are mixed
 
@@ -47,11 +56,13 @@ class Heterogeneous(HtmlTable):
     inclusions : sequence of Inclusion
         Inclusions and voids, in the frame of the grid. Where two of them overlap, the later one
         replaces the earlier one.
+    measured : VoxelBlock, optional
+        Measured microstructure, see `voxels`; inclusions replace its voxels.
 
     Raises
     ------
     ValueError
-        There is no inclusion, or the matrix is rigid or has free faces.
+        There is neither an inclusion nor a voxel, or the matrix is rigid or has free faces.
     TypeError
         An argument is not a material or not a list of inclusions.
 
@@ -66,19 +77,141 @@ class Heterogeneous(HtmlTable):
 
     matrix: Material
     inclusions: tuple[Inclusion, ...]
+    measured: VoxelBlock | None
     law: ClassVar[str] = "heterogeneous"
 
-    def __init__(self, matrix: Material, inclusions: Sequence[Inclusion]) -> None:
+    def __init__(
+        self,
+        matrix: Material,
+        inclusions: Sequence[Inclusion] = (),
+        measured: VoxelBlock | None = None,
+    ) -> None:
         object.__setattr__(self, "matrix", _checked_matrix(matrix))
         if isinstance(inclusions, Inclusion):
             inclusions = [inclusions]
         require_list("inclusions", inclusions, Inclusion)
         object.__setattr__(self, "inclusions", tuple(inclusions))
-        if not self.inclusions:
+        if measured is not None:
+            require_type("measured", measured, VoxelBlock)
+        object.__setattr__(self, "measured", measured)
+        if not self.inclusions and measured is None:
             raise ValueError(
                 "inclusions must contain at least one Inclusion, got none: for a homogeneous body "
                 "use its Material"
             )
+
+    @classmethod
+    def random(
+        cls,
+        matrix: Material,
+        material: Material | None,
+        fraction: float,
+        radius: float | tuple[float, float],
+        box: ArrayLike,
+        seed: int,
+        gap: float = 0.1,
+        cover: float = 0.0,
+        *,
+        misfit: ArrayLike = 0.0,
+        radius_limits: tuple[float, float] | None = None,
+        cluster: tuple[float, float] | None = None,
+    ) -> Heterogeneous:
+        """Matrix with spheres at random places, which do not overlap.
+
+        The number of spheres is a Poisson number, their radii are lognormal, and they are placed
+        by random sequential addition, the largest first. Equal arguments give equal bodies. Choose
+        the box larger than the region of interest by the largest radius: near its sides, parts of
+        spheres whose centres are outside are missing.
+
+        Parameters
+        ----------
+        matrix : Material
+            Material of the body outside of the spheres.
+        material : Material or None
+            Material of the spheres; None for voids.
+        fraction : float
+            Expected volume fraction, > 0 and at most 0.3. `volume_in` gives the volume drawn.
+        radius : float or pair of float
+            Median radius [m], and standard deviation of ln(radius) [-]. Default of the latter: 0.
+        box : array_like, shape (3, 2)
+            Ends of the box of the centres along x, y and z [m].
+        seed : int
+            Seed of the random numbers, >= 0.
+        gap : float, optional
+            Minimum distance of two surfaces, relative to the mean radius of both. Default: 0.1.
+        cover : float, optional
+            Minimum thickness of the matrix above a sphere [m]. Default: 0.
+        misfit : float or array_like, optional
+            Misfit strain of the spheres, see `Inclusion.sphere`. Default: 0.
+        radius_limits : pair of float, optional
+            Limits of the radii [m], to which smaller and larger radii are set.
+        cluster : pair of float, optional
+            Clusters: mean number of spheres of a cluster, and standard deviation of their distances
+            from its centre along each axis [m]. Default: no clusters.
+
+        Returns
+        -------
+        Heterogeneous
+
+        Raises
+        ------
+        ValueError
+            A value is outside its range, no sphere is drawn, or a sphere finds no place.
+        TypeError
+            An argument is not a number or not a material.
+        """
+        checked_phase("material", material)
+        description = checked_microstructure(
+            fraction, radius, box, gap, cover, radius_limits, cluster
+        )
+        spheres = description.drawn(checked_seed(seed))
+        return cls(
+            matrix,
+            [Inclusion(place[:3], (place[3],) * 3, None, material, misfit) for place in spheres],
+        )
+
+    @classmethod
+    def voxels(
+        cls,
+        matrix: Material,
+        materials: Material | Sequence[Material | None],
+        labels: ArrayLike,
+        dx: float | tuple[float, float, float],
+        origin: ArrayLike,
+    ) -> Heterogeneous:
+        """Matrix with a measured microstructure, e.g. from tomography or EBSD.
+
+        The shares of the cells follow exactly from the overlaps of cells and voxels, which may
+        have any sizes.
+
+        Parameters
+        ----------
+        matrix : Material
+            Material of the voxels with label 0, and outside of the voxels.
+        materials : sequence of Material or None
+            Materials of the voxels with labels 1, 2, ...; None for voids.
+        labels : array_like of int or float, shape (n, m, l)
+            Label of each voxel along x, y and z; with one material also its share of each voxel, a
+            floating-point number from 0 to 1.
+        dx : float or tuple of float
+            Edge length of a voxel [m], or its lengths along x, y and z.
+        origin : array_like, shape (3,)
+            Coordinates x, y and z [m] of the corner of the first voxel that is outermost, in the
+            frame of the grid. The part of the block above the surface is cut off.
+
+        Returns
+        -------
+        Heterogeneous
+
+        Raises
+        ------
+        ValueError
+            A label has no material, no voxel has an inclusion, there are voids at the surface, or a
+            value is outside its range.
+        TypeError
+            An argument is not a material or not an array of numbers.
+        """
+        return cls(matrix, (), VoxelBlock(materials, labels, dx, origin))
 
     @property
     def E(self) -> float:
@@ -121,8 +254,9 @@ class Heterogeneous(HtmlTable):
 
     @property
     def phases(self) -> tuple[Material | None, ...]:
-        """Material of each inclusion; None for a void."""
-        return tuple(inclusion.material for inclusion in self.inclusions)
+        """Material of each inclusion, then of each label of voxels; None for a void."""
+        of_voxels = () if self.measured is None else self.measured.materials
+        return (*(inclusion.material for inclusion in self.inclusions), *of_voxels)
 
     @property
     def is_plastic(self) -> bool:
@@ -165,13 +299,17 @@ class Heterogeneous(HtmlTable):
         """
         require_volume(grid)
         check_resolution(grid, self.inclusions)
-        box = box_of(grid, self.inclusions)
+        box = box_of(grid, self.inclusions, self.measured)
         memory.require(
             f"a box of {' x '.join(map(str, box.shape))} cells around the inclusions",
             _BYTES_PER_CELL * math.prod(box.shape),
             "use larger cells or fewer inclusions",
         )
         mixture = Mixture(box.shape)
+        if self.measured is not None:
+            for number, where, share in voxels_on(grid, box, self.measured):
+                phase = relative_phase(self.matrix, self.measured.materials[number], NO_MISFIT)
+                mixture.add(len(self.inclusions) + number, where, share, phase)
         for number, where, share in blocks_on(grid, box, self.inclusions):
             inclusion = self.inclusions[number]
             phase = relative_phase(self.matrix, inclusion.material, inclusion.misfit)
@@ -201,17 +339,35 @@ class Heterogeneous(HtmlTable):
         return cells.over_grid(cells.share, (grid.nx, grid.ny, layers))
 
     def cells_per_radius(self, grid: VolumeGrid) -> float:
-        """Smallest radius of all inclusions, in the largest edge length of a cell."""
+        """Smallest radius of all inclusions in the largest edge of a cell; inf without any."""
         require_volume(grid)
         return cells_per_radius(grid, self.inclusions)
 
+    def volume_in(self, box: ArrayLike) -> float:
+        """Volume of all inclusions with their centres in a box, without voxels [m^3].
+
+        box: ends along x, y and z [m], shape (3, 2). Raises ValueError for ends that do not
+        increase.
+        """
+        low, high = checked_box("box", box).T
+        inside = (
+            one.volume
+            for one in self.inclusions
+            if (low <= one.center).all() and (one.center <= high).all()
+        )
+        return math.fsum(inside)
+
     def _rows(self) -> Rows:
         shown = [("law", self.law), ("matrix", material_in_short(self.matrix))]
-        shown.append(("inclusions", str(len(self.inclusions))))
+        if self.inclusions:
+            shown.append(("inclusions", str(len(self.inclusions))))
+        if self.measured is not None:
+            shown.append(("voxels", self.measured.in_short()))
         return shown
 
     def __repr__(self) -> str:
-        return f"Heterogeneous({self.matrix!r}, {list(self.inclusions)!r})"
+        voxels = "" if self.measured is None else f", {self.measured!r}"
+        return f"Heterogeneous({self.matrix!r}, {list(self.inclusions)!r}{voxels})"
 
 
 def _cells(

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from .inclusion import Inclusion
 from .inclusion_resolution import CellSizes
 from .material import Material
 from .phase_mixing import Index
+from .voxels import VoxelBlock
 
 Counts = tuple[int, int, int]
 
@@ -77,7 +78,7 @@ class InclusionCells(ShortRepr):
         differs = (self.bulk != 1.0) | (self.shear != 1.0) | self.misfit.any(axis=0)
         return np.asarray(differs)
 
-    def over_grid(self, field: FloatArray, shape: Counts, outside: float = 0.0) -> FloatArray:
+    def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
         """Return a field (n, m, l) of the box on the cells of a grid of this shape."""
         whole = np.full(shape, outside, dtype=field.dtype)
         box, grid = zip(
@@ -120,22 +121,34 @@ def _axes(grid: VolumeGrid) -> list[tuple[float, float, int, bool]]:
     ]
 
 
+def _edges(grid: VolumeGrid) -> list[tuple[float, float]]:
+    """Lower edge of the grid and length of a cell along each axis [m]."""
+    return [(low, step) for low, step, _, _ in _axes(grid)]
+
+
 def _cells_of(grid: VolumeGrid, inclusion: Inclusion) -> list[tuple[int, int]]:
     """First cell of an inclusion and the cell after its last one, along x, y and z."""
     ends = []
-    for (low, step, _, _), c, half in zip(
-        _axes(grid), inclusion.center, inclusion.extent, strict=True
-    ):
+    for (low, step), c, half in zip(_edges(grid), inclusion.center, inclusion.extent, strict=True):
         first, last = ((c + side * half - low) / step for side in (-1, 1))
         ends.append((int(np.floor(first + 1e-9)), int(np.ceil(last - 1e-9))))
     ends[2] = (max(ends[2][0], 0), ends[2][1])
     return ends
 
 
-def box_of(grid: VolumeGrid, inclusions: Sequence[Inclusion]) -> Box:
+def box_of(
+    grid: VolumeGrid, inclusions: Sequence[Inclusion], measured: VoxelBlock | None = None
+) -> Box:
     """Smallest box that contains all inclusions; the whole period along a periodic axis."""
-    ends = np.array([_cells_of(grid, inclusion) for inclusion in inclusions])
-    _check_place(grid, inclusions, ends)
+    cells = [_cells_of(grid, inclusion) for inclusion in inclusions]
+    names = [f"inclusions[{n}]" for n in range(len(inclusions))]
+    if measured is not None:
+        cells.append(measured.ends(_edges(grid)))
+        names.append("the block of voxels")
+    ends = np.array(cells)
+    _check_place(grid, names, ends)
+    if measured is not None:
+        _require_in_period(grid, ends[-1])
     low, high = ends[:, :, 0].min(axis=0), ends[:, :, 1].max(axis=0)
     for axis, (_, _, count, wraps) in enumerate(_axes(grid)):
         if wraps and (low[axis] < 0 or high[axis] > count):
@@ -145,32 +158,54 @@ def box_of(grid: VolumeGrid, inclusions: Sequence[Inclusion]) -> Box:
     return Box((i, j, k), (n, m, layers))
 
 
-def _check_place(grid: VolumeGrid, inclusions: Sequence[Inclusion], ends: NDArray[np.intp]) -> None:
+def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp]) -> None:
     """Refuse inclusions below the grid, outside of it, and wider than its period."""
     bottom = int(ends[:, 2, 1].argmax())
     if grid.nz and ends[bottom, 2, 1] > grid.nz:
-        depth = inclusions[bottom].center[2] + inclusions[bottom].extent[2]
         raise ValueError(
-            f"nz must be at least {ends[bottom, 2, 1]} layers of the grid, got {grid.nz}: "
-            f"inclusions[{bottom}] reaches a depth of {quantity(depth, 'm')}; without nz, the "
-            "grid has as many layers as necessary"
+            f"nz must be at least {ends[bottom, 2, 1]}, the layers down to the lower end of "
+            f"{names[bottom]}, got {grid.nz}; without nz, the grid has as many layers as necessary"
         )
-    outside = np.zeros(len(inclusions), dtype=bool)
-    for axis, (name, (_, step, count, wraps)) in enumerate(zip("xy", _axes(grid)[:2], strict=True)):
+    outside = np.zeros(len(names), dtype=bool)
+    for axis, (name, (low, step, count, wraps)) in enumerate(
+        zip("xy", _axes(grid)[:2], strict=True)
+    ):
         wide = np.ptp(ends[:, axis], axis=1)
         if wraps and wide.max() > count:
             raise ValueError(
-                f"inclusions[{wide.argmax()}] must be narrower than the period of the grid along "
+                f"{names[int(wide.argmax())]} must be narrower than the period of the grid along "
                 f"{name}, {quantity(step * count, 'm')}, got {wide.max()} cells of {count}"
             )
         if not wraps:
-            outside |= (ends[:, axis, 1] <= 0) | (ends[:, axis, 0] >= count)
+            beyond = (ends[:, axis, 1] <= 0) | (ends[:, axis, 0] >= count)
+            outside |= beyond
+            if beyond.all():
+                at = low + step * float(ends[0, axis].mean())
+                raise ValueError(
+                    f"inclusions must lie in the grid, within {name} = ±"
+                    f"{quantity(-low, 'm')}, got none inside; {names[0]} is at {name} = {at:.6g} m"
+                )
     if outside.all():
-        raise ValueError(
-            f"inclusions must lie in the grid, {quantity(grid.nx * grid.dx, 'm')} x "
-            f"{quantity(grid.ny * grid.dy, 'm')} about x = y = 0, got none inside; the first is at "
-            f"x = {inclusions[0].center[0]!r} m, y = {inclusions[0].center[1]!r} m"
-        )
+        raise ValueError("inclusions must lie in the grid, got none inside")
+
+
+def _require_in_period(grid: VolumeGrid, ends: NDArray[np.intp]) -> None:
+    """Refuse voxels that cross the side of a period."""
+    for axis, (_, _, count, wraps) in enumerate(_axes(grid)):
+        if wraps and (ends[axis, 0] < 0 or ends[axis, 1] > count):
+            raise ValueError(
+                f"voxels must lie within the period of the grid along {'xyz'[axis]}, got cells "
+                f"{ends[axis, 0]} to {ends[axis, 1] - 1} of {count}"
+            )
+
+
+def voxels_on(
+    grid: VolumeGrid, box: Box, measured: VoxelBlock
+) -> Iterator[tuple[int, Index, FloatArray]]:
+    """Iterate over the materials of voxels: number, cells in the box, and their shares."""
+    for number, ends, share in measured.shares_on(_edges(grid)):
+        inside = (np.arange(*pair) - first for pair, first in zip(ends, box.first, strict=True))
+        yield number, np.ix_(*inside), share
 
 
 def blocks_on(

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Sequence
 from typing import Protocol
@@ -35,7 +36,8 @@ def largest_edge(grid: CellSizes) -> float:
 
 def cells_per_radius(grid: CellSizes, inclusions: Sequence[Inclusion]) -> float:
     """Smallest radius of all inclusions, in the largest edge length of a cell."""
-    return min(min(inclusion.radii) for inclusion in inclusions) / largest_edge(grid)
+    radii = (min(inclusion.radii) for inclusion in inclusions)
+    return min(radii, default=math.inf) / largest_edge(grid)
 
 
 def check_resolution(grid: CellSizes, inclusions: Sequence[Inclusion]) -> None:
