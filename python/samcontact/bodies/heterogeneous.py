@@ -30,6 +30,7 @@ from .microstructure import checked_box, checked_microstructure, checked_seed
 from .phase_mixing import Mixture, relative_phase
 from .voxels import VoxelBlock
 
+_MAX_SHOWN = 4  # inclusions in a repr
 _BYTES_PER_CELL = 400.0  # of the box of all inclusions, while its cells are mixed
 
 
@@ -160,15 +161,13 @@ class Heterogeneous(HtmlTable):
         TypeError
             An argument is not a number or not a material.
         """
-        checked_phase("material", material)
-        description = checked_microstructure(
-            fraction, radius, box, gap, cover, radius_limits, cluster
-        )
-        spheres = description.drawn(checked_seed(seed))
         return cls(
             matrix,
-            [Inclusion(place[:3], (place[3],) * 3, None, material, misfit) for place in spheres],
-        )
+            random_inclusions(
+                material, fraction, radius, box, seed, gap, cover,
+                misfit=misfit, radius_limits=radius_limits, cluster=cluster,
+            ),
+        )  # fmt: skip
 
     @classmethod
     def voxels(
@@ -367,7 +366,29 @@ class Heterogeneous(HtmlTable):
 
     def __repr__(self) -> str:
         voxels = "" if self.measured is None else f", {self.measured!r}"
-        return f"Heterogeneous({self.matrix!r}, {list(self.inclusions)!r}{voxels})"
+        few = len(self.inclusions) <= _MAX_SHOWN
+        shown = repr(list(self.inclusions)) if few else f"<{len(self.inclusions)} inclusions>"
+        return f"Heterogeneous({self.matrix!r}, {shown}{voxels})"
+
+
+def random_inclusions(
+    material: Material | None,
+    fraction: float,
+    radius: float | Sequence[float],
+    box: ArrayLike,
+    seed: int,
+    gap: float,
+    cover: float,
+    *,
+    misfit: ArrayLike,
+    radius_limits: Sequence[float] | None,
+    cluster: Sequence[float] | None,
+) -> list[Inclusion]:
+    """Draw random spherical inclusions, see `Heterogeneous.random`."""
+    checked_phase("material", material)
+    description = checked_microstructure(fraction, radius, box, gap, cover, radius_limits, cluster)
+    spheres = description.drawn(checked_seed(seed))
+    return [Inclusion(place[:3], (place[3],) * 3, None, material, misfit) for place in spheres]
 
 
 def _cells(

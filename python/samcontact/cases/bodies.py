@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from ..bodies.hardening_laws import LAWS
 from .base import Positive, in_unit
+from .inclusions import Inclusions, RandomInclusions
 from .solids import ElasticSolid, FreeFaces, PlasticSolid, RelaxationSection, Solid, models
 
 if TYPE_CHECKING:
@@ -52,6 +53,14 @@ class _Body(Solid):
         Annotated[list[LayerSection], Field(min_length=1), BeforeValidator(_layer_law)] | None
     ) = None
 
+    inclusions: Inclusions | None = None
+    random_inclusions: RandomInclusions | None = None
+
+    @property
+    def has_inclusions(self) -> bool:
+        """Whether the body is heterogeneous."""
+        return self.inclusions is not None or self.random_inclusions is not None
+
     @property
     def parts(self) -> list[Solid]:
         """Layers from the surface down, and the substrate."""
@@ -59,8 +68,10 @@ class _Body(Solid):
 
     @property
     def inelastic_laws(self) -> list[str]:
-        """Hardening laws of all elastic-plastic materials of the body: layers and substrate."""
-        return [part.law for part in self.parts if LAWS[part.law].yields]
+        """Hardening laws of all elastic-plastic materials of the body, inclusions last."""
+        inner = [*(self.inclusions or []), *filter(None, [self.random_inclusions])]
+        laws = [part.law for part in self.parts if LAWS[part.law].yields]
+        return laws + [part.law for part in inner if part.yields]
 
     @property
     def is_plastic(self) -> bool:
@@ -87,11 +98,19 @@ class _Body(Solid):
         return self.law == "rigid" and not self.coating
 
     def build(self) -> Body:
-        """Create the `Material`, or a `Layered` body if there are layers."""
+        """Create the `Material`, a `Layered` body or a `Heterogeneous` one."""
+        from ..bodies.heterogeneous import Heterogeneous
         from ..bodies.layered import Layered
 
         layers = tuple((part.solid, part.thickness) for part in self.coating)
-        return Layered(layers, self.solid) if layers else self.solid
+        if not self.has_inclusions:
+            return Layered(layers, self.solid) if layers else self.solid
+        if layers:
+            raise ValueError("inclusions cannot be combined with layers: omit one of them")
+        inclusions = [one.build() for one in self.inclusions or []]
+        if self.random_inclusions is not None:
+            inclusions += self.random_inclusions.build()
+        return Heterogeneous(self.solid, inclusions)
 
 
 class _ElasticBody(ElasticSolid, _Body):

@@ -223,7 +223,9 @@ def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
     return known | given
 
 
-class ElasticSolid(Solid):
+class LibrarySolid(Solid):
+    """Material whose constants may come from the library."""
+
     material: str | None = None
 
     @model_validator(mode="wrap")
@@ -238,6 +240,8 @@ class ElasticSolid(Solid):
         made.model_fields_set.intersection_update(given)
         return made
 
+
+class ElasticSolid(LibrarySolid):
     hardness: HardnessSection | None = None
     residual_stress: InitialStress | None = None
     thermal: ThermalConstants | None = None
@@ -280,11 +284,14 @@ def _model(name: str, law: Law, part: str, namespace: dict[str, Any], *bases: ty
     return made
 
 
-def models(part: str, namespace: dict[str, Any], *bases: type[Solid]) -> Any:
+def models(
+    part: str, namespace: dict[str, Any], *bases: type[Solid], others: tuple[Any, ...] = ()
+) -> Any:
     """Union of the sections of all laws, e.g. `SwiftBody` for part = "Body".
 
-    namespace: globals of the module of the sections. bases: as of `_model`.
+    namespace: globals of the module of the sections. bases: as of `_model`. others: sections of
+    further laws.
     """
     laws = {name: law for name, law in LAWS.items() if law.constants or part == "Body"}
     made = tuple(_model(name, law, part, namespace, *bases) for name, law in laws.items())
-    return Annotated[reduce(or_, made), Field(discriminator="law")]
+    return Annotated[reduce(or_, (*made, *others)), Field(discriminator="law")]
