@@ -87,7 +87,8 @@ MixedReturn MixedLaw::step(const MixedCell& cell, const Material* inclusion, con
     result.flow = r.increment;
     result.plastic = times(flowing.share, r.increment);
     result.equivalent = r.equivalent;
-    result.excess = r.excess;
+    // Relative to the yield stress of the whole phase: a nearly empty cell has hardly any strength.
+    result.excess = weight * r.excess;
     result.overshoot = r.overshoot;
     new_s = sum_of_tensors(trial, -shear.stiffness * ratio, result.plastic);
   }

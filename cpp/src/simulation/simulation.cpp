@@ -182,12 +182,17 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
     if (setup_->inclusions[b]) require_possible(*setup_, b, settings_);
   }
   scans({});
-  solve_misfit();
+  solve_start();
 }
 
-void Simulation::solve_misfit() {
-  const auto& [upper, lower] = setup_->inclusions;
-  if (!(upper && upper->has_misfit()) && !(lower && lower->has_misfit())) return;
+void Simulation::solve_start() {
+  bool strained = false;
+  for (int b = 0; b < 2; ++b) {
+    const auto& inclusions = setup_->inclusions[b];
+    if (!inclusions) continue;
+    strained |= inclusions->has_misfit() || setup_->bodies[b].has_initial_stress();
+  }
+  if (!strained) return;
   Target none;
   none.tractions.pressure.assign(setup_->grid.surface_size(), 0.0);
   const State start = end_state(none);

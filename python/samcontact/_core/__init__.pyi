@@ -362,6 +362,7 @@ class State:
     def deviator_in_own_box(
         self, body: int, loaded: bool
     ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def disturbance(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def eigenstrain(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def eigenstrain_in(
         self, body: int, box: typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
@@ -460,9 +461,15 @@ class State:
     @property
     def history2(self) -> dict[str, typing.Any] | None: ...
     @property
+    def inclusions_flow1(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def inclusions_flow2(self) -> dict[str, typing.Any] | None: ...
+    @property
     def iterations(self) -> int: ...
     @property
     def joint_steps(self) -> int: ...
+    @property
+    def largest_mismatch(self) -> numpy.typing.NDArray[numpy.float64] | None: ...
     @property
     def last_flow(self) -> dict[str, typing.Any] | None: ...
     @property
@@ -574,6 +581,18 @@ class Simulation:
             "FixedSize(2)",
         ],
         contact_law: ContactLaw,
+        inclusions: typing.Annotated[
+            collections.abc.Sequence[
+                tuple[
+                    typing.Annotated[collections.abc.Sequence[int], "FixedSize(3)"],
+                    numpy.typing.NDArray[numpy.int32],
+                    numpy.typing.NDArray[numpy.float64],
+                    collections.abc.Sequence[Material],
+                ]
+                | None
+            ],
+            "FixedSize(2)",
+        ],
     ) -> None: ...
     def add_eigenstrain(
         self,

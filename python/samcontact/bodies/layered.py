@@ -236,13 +236,21 @@ def matrix_of(body: Body) -> Material | Layered:
     return body.matrix if isinstance(body, Heterogeneous) else body
 
 
-def require_bodies(*bodies: Any) -> None:
-    """Raise TypeError for an object that is neither Material nor Layered."""
+def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
+    """Raise TypeError for an object that is no body.
+
+    inclusions: whether heterogeneous bodies are supported; otherwise they raise ValueError.
+    """
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
                 f"body{n} must be a samcontact.Material, samcontact.Layered or "
                 f"samcontact.Heterogeneous, got {in_short(body)}"
+            )
+        if isinstance(body, Heterogeneous) and not inclusions:
+            raise ValueError(
+                f"body{n} must be a Material or Layered, got a body with inclusions, which only "
+                "Simulation supports: use its matrix, or a Simulation"
             )
 
 

@@ -89,7 +89,7 @@ class Adhesion(ContactLaw):
         Raises TypeError if an argument is not a grid or a body.
         """
         require_type("grid", grid, Grid)
-        require_bodies(body1, body2)
+        require_bodies(body1, body2, inclusions=True)
         cores = body1._core, body2._core
         influence = _core.self_influence(grid._core, *cores)
         alone = Grid(1, 1, grid.dx, grid.dy)

@@ -56,6 +56,11 @@ def _flows_like(material: Material, matrix: Material) -> bool:
 
 def _require_supported(number: int, body: Heterogeneous) -> None:
     """Raise ValueError for properties of matrix or inclusions that are not supported."""
+    if body.matrix.relaxation_terms is not None:
+        raise ValueError(
+            f"body{number}.matrix must not relax, got {body.matrix!r}: inclusions in viscoelastic "
+            "bodies are not supported"
+        )
     yields = any(m is not None and m.is_plastic for m in body.phases)
     if body.matrix.kinematic and yields:
         raise ValueError(
@@ -65,16 +70,8 @@ def _require_supported(number: int, body: Heterogeneous) -> None:
     for n, material in enumerate(body.phases):
         if material is None:
             continue
-        for what, given in (
-            ("kinematic hardening", bool(material.kinematic)),
-            ("a yield profile", material.yield_profile is not None),
-            ("residual stress", material.residual_stress is not None),
-            ("thermal softening", material.softening is not None),
-            ("relaxation", material.relaxation_terms is not None),
-            ("free faces", material.free_faces is not None),
-        ):
-            if given:
-                raise ValueError(
-                    f"the material of body{number}.inclusions[{n}] must not have {what}, which is "
-                    f"supported for the matrix only, got {material!r}"
-                )
+        if material.kinematic:
+            raise ValueError(
+                f"the material of body{number}.phases[{n}] must not have kinematic hardening, "
+                f"which is supported for the matrix only, got {material!r}"
+            )

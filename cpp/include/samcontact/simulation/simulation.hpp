@@ -54,8 +54,8 @@ class Simulation {
 
  private:
   void check(const Target& target) const;
-  /// Strain of bodies with misfit inclusions before any load.
-  void solve_misfit();
+  /// Strain before any load of bodies with inclusions, due to their misfit and to initial stress.
+  void solve_start();
   /// Yield scans of both bodies with the heating of a target.
   const Scans& scans(const operators::HeatingPair& heating);
   /// State at the end of an increment to a target.

@@ -18,10 +18,10 @@ namespace {
 
 /// Mismatch below this fraction of its largest value so far is not resolved further.
 constexpr double negligible_mismatch = 1e-2;
-/// Finest relative tolerance of the mismatch, far below the error due to the size of cells; also if
+/// Finest relative tolerance with inclusions, far below the error due to the size of cells; also if
 /// moduli differ by a large factor, where convergence is slow: the strain in a void is not unique,
 /// while its surroundings hardly change any more.
-constexpr double mismatch_tol = 1e-4, strong_mismatch_tol = 1e-3;
+constexpr double moderate_tol = 1e-4, strong_tol = 1e-3;
 
 }  // namespace
 
@@ -60,6 +60,15 @@ Field PlasticIncrement::first_guess() {
   Field guess = guess_.find(bodies_, active_);
   guess.resize(active_.size() * active_.components(), 0.0);
   return guess;
+}
+
+double PlasticIncrement::mismatch_tol() const {
+  double tol = 0.0;
+  for (const PlasticBody& body : bodies_) {
+    const MixedCells& mixed = body.mixed();
+    if (mixed.is_on()) tol = std::max(tol, mixed.are_strong() ? strong_tol : moderate_tol);
+  }
+  return tol;
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -136,7 +145,7 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
   const std::ptrdiff_t count = active_.mixed.size();
   if (count == 0) return;
   active_.mixed_steps.resize(count);
-  double excess = result.excess, overshoot = result.overshoot;
+  double excess = 0.0, overshoot = result.overshoot;
   // So far only the other cells have changed.
   result.plastic_change = std::sqrt(ordered_sum(mapped.size(), [&](std::size_t i) {
     return (mapped[i] - guess[i]) * (mapped[i] - guess[i]);
@@ -172,14 +181,10 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
   for (std::ptrdiff_t m = 0; m < count; ++m) {
     active_.put(changes_of_mixed[m], mapped, active_.mixed[m]);
   }
-  result.excess = excess;
+  result.mixed_excess = excess;
   result.overshoot = overshoot;
   const double size = ordered_sum(count, [&](std::size_t m) { return squares[m]; });
   result.mixed_change = std::sqrt(ordered_sum(count, [&](std::size_t m) { return changes[m]; }));
-  result.mismatch_tol = mismatch_tol;
-  for (const PlasticBody& body : bodies_) {
-    if (body.mixed().are_strong()) result.mismatch_tol = strong_mismatch_tol;
-  }
   const double largest = task_.from.largest_mismatch.empty() ? 0.0 : task_.from.largest_mismatch[0];
   const auto cells = static_cast<double>(count);
   largest_mismatch_ = std::max(largest, std::sqrt(size / cells));

@@ -64,6 +64,7 @@ class PlasticBody {
   double find_stress(ActiveCells& active);
   void activate(std::uint32_t cell, const plasticity::Tensor& deviator, ActiveCells& active);
   bool is_active(std::uint32_t cell) const { return active_[cell] >= 0; }
+  std::size_t active_number(std::uint32_t cell) const { return active_[cell]; }
   /// History after the increment; this object must not be used afterwards.
   std::shared_ptr<const PlasticState> finish();
 

@@ -40,11 +40,11 @@ class PlasticIncrement {
     /// Euclidean norm of the eigenstrain of mixed cells, or of a fraction of its largest value so
     /// far; 0 without such cells.
     double mismatch_norm = 0.0;
+    double mixed_excess = 0.0;  // counterpart of `excess` of mixed cells
     double mixed_change = 0.0;  // norm of its change in this evaluation
     /// Norm of the plastic strain increment of all other cells, and of its change.
     double increment_norm = 0.0, plastic_change = 0.0;
-    double mismatch_tol = 0.0;  // relative error of the mismatch that need not be reduced further
-    bool grown = false;         // a zone was too small: evaluate again before accepting the result
+    bool grown = false;  // a zone was too small: evaluate again before accepting the result
   };
 
   /// Estimate to start from; may be empty.
@@ -61,6 +61,8 @@ class PlasticIncrement {
   /// unchanged.
   void refine_contact(double contact_tol, Result& result);
 
+  /// Relative error that need not be reduced further with inclusions; 0 without inclusions.
+  double mismatch_tol() const;
   bool has_plastic_body() const { return !bodies_.empty(); }
 
   /// State after the increment `mapped` of the last evaluation; this object must not be used
