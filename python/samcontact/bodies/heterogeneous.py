@@ -15,7 +15,7 @@ from .._util import memory
 from .._util.checks import FloatArray, require_list, require_type
 from .._util.display import HtmlTable, Rows
 from .display import material_in_short
-from .inclusion import NO_MISFIT, Inclusion, checked_phase
+from .inclusion import NO_MISFIT, Inclusion
 from .inclusion_cells import (
     InclusionCells,
     VolumeGrid,
@@ -26,7 +26,7 @@ from .inclusion_cells import (
 )
 from .inclusion_resolution import cells_per_radius, check_resolution
 from .material import Material
-from .microstructure import checked_box, checked_microstructure, checked_seed
+from .microstructure import checked_box, random_inclusions
 from .phase_mixing import Mixture, relative_phase
 from .voxels import VoxelBlock
 
@@ -369,26 +369,6 @@ class Heterogeneous(HtmlTable):
         few = len(self.inclusions) <= _MAX_SHOWN
         shown = repr(list(self.inclusions)) if few else f"<{len(self.inclusions)} inclusions>"
         return f"Heterogeneous({self.matrix!r}, {shown}{voxels})"
-
-
-def random_inclusions(
-    material: Material | None,
-    fraction: float,
-    radius: float | Sequence[float],
-    box: ArrayLike,
-    seed: int,
-    gap: float,
-    cover: float,
-    *,
-    misfit: ArrayLike,
-    radius_limits: Sequence[float] | None,
-    cluster: Sequence[float] | None,
-) -> list[Inclusion]:
-    """Draw random spherical inclusions, see `Heterogeneous.random`."""
-    checked_phase("material", material)
-    description = checked_microstructure(fraction, radius, box, gap, cover, radius_limits, cluster)
-    spheres = description.drawn(checked_seed(seed))
-    return [Inclusion(place[:3], (place[3],) * 3, None, material, misfit) for place in spheres]
 
 
 def _cells(

@@ -96,7 +96,7 @@ class _RandomInclusions(_Phase):
 
     def build(self) -> list[Inclusion]:
         """Draw the inclusions."""
-        from ..bodies.heterogeneous import random_inclusions
+        from ..bodies.microstructure import random_inclusions
 
         cluster = None
         if self.cluster is not None:
