@@ -269,6 +269,14 @@ class Heterogeneous(HtmlTable):
         materials = (self.matrix, *self.phases)
         return min(m.min_yield_stress for m in materials if m is not None)
 
+    def yield_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Initial yield stress of the matrix [Pa], see `Material.yield_stress_at`."""
+        return self.matrix.yield_stress_at(z)
+
+    def residual_stress_at(self, z: ArrayLike) -> FloatArray:
+        """Initial stresses of the matrix [Pa], see `Material.residual_stress_at`."""
+        return self.matrix.residual_stress_at(z)
+
     def cells_on(self, grid: VolumeGrid) -> InclusionCells:
         """Shares, relative moduli and misfit strains of the cells of a grid.
 
