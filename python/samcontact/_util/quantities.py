@@ -312,6 +312,30 @@ CONTACT = {
         "residual hydrostatic stress", kind="signed",
     ),
     "temperature": Q("K", "temperature rise", "K", "temperature rise", kind="heat"),
+    "share": Q("1", "share of the cell that inclusions fill", "%", "share of inclusions"),
+    "phase": Q("1", "number of the inclusion in most of the cell, from 0; -1 in the matrix"),
+    "eigenstrain": Q("1", "eigenstrain with the effect of inclusions and plastic strain"),
+    # inclusions
+    "max_von_mises_matrix": Q(
+        "Pa", "maximum von Mises stress of cells without inclusions", "MPa",
+        "maximum von Mises stress of the matrix", "von Mises\nmatrix",
+    ),
+    "max_equivalent_plastic_strain_matrix": Q(
+        "1", "maximum equivalent plastic strain of cells without inclusions", "%",
+        "maximum equivalent plastic strain of the matrix", "plastic strain\nmatrix", 4,
+    ),
+    "max_interface_tension": Q(
+        "Pa", "maximum normal stress at the interfaces of inclusions, positive in tension", "MPa",
+        "maximum tension at inclusions", "tension at\ninclusions",
+    ),
+    "max_interface_von_mises": Q(
+        "Pa", "maximum von Mises stress of the matrix at the interfaces of inclusions", "MPa",
+        "maximum von Mises stress at inclusions", "von Mises at\ninclusions",
+    ),
+    "inclusion_center": Q("m", "coordinates x, y, z of the centres of the inclusions"),
+    "inclusion_radii": Q("m", "principal radii of the inclusions"),
+    "inclusion_axes": Q("1", "directions of the principal radii of the inclusions"),
+    "inclusion_E": Q("Pa", "Young's modulus of the inclusions; 0 for a void"),
     # interfaces between layers
     "interface": Q("m", "depth of the interfaces between layers"),
     "interface_stress": Q("Pa", "stress above and below the interfaces, positive in tension"),
