@@ -32,13 +32,21 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
         return None
     materials = [material for material in cells.laws if material is not None]
     of_law = np.array([-1 if m is None else materials.index(m) for m in cells.laws])
-    in_core = np.ascontiguousarray(differs.transpose(2, 0, 1))
+    used = tuple(
+        slice(int(along.argmax()), differs.shape[axis] - int(along[::-1].argmax()))
+        for axis, along in enumerate(
+            differs.any(axis=tuple(other for other in range(3) if other != axis))
+            for axis in range(3)
+        )
+    )
+    first = tuple(f + s.start for f, s in zip(cells.first, used, strict=True))
+    in_core = np.ascontiguousarray(differs[used].transpose(2, 0, 1))
     index = np.full(in_core.shape, -1, dtype=np.int32)
     index[in_core] = np.arange(np.count_nonzero(in_core), dtype=np.int32)
     fields = [cells.bulk, cells.shear, cells.share, *cells.misfit, of_law[cells.law]]
-    rows = np.stack([field.transpose(2, 0, 1)[in_core] for field in fields], axis=1)
+    rows = np.stack([field[used].transpose(2, 0, 1)[in_core] for field in fields], axis=1)
     cores = [material._core for material in materials]
-    return cells.first, index, np.ascontiguousarray(rows, dtype=float), cores
+    return first, index, np.ascontiguousarray(rows, dtype=float), cores
 
 
 def _differs(cells: InclusionCells, matrix: Material) -> BoolArray:

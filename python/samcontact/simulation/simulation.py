@@ -58,8 +58,7 @@ class Simulation(Configured, HtmlTable):
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
     tol : float, optional
         Tolerance of an increment [-], in [1e-11, 1): bound of the relative change of the plastic
-        strain increment and of the violation of the yield condition; with inclusions at least 1e-4,
-        1e-3 with voids or moduli that differ by a factor above 20.
+        strain increment and of the yield violation; with inclusions at least 1e-4 (voids: 1e-3).
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
         plastic strain relative to their maxima. Each is solved in one step and in two halves, then
