@@ -201,7 +201,9 @@ class MeanFields:
         self.eigenstrain = np.asarray(state.eigenstrain(which))
         self.plastic = np.asarray(state.plastic_strain(which))
         count = len(body.inclusions) + 1
-        every = np.bincount(body.cells_on(state.grid).phase.ravel() + 1, minlength=count)
+        every = np.bincount(
+            body.cells_on(state.grid, check=False).phase.ravel() + 1, minlength=count
+        )
         inside = np.bincount(self.phase.ravel() + 1, minlength=count)
         self.complete = (every == inside)[1:]
 
