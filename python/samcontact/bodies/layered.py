@@ -297,15 +297,17 @@ def elastic(body: Body) -> Body:
 
 def materials_of(body: Body) -> list[Material]:
     """All materials of a body, from the surface down; of a heterogeneous body its matrix."""
-    body = matrix_of(body)
     if isinstance(body, Material):
         return [body]
+    if isinstance(body, Heterogeneous):
+        return [body.matrix]
     return [material for _, material in body._named_materials()]
 
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
     """Return thermal constants of all materials from the surface down; None if any has none."""
-    body = matrix_of(body)
+    if isinstance(body, Heterogeneous):
+        body = body.matrix
     if isinstance(body, Material):
         return None if body.thermal is None else (body.thermal,)
     constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
