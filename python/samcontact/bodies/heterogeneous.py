@@ -4,33 +4,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-import numpy as np
 from numpy.typing import ArrayLike
 
-from .._util import memory
-from .._util.checks import FloatArray, require_list, require_type
+from .._util.checks import FloatArray, boolean, require_list, require_type
 from .._util.display import HtmlTable, Rows
 from .display import material_in_short
-from .inclusion import NO_MISFIT, Inclusion, checked_phase
-from .inclusion_cells import (
-    InclusionCells,
-    VolumeGrid,
-    blocks_on,
-    box_of,
-    require_volume,
-    voxels_on,
-)
+from .inclusion import Inclusion
+from .inclusion_cells import InclusionCells, VolumeGrid, require_volume
 from .inclusion_resolution import cells_per_radius, check_resolution
 from .material import Material
-from .microstructure import checked_box, checked_microstructure, checked_seed
-from .phase_mixing import Mixture, relative_phase
+from .matrix_properties import LikeMatrix
+from .microstructure import checked_box, random_inclusions
+from .mixed_inclusions import mixed_cells
 from .voxels import VoxelBlock
 
-_BYTES_PER_CELL = 400.0  # of the box of all inclusions, while its cells are mixed
+_MAX_SHOWN = 4  # inclusions in a repr
 
 
 def _checked_matrix(matrix: Any) -> Material:
@@ -46,7 +38,7 @@ def _checked_matrix(matrix: Any) -> Material:
 
 
 @dataclass(frozen=True, repr=False, init=False)
-class Heterogeneous(HtmlTable):
+class Heterogeneous(LikeMatrix, HtmlTable):
     """Matrix with inclusions and voids: a heterogeneous body, used like a `Material`.
 
     Parameters
@@ -160,15 +152,13 @@ class Heterogeneous(HtmlTable):
         TypeError
             An argument is not a number or not a material.
         """
-        checked_phase("material", material)
-        description = checked_microstructure(
-            fraction, radius, box, gap, cover, radius_limits, cluster
-        )
-        spheres = description.drawn(checked_seed(seed))
         return cls(
             matrix,
-            [Inclusion(place[:3], (place[3],) * 3, None, material, misfit) for place in spheres],
-        )
+            random_inclusions(
+                material, fraction, radius, box, seed, gap, cover,
+                misfit=misfit, radius_limits=radius_limits, cluster=cluster,
+            ),
+        )  # fmt: skip
 
     @classmethod
     def voxels(
@@ -214,45 +204,6 @@ class Heterogeneous(HtmlTable):
         return cls(matrix, (), VoxelBlock(materials, labels, dx, origin))
 
     @property
-    def E(self) -> float:
-        """Young's modulus of the matrix [Pa]."""
-        return self.matrix.E
-
-    @property
-    def nu(self) -> float:
-        """Poisson's ratio of the matrix [-]."""
-        return self.matrix.nu
-
-    @property
-    def parameters(self) -> Mapping[str, Any]:
-        """Parameters of the matrix."""
-        return self.matrix.parameters
-
-    @property
-    def thermal(self) -> tuple[float, float, float] | None:
-        """Thermal constants of the matrix, see `Material.with_thermal`."""
-        return self.matrix.thermal
-
-    @property
-    def softening(self) -> Callable[[FloatArray], ArrayLike] | None:
-        """Softening law of the matrix."""
-        return self.matrix.softening
-
-    @property
-    def kinematic(self) -> tuple[tuple[float, float], ...]:
-        """Backstresses of the matrix, see `Material.with_kinematic_hardening`."""
-        return self.matrix.kinematic
-
-    @property
-    def _core(self) -> Any:
-        return self.matrix._core
-
-    @property
-    def is_rigid(self) -> bool:
-        """Always False."""
-        return False
-
-    @property
     def phases(self) -> tuple[Material | None, ...]:
         """Material of each inclusion, then of each label of voxels; None for a void."""
         of_voxels = () if self.measured is None else self.measured.materials
@@ -270,13 +221,15 @@ class Heterogeneous(HtmlTable):
         materials = (self.matrix, *self.phases)
         return min(m.min_yield_stress for m in materials if m is not None)
 
-    def cells_on(self, grid: VolumeGrid) -> InclusionCells:
+    def cells_on(self, grid: VolumeGrid, *, check: bool = True) -> InclusionCells:
         """Shares, relative moduli and misfit strains of the cells of a grid.
 
         Parameters
         ----------
         grid : Grid
             Grid with dz. Its sides do not limit the inclusions.
+        check : bool, optional
+            Whether to check the number of cells per radius. Default: True.
 
         Returns
         -------
@@ -298,23 +251,15 @@ class Heterogeneous(HtmlTable):
             The grid has fewer than 4 cells per radius of an inclusion.
         """
         require_volume(grid)
-        check_resolution(grid, self.inclusions)
-        box = box_of(grid, self.inclusions, self.measured)
-        memory.require(
-            f"a box of {' x '.join(map(str, box.shape))} cells around the inclusions",
-            _BYTES_PER_CELL * math.prod(box.shape),
-            "use larger cells or fewer inclusions",
-        )
-        mixture = Mixture(box.shape)
-        if self.measured is not None:
-            for number, where, share in voxels_on(grid, box, self.measured):
-                phase = relative_phase(self.matrix, self.measured.materials[number], NO_MISFIT)
-                mixture.add(len(self.inclusions) + number, where, share, phase)
-        for number, where, share in blocks_on(grid, box, self.inclusions):
-            inclusion = self.inclusions[number]
-            phase = relative_phase(self.matrix, inclusion.material, inclusion.misfit)
-            mixture.add(number, where, share, phase)
-        return _cells(box.first, mixture, self.phases)
+        if boolean("check", check):
+            check_resolution(grid, self.inclusions)
+        key = (grid.nx, grid.ny, grid.nz, grid.dx, grid.dy, grid.dz, grid.periodic)
+        known: dict[Any, InclusionCells] = self.__dict__.setdefault("_known", {})
+        if key not in known:
+            found = mixed_cells(grid, self.matrix, self.inclusions, self.measured)
+            known.clear()  # the cells of one grid are enough
+            known[key] = found
+        return known[key]
 
     def fraction_on(self, grid: VolumeGrid) -> FloatArray:
         """Share of each cell of the grid that inclusions fill.
@@ -365,19 +310,14 @@ class Heterogeneous(HtmlTable):
             shown.append(("voxels", self.measured.in_short()))
         return shown
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: getattr(self, name) for name in ("matrix", "inclusions", "measured")}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
     def __repr__(self) -> str:
         voxels = "" if self.measured is None else f", {self.measured!r}"
-        return f"Heterogeneous({self.matrix!r}, {list(self.inclusions)!r}{voxels})"
-
-
-def _cells(
-    first: tuple[int, int, int], mixture: Mixture, phases: Sequence[Material | None]
-) -> InclusionCells:
-    """Return the mixed cells, with the distinct materials of the inclusions."""
-    laws = tuple(dict.fromkeys(phases))
-    of_phase = np.array([*(laws.index(material) for material in phases), -1], dtype=np.int32)
-    law = of_phase[mixture.phase]  # phase -1 is the last entry
-    fields = (mixture.bulk.mixed(), mixture.shear.mixed(), mixture.misfit())
-    for field in (mixture.share, mixture.phase, *fields, law):
-        field.flags.writeable = False
-    return InclusionCells(first, laws, mixture.share, mixture.phase, *fields, law)
+        few = len(self.inclusions) <= _MAX_SHOWN
+        shown = repr(list(self.inclusions)) if few else f"<{len(self.inclusions)} inclusions>"
+        return f"Heterogeneous({self.matrix!r}, {shown}{voxels})"

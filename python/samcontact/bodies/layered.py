@@ -317,7 +317,8 @@ def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
 def without_softening(body: Body) -> Body:
     """Return a copy of a body whose materials have no softening law."""
     if isinstance(body, Heterogeneous):
-        return Heterogeneous(replace(body.matrix, softening=None), body.inclusions)
+        matrix = replace(body.matrix, softening=None)
+        return Heterogeneous(matrix, body.inclusions, body.measured)
     if isinstance(body, Material):
         return replace(body, softening=None)
     *layers, substrate = (replace(material, softening=None) for material in materials_of(body))

@@ -17,6 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, finite_array, integer, non_negative, number, positive
+from .._util.short_text import in_short
+from .inclusion import Inclusion, checked_phase
+from .material import Material
 
 MAX_FRACTION = 0.3
 """Largest volume fraction: random sequential addition does not find room for more."""
@@ -139,7 +142,7 @@ def checked_box(name: str, box: ArrayLike) -> FloatArray:
 def _pair(name: str, parts: str, value: Any) -> tuple[float, float]:
     first, second = finite_array(name, value, (2,)) if np.ndim(value) else (math.nan, 0.0)
     if math.isnan(first):
-        raise ValueError(f"{name} must be ({parts}), got {value!r}")
+        raise ValueError(f"{name} must be ({parts}), got {in_short(value)}")
     return float(first), float(second)
 
 
@@ -190,6 +193,21 @@ def checked_microstructure(
     return given
 
 
-def checked_seed(seed: int) -> int:
-    """Check the seed of a random generator."""
-    return integer("seed", seed, 0)
+def random_inclusions(
+    material: Material | None,
+    fraction: float,
+    radius: float | Sequence[float],
+    box: ArrayLike,
+    seed: int,
+    gap: float,
+    cover: float,
+    *,
+    misfit: ArrayLike,
+    radius_limits: Sequence[float] | None,
+    cluster: Sequence[float] | None,
+) -> list[Inclusion]:
+    """Draw random spherical inclusions, see `Heterogeneous.random`."""
+    checked_phase("material", material)
+    description = checked_microstructure(fraction, radius, box, gap, cover, radius_limits, cluster)
+    spheres = description.drawn(integer("seed", seed, 0))
+    return [Inclusion(place[:3], (place[3],) * 3, None, material, misfit) for place in spheres]

@@ -46,7 +46,9 @@ class VoxelBlock:
         if isinstance(materials, Material) or materials is None:
             materials = [materials]
         if not isinstance(materials, (list, tuple)) or not materials:
-            raise TypeError(f"materials must be a list of Material or None, got {materials!r}")
+            raise TypeError(
+                f"materials must be a list of Material or None, got {in_short(materials)}"
+            )
         self.materials = tuple(
             checked_phase(f"materials[{n}]", one) for n, one in enumerate(materials)
         )

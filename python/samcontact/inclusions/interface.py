@@ -150,7 +150,7 @@ def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) 
     Parameters
     ----------
     state : State
-        State of a simulation in which the body has not moved over the grid.
+        State of a simulation; the body may have moved by whole cells.
     body : {1, 2}, optional
         Heterogeneous body. Default: 2.
     numbers : sequence of int, optional
@@ -164,21 +164,20 @@ def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) 
     Raises
     ------
     ValueError
-        The body is not heterogeneous or has moved, or an inclusion is not inside the fields.
+        The fields of the body are offset from the cells of the grid, or an inclusion is not inside
+        them.
+    TypeError
+        The body is not heterogeneous.
     """
     which = choice("body", body, (1, 2))
     described = state.setup.bodies[which - 1]
     require_type(f"body{which}", described, Heterogeneous)
     if abs(state.offset(which)) > 0.0:
         raise ValueError(
-            f"state must be one in which body {which} has not moved, got an offset of "
-            f"{state.offset(which):.6g} m"
+            f"fields of body{which} must lie on the cells of the grid, got an offset of "
+            f"{state.offset(which):.3g} m: move the body by whole cells"
         )
-    stress = np.asarray(state.stress(which))
-    means = MeanFields(
-        described, state.grid, stress, np.asarray(state.eigenstrain(which)),
-        np.asarray(state.plastic_strain(which)),
-    )  # fmt: skip
+    means = MeanFields(described, state, which)
     found = []
     for number in range(len(described.inclusions)) if numbers is None else numbers:
         at = integer("numbers", number, 0)
@@ -195,24 +194,18 @@ def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) 
 class MeanFields:
     """Mean stress and mean eigenstrain of each inclusion of a body, from the fields of a state."""
 
-    def __init__(
-        self,
-        body: Heterogeneous,
-        grid: Any,
-        stress: FloatArray,
-        eigenstrain: FloatArray,
-        plastic_strain: FloatArray,
-    ) -> None:
-        self.cells = body.cells_on(grid)
-        self.volume = np.array([one.volume for one in body.inclusions])
-        self.cell = float(grid.dx * grid.dy * grid.dz)
-        shape = stress.shape[1:]
-        self.share = self.cells.over_grid(self.cells.share, shape)
-        self.phase = self.cells.over_grid(self.cells.phase, shape, -1)
-        self.stress, self.eigenstrain, self.plastic = stress, eigenstrain, plastic_strain
-        counts = np.bincount(self.cells.phase.ravel() + 1, minlength=len(self.volume) + 1)
-        inside = np.bincount(self.phase.ravel() + 1, minlength=len(self.volume) + 1)
-        self.complete = (counts == inside)[1:]
+    def __init__(self, body: Heterogeneous, state: Any, which: int) -> None:
+        self.share = np.asarray(state.share(which))
+        self.phase = np.asarray(state.phase(which))
+        self.stress = np.asarray(state.stress(which))
+        self.eigenstrain = np.asarray(state.eigenstrain(which))
+        self.plastic = np.asarray(state.plastic_strain(which))
+        count = len(body.inclusions) + 1
+        every = np.bincount(
+            body.cells_on(state.grid, check=False).phase.ravel() + 1, minlength=count
+        )
+        inside = np.bincount(self.phase.ravel() + 1, minlength=count)
+        self.complete = (every == inside)[1:]
 
     def contains(self, number: int) -> bool:
         """Whether all cells of an inclusion are within the fields."""

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from .._util.checks import BoolArray, FloatArray, number, require_type
 from .._util.frozen import read_only
+from .._util.short_text import in_short
 from ..bodies.filled_shares import shares
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
@@ -55,7 +56,9 @@ def checked_field(field: FatigueField, body: Heterogeneous) -> list[FloatArray]:
         )
     axes = [np.asarray(field.coordinates[name]) for name in "xyz"]
     if min(axis.size for axis in axes) < 2:
-        raise ValueError(f"field must have at least 2 points along each axis, got {field!r}")
+        raise ValueError(
+            f"field must have at least 2 points along each axis, got {in_short(field)}"
+        )
     return axes
 
 

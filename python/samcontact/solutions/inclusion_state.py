@@ -59,7 +59,7 @@ class InclusionState:
         shape = (*self.grid.surface_shape, self.layers)
         if not isinstance(own, Heterogeneous):
             return np.full(shape, outside)
-        cells, first = own.cells_on(self.grid), self._core.first_cell[index]
+        cells, first = own.cells_on(self.grid, check=False), self._core.first_cell[index]
         if "x" in self.grid.periodic:
             whole = cells.over_grid(getattr(cells, name), shape, outside)
             return np.roll(whole, -first, axis=0)

@@ -38,7 +38,7 @@ def test_the_pivots_have_the_published_mean():
 
 
 def test_confidence_intervals_cover_the_truth():
-    """Of 300 samples of 8 lives, 90 % within the binomial error."""
+    """90 % of 300 samples of 8 lives, within the binomial error."""
     hits = np.zeros(2)
     first = None
     for n in range(300):
