@@ -88,8 +88,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         object.__setattr__(self, "measured", measured)
         if not self.inclusions and measured is None:
             raise ValueError(
-                "inclusions must contain at least one Inclusion, got none: for a homogeneous body "
-                "use its Material"
+                "inclusions must contain at least one Inclusion, or measured must be given, got "
+                "none: for a homogeneous body use its Material"
             )
 
     @classmethod

@@ -18,10 +18,12 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, integer, require_type
 from .._util.display import HtmlTable, Rows, quantity
+from .._util.short_text import in_short
 from .._util.tensors import von_mises
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
 from ..bodies.material import Material
+from ..solutions.state import State
 from .tensors import as_matrix, as_six, fibonacci_directions, strain_of
 
 DIRECTIONS = 2000
@@ -141,7 +143,9 @@ def interface_of(
     )
 
 
-def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) -> list[Interface]:
+def interfaces(
+    state: State, body: int = 2, numbers: Sequence[int] | None = None
+) -> list[Interface]:
     """Largest tractions at the interfaces of the inclusions of a body in one state.
 
     The tractions follow from the mean stress inside each inclusion and from the mean of its
@@ -169,15 +173,19 @@ def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) 
     TypeError
         The body is not heterogeneous.
     """
+    require_type("state", state, State)
     which = choice("body", body, (1, 2))
     described = state.setup.bodies[which - 1]
     require_type(f"body{which}", described, Heterogeneous)
+    assert isinstance(described, Heterogeneous)
     if abs(state.offset(which)) > 0.0:
         raise ValueError(
             f"fields of body{which} must lie on the cells of the grid, got an offset of "
             f"{state.offset(which):.3g} m: move the body by whole cells"
         )
     means = MeanFields(described, state, which)
+    if numbers is not None and not isinstance(numbers, (list, tuple, range)):
+        raise TypeError(f"numbers must be a list of integers, got {in_short(numbers)}")
     found = []
     for number in range(len(described.inclusions)) if numbers is None else numbers:
         at = integer("numbers", number, 0)
