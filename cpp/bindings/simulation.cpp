@@ -61,7 +61,8 @@ simulation::InclusionsPair to_inclusions(
     std::vector<plasticity::MixedCell> cells(constants.shape(0));
     for (std::size_t n = 0; n < cells.size(); ++n) {
       const double* row = constants.data(static_cast<py::ssize_t>(n), 0);
-      cells[n] = {row[0], row[1], row[2], {}, static_cast<int>(row[9])};
+      cells[n] = {
+          row[0], row[1], row[2], {}, static_cast<int>(row[9]), {row[10], row[11], row[12]}};
       std::copy_n(row + 3, 6, cells[n].misfit.begin());
     }
     inclusions[b] = std::make_shared<const simulation::Inclusions>(

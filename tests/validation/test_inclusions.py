@@ -110,17 +110,17 @@ def test_elastic(name, per_radius, matrix, inside, pressure, steps):
 # Bounds of the error of the matrix, loaded and unloaded, the sphere, the maximum pressure and the
 # maximum plastic strain of the matrix.
 PLASTIC = [
-    ("e2_05p", 4, 0.025, 0.075, 0.009, 0.14),
-    pytest.param("e03_05p", 4, 0.017, 0.026, 0.003, 0.10, marks=pytest.mark.slow),
+    ("e2_05p", 4, 0.020, 0.031, 0.014, 0.14),
+    pytest.param("e03_05p", 4, 0.024, 0.0125, 0.003, 0.06, marks=pytest.mark.slow),
     pytest.param("v_05p", 4, 0.037, 0.004, 0.006, 0.18, marks=pytest.mark.slow),
-    pytest.param("e2_05p", 8, 0.016, 0.047, 0.006, 0.09, marks=pytest.mark.slow),
-    pytest.param("e03_05p", 8, 0.011, 0.015, 0.0015, 0.08, marks=pytest.mark.slow),
+    pytest.param("e2_05p", 8, 0.0125, 0.020, 0.004, 0.09, marks=pytest.mark.slow),
+    pytest.param("e03_05p", 8, 0.0125, 0.006, 0.001, 0.03, marks=pytest.mark.slow),
 ]
 
 
 @pytest.mark.parametrize(("name", "per_radius", "matrix", "inside", "pressure", "strain"), PLASTIC)
 def test_elastic_plastic(name, per_radius, matrix, inside, pressure, strain):
-    """Loaded in ten increments and unloaded in two; the errors are those of partly filled cells."""
+    """Loaded in ten increments and unloaded in two."""
     case, loaded, unloaded, _ = states(name, per_radius)
     rms, largest, expected = errors(name, per_radius, "loaded", loaded)
     assert np.all(np.array(rms) < [matrix, inside][: len(rms)])

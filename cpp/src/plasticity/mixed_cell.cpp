@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/plasticity/mixed_cell.hpp"
 
+#include "samcontact/plasticity/two_phase_cell.hpp"
+
 namespace samcontact::plasticity {
 namespace {
 
@@ -32,6 +34,8 @@ struct MixedLaw::Phases {
 
 MixedLaw::MixedLaw(const Material& matrix) : matrix_(matrix) {
   const double nu = matrix.elastic.nu, G = matrix.elastic.shear_modulus();
+  bulk_modulus_ = 2 * G * (1 + nu) / (3 * (1 - 2 * nu));
+  shear_modulus_ = G;
   // 3 K of the bulk part, finite for any nu after multiplication by its p.
   sphere_bulk_ = {2 * (1 - 2 * nu) / (3 * (1 - nu)), 4 * G * (1 + nu) / (3 * (1 - nu))};
   const double p = (7 - 5 * nu) / (15 * (1 - nu));
@@ -53,8 +57,45 @@ MixedLaw::Phases MixedLaw::phases(const MixedCell& cell, const Material* inclusi
   return {.first = rest, .share = left};
 }
 
+MixedReturn MixedLaw::step_of_two(const MixedCell& cell, const Material* inclusion,
+                                  const Tensor& stress, const Tensor& eigenstrain,
+                                  const MixedHistory& before) const {
+  const auto law_of = [](const Material* material) {
+    return material != nullptr && material->is_plastic() ? &material->hardening : nullptr;
+  };
+  const Kept bulk = kept(sphere_bulk_, cell.bulk), shear = kept(sphere_shear_, cell.shear);
+  const double sm = mean_of(stress), em = mean_of(eigenstrain);
+  const Tensor s = with_mean(stress, -sm), e = with_mean(eigenstrain, -em);
+  const Tensor t = with_mean(sum_of_tensors(s, shear.stiffness, e), sm + bulk.stiffness * em);
+  const double compliance = 1 / (2 * shear_modulus_), mean_compliance = 1 / (3 * bulk_modulus_);
+  const auto elastic = [&](const Tensor& of) {
+    const double mean = mean_of(of);
+    return with_mean(times(compliance, with_mean(of, -mean)), mean_compliance * mean);
+  };
+  const std::array<Phase, 2> both{
+      Phase{bulk_modulus_, shear_modulus_, law_of(&matrix_), before.strength, before.matrix_plastic,
+            before.equivalent},
+      Phase{cell.bulk * bulk_modulus_, cell.shear * shear_modulus_, law_of(inclusion), 1.0,
+            sum_of_tensors(cell.misfit, 1.0, before.plastic), before.inclusion_equivalent}};
+  const TwoPhaseStep r = two_phase_step(both, cell.share, cell.normal, {bulk.part, shear.part}, t,
+                                        sum_of_tensors(elastic(stress), 1.0, eigenstrain));
+  MixedReturn result;
+  result.eigenstrain = sum_of_tensors(r.strain, -1.0, elastic(r.stress));
+  result.matrix_plastic = result.flow = r.plastic[0];
+  result.plastic = r.plastic[1];
+  result.equivalent = r.equivalent[0];
+  result.inclusion_equivalent = r.equivalent[1];
+  result.overshoot = r.overshoot;
+  if (r.equivalent[0] > 0 && r.equivalent[1] == 0) {
+    result.excess = von_mises(sum_of_tensors(stress, -1.0, r.stress)) /
+                    matrix_.hardening.yield_stress(before.equivalent);
+  }
+  return result;
+}
+
 MixedReturn MixedLaw::step(const MixedCell& cell, const Material* inclusion, const Tensor& stress,
                            const Tensor& eigenstrain, const MixedHistory& before) const {
+  if (cell.has_two_phases()) return step_of_two(cell, inclusion, stress, eigenstrain, before);
   const Kept bulk = kept(sphere_bulk_, cell.bulk), shear = kept(sphere_shear_, cell.shear);
   const double sm = mean_of(stress), em = mean_of(eigenstrain), misfit = mean_of(cell.misfit);
   const Tensor s = with_mean(stress, -sm);

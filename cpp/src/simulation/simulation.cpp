@@ -198,6 +198,7 @@ void Simulation::solve_start() {
   const State start = end_state(none);
   state_.plastic = start.plastic;
   state_.inclusions_flow = start.inclusions_flow;
+  state_.matrix_flow = start.matrix_flow;
   state_.largest_mismatch = start.largest_mismatch;
   state_.flow_boxes = start.flow_boxes;
   state_.contact_gap.clear();

@@ -3,33 +3,42 @@
 // differ from those of the matrix, and the step from one estimate of their eigenstrain to the next.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <span>
 
 #include "samcontact/plasticity/return_mapping.hpp"
 
 namespace samcontact::plasticity {
 
-/// Constants of a cell, mixed if the inclusion fills it partly.
+/// Constants of a cell. In a partly filled cell without a normal they are mixed; with a normal they
+/// are those of the inclusion.
 struct MixedCell {
   double bulk = 1.0, shear = 1.0;  // relative to the matrix; 0 in a void
   double share = 1.0;              // of the inclusion
   Tensor misfit{};
-  int material = -1;  // index of the material of the inclusion; -1: void
+  int material = -1;               // index of the material of the inclusion; -1: void
+  std::array<double, 3> normal{};  // unit vector of the interface of a cell of two phases; else 0
+
+  /// Whether both phases flow separately.
+  bool has_two_phases() const { return normal != std::array<double, 3>{}; }
 };
 
 /// History and yield strength of a cell before an increment.
 struct MixedHistory {
-  Tensor plastic{};  // mean plastic strain of the cell
-  double equivalent = 0.0;
+  Tensor plastic{};  // mean plastic strain of the cell; with two phases that of the inclusion
+  double equivalent = 0.0;            // with two phases that of the matrix
+  Tensor matrix_plastic{};            // with two phases: plastic strain of the matrix
+  double inclusion_equivalent = 0.0;  // likewise: equivalent strain of the inclusion
   std::span<const Tensor> backstresses = {};
   double strength = 1.0;  // factor on the yield stress of the matrix
 };
 
 struct MixedReturn {
   Tensor eigenstrain{};  // strain that the homogeneous matrix needs to have the stress of the cell
-  Tensor plastic{};      // increment of the mean plastic strain of the cell
-  Tensor flow{};         // plastic strain increment of the phases that flow
+  Tensor plastic{};      // increments of the quantities of MixedHistory
+  Tensor matrix_plastic{};
+  double inclusion_equivalent = 0.0;
+  Tensor flow{};  // plastic strain increment of the matrix, or of the phases that flow
   double equivalent = 0.0, excess = 0.0, overshoot = 0.0;  // see Return
 };
 
@@ -48,6 +57,8 @@ class MixedLaw {
                    const Tensor& eigenstrain, const MixedHistory& before) const;
 
  private:
+  MixedReturn step_of_two(const MixedCell& cell, const Material* inclusion, const Tensor& stress,
+                          const Tensor& eigenstrain, const MixedHistory& before) const;
   struct Phases;
   /// Which phases of a cell flow: the matrix in parallel with a void or with an inclusion that
   /// yields; in series with an inclusion that does not.
@@ -62,6 +73,7 @@ class MixedLaw {
   static Kept kept(const Kept& sphere, double ratio);
 
   const Material& matrix_;
+  double bulk_modulus_, shear_modulus_;  // of the matrix [Pa]
   Kept sphere_bulk_, sphere_shear_;
 };
 

@@ -11,12 +11,13 @@ namespace samcontact::simulation {
 using operators::Tensor;
 
 MixedCells::MixedCells(const Setup& setup, int body, int first, fft::Symmetry symmetry,
-                       const std::shared_ptr<const PlasticState>& own)
+                       const Flows& before)
     : setup_(setup),
       inclusions_(setup.inclusions[body]),
       first_(first),
       symmetry_(symmetry),
-      own_(unfolded(own, setup.grid, symmetry)) {
+      before_{unfolded(before.own, setup.grid, symmetry),
+              unfolded(before.of_matrix, setup.grid, symmetry)} {
   if (inclusions_) law_.emplace(setup.bodies[body].material(0));
 }
 
@@ -35,38 +36,61 @@ void MixedCells::take(const Zones& zones) {
     if (i < solved.i0 || i >= solved.i0 + solved.nx) continue;
     cells_[n] = inclusions_->at(i, j, k, first_, setup_.grid.period);
   }
-  plastic_ = own_ ? own_->strain(zones) : Field{};
+  plastic_ = before_.own ? before_.own->strain(zones) : Field{};
+  const auto& of_matrix = before_.of_matrix;
+  matrix_plastic_ = of_matrix ? of_matrix->strain(zones) : Field{};
+  inclusion_equivalent_ = of_matrix ? of_matrix->equivalent(zones) : Field{};
 }
 
 plasticity::MixedReturn MixedCells::step(std::uint32_t cell, const plasticity::Tensor& stress,
                                          const plasticity::Tensor& eigenstrain,
                                          plasticity::MixedHistory before) const {
-  if (!plastic_.empty()) {
+  const auto strain = [&](const Field& field) -> plasticity::Tensor {
+    if (field.empty()) return {};
     const std::size_t cells = zones_.cells();
-    const double* e = plastic_.data() + cell;
-    before.plastic = {e[0], e[cells], -(e[0] + e[cells]), e[2 * cells], e[3 * cells], e[4 * cells]};
-  }
+    const double* e = field.data() + cell;
+    return {e[0], e[cells], -(e[0] + e[cells]), e[2 * cells], e[3 * cells], e[4 * cells]};
+  };
+  before.plastic = strain(plastic_);
+  before.matrix_plastic = strain(matrix_plastic_);
+  if (!inclusion_equivalent_.empty()) before.inclusion_equivalent = inclusion_equivalent_[cell];
   const plasticity::MixedCell& mixed = *cells_[cell];
   return law_->step(mixed, inclusions_->material(mixed), stress, eigenstrain, before);
 }
 
-void MixedCells::flow(std::uint32_t cell, const plasticity::Tensor& increment) {
+void MixedCells::flow(std::uint32_t cell, const plasticity::MixedReturn& step) {
   const std::size_t cells = zones_.cells();
-  plastic_.resize(5 * cells, 0.0);
-  std::size_t at = cell;
-  for (const int c : operators::components(Tensor::deviator)) {
-    plastic_[at] += increment[c];
-    at += cells;
-  }
+  const auto add_strain = [&](const plasticity::Tensor& increment, Field& field) {
+    field.resize(5 * cells, 0.0);
+    std::size_t at = cell;
+    for (const int c : operators::components(Tensor::deviator)) {
+      field[at] += increment[c];
+      at += cells;
+    }
+  };
+  add_strain(step.plastic, plastic_);
   flowed_ = true;
+  if (!cells_[cell]->has_two_phases()) return;
+  add_strain(step.matrix_plastic, matrix_plastic_);
+  inclusion_equivalent_.resize(cells, 0.0);
+  inclusion_equivalent_[cell] += step.inclusion_equivalent;
+  matrix_flowed_ = true;
 }
 
-std::shared_ptr<const PlasticState> MixedCells::finish() const {
-  if (!flowed_) return own_;
-  const PlasticFields fields{zones_, plastic_, Field(zones_.cells(), 0.0), {}};
+MixedCells::Flows MixedCells::finish() const {
   const Box box = from_planes_on(zones_.around(), setup_.grid, symmetry_);
-  return std::make_shared<const PlasticState>(own_.get(), symmetry_, Tensor::deviator, fields, box,
-                                              Lattice{{}, setup_.grid.period.x});
+  const auto history = [&](const PlasticState* before, const Field& strain, Field equivalent) {
+    const PlasticFields fields{zones_, strain, std::move(equivalent), {}};
+    return std::make_shared<const PlasticState>(before, symmetry_, Tensor::deviator, fields, box,
+                                                Lattice{{}, setup_.grid.period.x});
+  };
+  Flows after = before_;
+  if (flowed_) after.own = history(before_.own.get(), plastic_, Field(zones_.cells(), 0.0));
+  if (matrix_flowed_) {
+    after.of_matrix =
+        history(before_.of_matrix.get(), matrix_plastic_, Field(inclusion_equivalent_));
+  }
+  return after;
 }
 
 }  // namespace samcontact::simulation

@@ -69,7 +69,8 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       met_(from.met[index] ? unfolded(from.met[index], setup_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]),
       cells_(setup_.bodies[index]),
-      mixed_(setup_, index, from.placement().first[index], symmetry, from.inclusions_flow[index]),
+      mixed_(setup_, index, from.placement().first[index], symmetry,
+             {from.inclusions_flow[index], from.matrix_flow[index]}),
       search_(setup_, index, heating, strength_),
       surface_(setup_, index, copies, symmetry, offset_) {
   // Mismatch of bulk moduli has a trace.

@@ -23,6 +23,9 @@ bool is_image(const MixedCell* a, const MixedCell* b) {
     return std::fabs(x - y) <= image_rounding * std::max(std::fabs(x), std::fabs(y));
   };
   // Shear components of the misfit change their sign: without them there is an image.
+  for (int c = 0; c < 3; ++c) {
+    if (!near(std::fabs(a->normal[c]), std::fabs(b->normal[c]))) return false;
+  }
   return near(a->bulk, b->bulk) && near(a->shear, b->shear) && near(a->share, b->share) &&
          a->material == b->material && near(a->misfit[0], b->misfit[0]) &&
          near(a->misfit[1], b->misfit[1]) && near(a->misfit[2], b->misfit[2]) &&

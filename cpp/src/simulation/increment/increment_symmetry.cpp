@@ -22,7 +22,8 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   symmetry = common(symmetry, sources.symmetry());
   symmetry = common(symmetry, symmetry_of(task.target.heating));
   symmetry = common(symmetry, task.target.past_symmetry);
-  for (const auto* histories : {&task.from.plastic, &task.from.inclusions_flow}) {
+  for (const auto* histories :
+       {&task.from.plastic, &task.from.inclusions_flow, &task.from.matrix_flow}) {
     for (const auto& history : *histories) {
       if (history) symmetry = common(symmetry, history->symmetry());
     }

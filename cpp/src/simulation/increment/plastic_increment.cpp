@@ -171,7 +171,7 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
     }
     active_.put({}, mapped, n);
     changes_of_mixed[m] = change;
-    active_.equivalent[n] = r.equivalent;
+    active_.equivalent[n] = r.equivalent + r.inclusion_equivalent;
     active_.mixed_steps[m] = r;
     excess = std::max(excess, r.excess);
     overshoot = std::max(overshoot, r.overshoot);
@@ -246,12 +246,16 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   for (std::size_t m = 0; m < active_.mixed.size(); ++m) {
     const auto [own, cell] = active_.cells[active_.mixed[m]];
     const plasticity::MixedReturn& step = active_.mixed_steps[m];
-    if (own != b || step.equivalent == 0) continue;
+    if (own != b || (step.equivalent == 0 && step.inclusion_equivalent == 0)) continue;
     body.cells().flow(cell, step.flow, step.equivalent);
-    body.mixed().flow(cell, step.plastic);
+    body.mixed().flow(cell, step);
   }
   state.softening[i] = body.cells().softening();
-  if (body.mixed().is_on()) state.inclusions_flow[i] = body.mixed().finish();
+  if (body.mixed().is_on()) {
+    const MixedCells::Flows flows = body.mixed().finish();
+    state.inclusions_flow[i] = flows.own;
+    state.matrix_flow[i] = flows.of_matrix;
+  }
   if (state.flowed[i] || body.mixed().is_on()) {
     state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.setup().grid, symmetry_);
     state.plastic[i] = body.finish();

@@ -42,10 +42,16 @@ Field plastic_strain_of(const State& state, int body, const PlasticState& histor
                         const Zones& zones) {
   Field strain = six_components(history.strain(zones), history.tensor());
   const std::size_t cells = zones.cells();
-  const auto own = unfolded(state.inclusions_flow[body], state.setup().grid, history.symmetry());
-  const Field flow = own ? six_components(own->strain(zones), own->tensor()) : Field{};
-  for_mixed_cells(state, body, zones, [&](std::size_t n, const plasticity::MixedCell&) {
-    for (std::size_t at = n; at < 6 * cells; at += cells) strain[at] = own ? flow[at] : 0.0;
+  const auto field = [&](const std::shared_ptr<const PlasticState>& flow) {
+    const auto own = unfolded(flow, state.setup().grid, history.symmetry());
+    return own ? six_components(own->strain(zones), own->tensor()) : Field(6 * cells, 0.0);
+  };
+  const Field flow = field(state.inclusions_flow[body]), rest = field(state.matrix_flow[body]);
+  for_mixed_cells(state, body, zones, [&](std::size_t n, const plasticity::MixedCell& mixed) {
+    const double share = mixed.has_two_phases() ? mixed.share : 1.0;
+    for (std::size_t at = n; at < 6 * cells; at += cells) {
+      strain[at] = share * flow[at] + (1 - share) * rest[at];
+    }
   });
   return strain;
 }

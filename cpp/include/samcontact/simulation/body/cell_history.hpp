@@ -61,7 +61,11 @@ class CellHistory {
   /// Equivalent strain, backstresses (stored in `place`) and strength of a cell before the
   /// increment.
   plasticity::MixedHistory before(std::uint32_t cell, plasticity::Tensors& place) const {
-    return {{}, equivalent_[cell], backstresses(cell, place), strength_of(cell)};
+    plasticity::MixedHistory before;
+    before.equivalent = equivalent_[cell];
+    before.backstresses = backstresses(cell, place);
+    before.strength = strength_of(cell);
+    return before;
   }
   /// Updates the history of a cell for a plastic strain increment.
   void flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent);

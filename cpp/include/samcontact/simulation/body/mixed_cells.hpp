@@ -19,10 +19,14 @@ namespace samcontact::simulation {
 /// homogeneous matrix needs to have their stress. It contains plastic strain, misfit and mismatch.
 class MixedCells {
  public:
-  /// own: plastic strain of the mixed cells before the increment; null: none. first: row of the
+  /// Plastic strain of the mixed cells; with two phases that of the inclusion, and that of the
+  /// matrix with the equivalent strain of the inclusion. Null: none.
+  struct Flows {
+    std::shared_ptr<const PlasticState> own, of_matrix;
+  };
+  /// before: the increment. first: row of the
   /// body at the first cell of the grid.
-  MixedCells(const Setup& setup, int body, int first, fft::Symmetry symmetry,
-             const std::shared_ptr<const PlasticState>& own);
+  MixedCells(const Setup& setup, int body, int first, fft::Symmetry symmetry, const Flows& before);
 
   bool is_on() const { return inclusions_ != nullptr; }
   /// Whether moduli differ from those of the matrix by a large factor, as in a void.
@@ -42,9 +46,9 @@ class MixedCells {
                                const plasticity::Tensor& eigenstrain,
                                plasticity::MixedHistory before) const;
   /// Adds to the plastic strain of a mixed cell.
-  void flow(std::uint32_t cell, const plasticity::Tensor& increment);
-  /// Plastic strain of all mixed cells after the increment; null: none.
-  std::shared_ptr<const PlasticState> finish() const;
+  void flow(std::uint32_t cell, const plasticity::MixedReturn& step);
+  /// Plastic strain after the increment.
+  Flows finish() const;
 
  private:
   const Setup& setup_;
@@ -52,11 +56,13 @@ class MixedCells {
   int first_;
   fft::Symmetry symmetry_;
   std::optional<plasticity::MixedLaw> law_;
-  std::shared_ptr<const PlasticState> own_;
+  Flows before_;
   Zones zones_;
   std::vector<const plasticity::MixedCell*> cells_;  // by cell of the zones
-  Field plastic_;  // [component][cell], five components; empty: no plastic strain
-  bool flowed_ = false;
+  // Strain of Flows, [component][cell] with five components, and equivalent strain of the
+  // inclusion in cells of two phases; empty: none.
+  Field plastic_, matrix_plastic_, inclusion_equivalent_;
+  bool flowed_ = false, matrix_flowed_ = false;
 };
 
 }  // namespace samcontact::simulation

@@ -139,6 +139,8 @@ void describe(S& s, Visitor& visit) {
     });
     visit.made("inclusions_flow" + number, s.inclusions_flow[b], record,
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+    visit.made("matrix_flow" + number, s.matrix_flow[b], record,
+               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
     visit.made("traction_memory" + number, s.memory[b], as_it_is, copied);
