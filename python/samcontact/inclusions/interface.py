@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -202,16 +201,17 @@ def interfaces(
 class MeanFields:
     """Mean stress and mean eigenstrain of each inclusion of a body, from the fields of a state."""
 
-    def __init__(self, body: Heterogeneous, state: Any, which: int) -> None:
+    def __init__(self, body: Heterogeneous, state: State, which: int) -> None:
+        cells = body.cells_on(state.grid, check=False)
+        layers = cells.first[2] + cells.phase.shape[2]
+        state = state.at_layers(max(layers, len(state.depths)))
         self.share = np.asarray(state.share(which))
         self.phase = np.asarray(state.phase(which))
         self.stress = np.asarray(state.stress(which))
         self.eigenstrain = np.asarray(state.eigenstrain(which))
         self.plastic = np.asarray(state.plastic_strain(which))
         count = len(body.inclusions) + 1
-        every = np.bincount(
-            body.cells_on(state.grid, check=False).phase.ravel() + 1, minlength=count
-        )
+        every = np.bincount(cells.phase.ravel() + 1, minlength=count)
         inside = np.bincount(self.phase.ravel() + 1, minlength=count)
         self.complete = (every == inside)[1:]
 
