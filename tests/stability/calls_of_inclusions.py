@@ -21,7 +21,7 @@ TENSION = [0.0, 0.0, 1e8, 0.0, 0.0, 0.0]
 SPHERE_IN_STRESS = sc.inclusions.eshelby_sphere(STEEL, OXIDE, TENSION)
 MISFIT = sc.inclusions.MisfitSphere(2e11, 0.3, 1e-3, 1e-5, 3e-5)
 FIT = sc.inclusions.weibull_fit([1.0, 2.0, 3.0, 5.0])
-LARGEST = sc.inclusions.LargestInclusion(2e-5, 4e-6, 1.5e-4, 12)
+STEEL_OXIDES = sc.inclusions.LargestInclusion(2e-5, 4e-6, 1.5e-4, 12)
 POINTS = {"x": 3e-5, "y": np.array([3e-5, 4e-5]), "z": 1e-5}
 
 CALLS = [
@@ -151,12 +151,12 @@ CALLS = [
         {"maxima": [1e-5, 2e-5, 3e-5, 1.5e-5, 2.5e-5, 1.7e-5], "area": 1.5e-4},
     ),
     *(
-        (f"inclusions.LargestInclusion.{name}", getattr(LARGEST, name), {"volume": 1e-7})
+        (f"inclusions.LargestInclusion.{name}", getattr(STEEL_OXIDES, name), {"volume": 1e-7})
         for name in ("return_period", "expected_in", "interval")
     ),
     (
         "inclusions.LargestInclusion.draw",
-        LARGEST.draw,
+        STEEL_OXIDES.draw,
         {"volume": 1e-7, "count": 3, "seed": 1},
     ),
 ]  # fmt: skip

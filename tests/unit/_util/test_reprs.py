@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from objects_of_inclusions import inclusions_and_lives
 
 import samcontact as sc
 from samcontact import accuracy, results
@@ -21,7 +22,6 @@ from samcontact._util.display import (
     in_short,
     quantity,
 )
-from samcontact._util.frozen import FrozenDict
 from samcontact.cases import parse_case
 
 E_STAR = 115384615384.6154
@@ -319,9 +319,8 @@ def public_objects():
         *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
-        parse_case(CASE.format(asperities=CONTACT, **fields)),
-        parse_case(CASE.format(asperities=ASPERITIES, **fields)), *viscoelastic_motion(),
-        *inclusions_and_lives(),
+        *(parse_case(CASE.format(asperities=kind, **fields)) for kind in (CONTACT, ASPERITIES)),
+        *viscoelastic_motion(), *inclusions_and_lives(),
     ]  # fmt: skip
 
 
@@ -348,23 +347,6 @@ def viscoelastic_motion():
     given = (grid, sc.Material.rigid(), polymer, sc.surfaces.paraboloid(grid, 7.5e-3))
     curve = sc.sliding.over_speed(*given, load=1.0, velocities=[0.1, 1 / 3])
     return curve, curve.solutions[0], sc.rolling.steady(*given, load=1.0, friction=0.0, speed=0.1)
-
-
-def inclusions_and_lives():
-    """Return a body with inclusions, and objects of `samcontact.inclusions`."""
-    body = sc.Heterogeneous(BALL, [sc.Inclusion.void((1e-5 / 3, 0.0, 2e-4), 1e-4 / 3)] * 9)
-    sphere = sc.inclusions.eshelby_sphere(BALL, None, [1e8 / 3] * 6)
-    peak = sc.inclusions.Peak(1e9 / 3, (1e-5 / 3, 0.0, 1e-4), 0, 4 / 3, 0.7)
-    named = FrozenDict({"von_mises": peak, "dang_van": peak})
-    return [
-        body, body.inclusions[0], sphere,
-        sc.inclusions.MisfitSphere(1e9, 0.3, 1e-3 / 3, 1e-6, 1e-5),
-        peak, sc.inclusions.MatrixStatistics(named, named, FrozenDict({"50": 1e9 / 3}), 9),
-        sc.inclusions.Interface(0, 1e8 / 3, (1 / 3,) * 3, 1e8 / 7, 1e9 / 3, (1 / 3,) * 3),
-        sc.inclusions.ButterflyMap(np.zeros(36), np.zeros(36, dtype=int), np.ones(36), (0,) * 99),
-        sc.inclusions.weibull_fit(np.linspace(1.0, 2.0, 50)),
-        sc.inclusions.LargestInclusion(2e-5 / 3, 4e-6 / 3, 1.5e-4, 12),
-    ]  # fmt: skip
 
 
 def hardened_flank():
