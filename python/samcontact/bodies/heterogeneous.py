@@ -88,8 +88,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         object.__setattr__(self, "measured", measured)
         if not self.inclusions and measured is None:
             raise ValueError(
-                "inclusions must contain at least one Inclusion, got none: for a homogeneous body "
-                "use its Material"
+                "inclusions must contain at least one Inclusion, or measured must be given, got "
+                "none: for a homogeneous body use its Material"
             )
 
     @classmethod
@@ -239,9 +239,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Raises
         ------
         ValueError
-            The grid has no dz, or fewer than 2 cells per radius of an inclusion; inclusions are
-            deeper than nz layers, all lie outside of the grid, or are wider than its period; a
-            later inclusion covers an earlier one.
+            The grid has no dz, or fewer than 2 cells per radius of an inclusion; all inclusions lie
+            outside of the grid, or one is wider than its period; a later inclusion covers an
+            earlier one.
         MemoryError
             The box does not fit into the memory.
 

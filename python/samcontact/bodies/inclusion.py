@@ -64,7 +64,7 @@ def checked_misfit(misfit: ArrayLike, material: Material | None) -> tuple[float,
             "strain, not a percentage"
         )
     if material is None and six.any():
-        raise ValueError(f"misfit must be 0 in a void, got {in_short(misfit)}")
+        raise ValueError(f"misfit must be 0 in a void (material = None), got {in_short(misfit)}")
     return tuple(float(value) + 0.0 for value in six)
 
 

@@ -160,11 +160,11 @@ def box_of(
 
 def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp]) -> None:
     """Refuse inclusions below the grid, outside of it, and wider than its period."""
-    bottom = int(ends[:, 2, 1].argmax())
-    if grid.nz and ends[bottom, 2, 1] > grid.nz:
+    highest = int(ends[:, 2, 0].argmin())
+    if grid.nz and ends[highest, 2, 0] >= grid.nz:
         raise ValueError(
-            f"nz must be at least {ends[bottom, 2, 1]}, the layers down to the lower end of "
-            f"{names[bottom]}, got {grid.nz}; without nz, the grid has as many layers as necessary"
+            f"inclusions must lie in the {grid.nz} layers of the grid, got none inside; "
+            f"{names[highest]} begins in layer {ends[highest, 2, 0]}"
         )
     outside = np.zeros(len(names), dtype=bool)
     for axis, (name, (low, step, count, wraps)) in enumerate(

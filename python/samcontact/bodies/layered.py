@@ -96,6 +96,11 @@ class Layered(HtmlTable):
 
     def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
         object.__setattr__(self, "layers", _checked_layers(layers))
+        if isinstance(substrate, Heterogeneous):
+            raise ValueError(
+                f"substrate must be a Material, got {in_short(substrate)}: inclusions in layered "
+                "bodies are not supported"
+            )
         require_type("substrate", substrate, Material)
         _require_endless("substrate", substrate)
         object.__setattr__(self, "substrate", substrate)

@@ -16,7 +16,15 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, finite_array, integer, non_negative, number, positive
+from .._util.checks import (
+    FloatArray,
+    finite_array,
+    integer,
+    non_negative,
+    number,
+    positive,
+    real_array,
+)
 from .._util.short_text import in_short
 from .inclusion import Inclusion, checked_phase
 from .material import Material
@@ -140,10 +148,10 @@ def checked_box(name: str, box: ArrayLike) -> FloatArray:
 
 
 def _pair(name: str, parts: str, value: Any) -> tuple[float, float]:
-    first, second = finite_array(name, value, (2,)) if np.ndim(value) else (math.nan, 0.0)
-    if math.isnan(first):
+    given = finite_array(name, value)
+    if given.shape != (2,):
         raise ValueError(f"{name} must be ({parts}), got {in_short(value)}")
-    return float(first), float(second)
+    return float(given[0]), float(given[1])
 
 
 def checked_microstructure(
@@ -162,7 +170,11 @@ def checked_microstructure(
             f"fraction must be at most {MAX_FRACTION:g}, got {share!r}: it is a share, not a "
             "percentage"
         )
-    median, spread = (radius, 0.0) if np.ndim(radius) == 0 else _pair("radius", "", radius)
+    given_radius = real_array("radius", radius)
+    if given_radius.ndim == 0:
+        median, spread = number("radius", radius), 0.0
+    else:
+        median, spread = _pair("radius", "median [m], standard deviation of ln(radius)", radius)
     median, spread = positive("radius", median), non_negative("spread of radius", spread)
     if spread > MAX_SPREAD:
         raise ValueError(
@@ -171,8 +183,8 @@ def checked_microstructure(
         )
     limits = (0.0, math.inf)
     if radius_limits is not None:
-        least, most = radius_limits
-        limits = non_negative("radius_limits", least), number("radius_limits", most)
+        limits = _pair("radius_limits", "minimum, maximum [m]", radius_limits)
+        non_negative("radius_limits", limits[0])
         if not limits[0] <= median <= limits[1]:
             raise ValueError(
                 f"radius_limits must enclose the median radius {median!r} m, got {limits!r}"

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._util.checks import FloatArray, finite_array, positive
+from .._util.checks import FloatArray, finite_array, number, positive, real_array
 from .._util.display import lengths
 from .._util.short_text import in_short
 from .filled_shares import overlaps
@@ -52,8 +52,9 @@ class VoxelBlock:
         self.materials = tuple(
             checked_phase(f"materials[{n}]", one) for n, one in enumerate(materials)
         )
-        sizes = dx if np.ndim(dx) else (dx,) * 3
-        x, y, z = (positive("dx", size) for size in finite_array("dx", sizes, (3,)))
+        if real_array("dx", dx).ndim == 0:
+            dx = (number("dx", dx),) * 3
+        x, y, z = (positive("dx", size) for size in finite_array("dx", dx, (3,)))
         self.size = (x, y, z)
         x, y, z = (float(value) for value in finite_array("origin", origin, (3,)))
         self.origin = (x, y, z)
@@ -72,18 +73,18 @@ class VoxelBlock:
         top = int(np.argmax(bottom > 0.0))
         if self.origin[2] + self.size[2] * top > 0.0:
             return
-        for number, material in enumerate(self.materials):
-            if material is None and self._share(number)[:, :, top].any():
+        for index, material in enumerate(self.materials):
+            if material is None and self._share(index)[:, :, top].any():
                 raise ValueError(
                     "labels must not have voids at the surface, got some in layer "
                     f"{top}: a void that cuts the surface is a dent; give it as a part of the gap"
                 )
 
-    def _share(self, number: int) -> FloatArray:
+    def _share(self, index: int) -> FloatArray:
         """Share of a material in each voxel."""
         if self.labels.dtype.kind == "f":
             return self.labels
-        return np.asarray(self.labels == number + 1, dtype=np.float64)
+        return np.asarray(self.labels == index + 1, dtype=np.float64)
 
     def ends(self, axes: Sequence[tuple[float, float]]) -> Ends:
         """First cell of the block and the cell after its last one, along x, y and z.
@@ -113,13 +114,13 @@ class VoxelBlock:
                 axes, self.origin, self.size, self.labels.shape, ends, strict=True
             )
         ]
-        for number in range(len(self.materials)):
-            share = self._share(number)
+        for index in range(len(self.materials)):
+            share = self._share(index)
             if not share.any():
                 continue
             for axis, weight in enumerate(weights):
                 share = np.moveaxis(np.tensordot(weight, share, (1, axis)), 0, axis)
-            yield number, ends, np.minimum(share, 1.0)
+            yield index, ends, np.minimum(share, 1.0)
 
     def _identity(self) -> tuple[Any, ...]:
         digest = hashlib.sha256(np.ascontiguousarray(self.labels).tobytes()).hexdigest()
@@ -148,6 +149,8 @@ class VoxelBlock:
 
 def _checked_labels(labels: ArrayLike, count: int) -> NDArray[Any]:
     """Check labels of voxels, or shares, and return a read-only copy."""
+    if not isinstance(labels, np.ndarray):
+        real_array("labels", labels)
     given = np.asarray(labels)
     if given.ndim != 3 or not given.size:
         raise ValueError(f"labels must have shape (n, m, l), got {given.shape}")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.cached_property import cached_property
-from .._util.checks import FloatArray, finite_array, positive, real_array, require_type
+from .._util.checks import FloatArray, finite_array, number, positive, require_type, together
 from .._util.display import HtmlTable, Rows, quantity
 from .._util.tensors import von_mises
 from ..bodies.inclusion import checked_misfit
@@ -89,9 +89,7 @@ class EshelbySphere(HtmlTable):
         The stress at the radius itself is that of the matrix. Ju and Sun (1999),
         doi:10.1115/1.2791090.
         """
-        points = np.stack(np.broadcast_arrays(*(
-            finite_array(name, value) for name, value in zip("xyz", (x, y, z), strict=True)
-        )))  # fmt: skip
+        points = np.stack(together(x=x, y=y, z=z))
         distance = np.linalg.norm(points, axis=0)
         inside = distance < self.radius * (1 - 1e-12)
         at = np.where(inside, self.radius, np.maximum(distance, self.radius))
@@ -255,7 +253,7 @@ class MisfitSphere:
 
     def __post_init__(self) -> None:
         material = Material.elastic(self.E, self.nu)
-        checked_misfit(real_array("misfit", self.misfit).item(), material)
+        checked_misfit(number("misfit", self.misfit), material)
         if not positive("depth", self.depth) >= positive("radius", self.radius):
             raise ValueError(
                 f"depth must be at least the radius {self.radius!r} m, got {self.depth!r}: the "
@@ -278,9 +276,7 @@ class MisfitSphere:
 
     def stress(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
         """Stress at points [Pa], shape (6, ...); z from the surface into the body [m]."""
-        points = np.stack(np.broadcast_arrays(*(
-            finite_array(name, value) for name, value in zip("xyz", (x, y, z), strict=True)
-        )))  # fmt: skip
+        points = np.stack(together(x=x, y=y, z=z))
         z_axis = np.array([0.0, 0.0, 1.0]).reshape(3, *([1] * (points.ndim - 1)))
         own = points - self.depth * z_axis
         inside = np.linalg.norm(own, axis=0) < self.radius

@@ -11,17 +11,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, finite_array, integer, require_type
 from .._util.display import HtmlTable, Rows, quantity
+from .._util.short_text import in_short
 from .._util.tensors import von_mises
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
 from ..bodies.material import Material
+from ..solutions.state import State
 from .tensors import as_matrix, as_six, fibonacci_directions, strain_of
 
 DIRECTIONS = 2000
@@ -141,7 +142,9 @@ def interface_of(
     )
 
 
-def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) -> list[Interface]:
+def interfaces(
+    state: State, body: int = 2, numbers: Sequence[int] | None = None
+) -> list[Interface]:
     """Largest tractions at the interfaces of the inclusions of a body in one state.
 
     The tractions follow from the mean stress inside each inclusion and from the mean of its
@@ -169,15 +172,19 @@ def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) 
     TypeError
         The body is not heterogeneous.
     """
+    require_type("state", state, State)
     which = choice("body", body, (1, 2))
     described = state.setup.bodies[which - 1]
     require_type(f"body{which}", described, Heterogeneous)
+    assert isinstance(described, Heterogeneous)
     if abs(state.offset(which)) > 0.0:
         raise ValueError(
             f"fields of body{which} must lie on the cells of the grid, got an offset of "
             f"{state.offset(which):.3g} m: move the body by whole cells"
         )
     means = MeanFields(described, state, which)
+    if numbers is not None and not isinstance(numbers, (list, tuple, range)):
+        raise TypeError(f"numbers must be a list of integers, got {in_short(numbers)}")
     found = []
     for number in range(len(described.inclusions)) if numbers is None else numbers:
         at = integer("numbers", number, 0)
@@ -194,16 +201,17 @@ def interfaces(state: Any, body: int = 2, numbers: Sequence[int] | None = None) 
 class MeanFields:
     """Mean stress and mean eigenstrain of each inclusion of a body, from the fields of a state."""
 
-    def __init__(self, body: Heterogeneous, state: Any, which: int) -> None:
+    def __init__(self, body: Heterogeneous, state: State, which: int) -> None:
+        cells = body.cells_on(state.grid, check=False)
+        layers = cells.first[2] + cells.phase.shape[2]
+        state = state.at_layers(max(layers, len(state.depths)))
         self.share = np.asarray(state.share(which))
         self.phase = np.asarray(state.phase(which))
         self.stress = np.asarray(state.stress(which))
         self.eigenstrain = np.asarray(state.eigenstrain(which))
         self.plastic = np.asarray(state.plastic_strain(which))
         count = len(body.inclusions) + 1
-        every = np.bincount(
-            body.cells_on(state.grid, check=False).phase.ravel() + 1, minlength=count
-        )
+        every = np.bincount(cells.phase.ravel() + 1, minlength=count)
         inside = np.bincount(self.phase.ravel() + 1, minlength=count)
         self.complete = (every == inside)[1:]
 

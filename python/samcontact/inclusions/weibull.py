@@ -115,9 +115,10 @@ def weibull_fit(lives: ArrayLike) -> WeibullFit:
     TypeError
         A life is not a number.
     """
-    given = np.sort(finite_array("lives", lives))
+    given = finite_array("lives", lives)
     if given.ndim != 1 or given.size < MIN_LIVES:
         raise ValueError(f"lives must be at least {MIN_LIVES} numbers, got shape {given.shape}")
+    given = np.sort(given)
     if given[0] <= 0.0:
         raise ValueError(f"lives must be > 0, got {given[0]!r}")
     if given[-1] <= given[0] * (1 + 1e-9):

@@ -144,7 +144,7 @@ def outline_in_section(results: ContactResults, ax: Axes, y: float, number: int)
 
 
 def butterfly(of: ButterflyMap, ax: Axes | None = None) -> Axes:
-    """Draw a butterfly map: the criterion around inclusions, and where it is largest.
+    """Draw a butterfly map: the criterion around inclusions, and the places of its maxima.
 
     Parameters
     ----------
@@ -169,8 +169,8 @@ def butterfly(of: ButterflyMap, ax: Axes | None = None) -> Axes:
     if ax.name != "polar":
         raise TypeError(f"ax must be polar axes, got {ax.name!r}")
     width = 2 * math.pi / len(of.angle)
-    share = np.asarray(of.count) / max(len(of.numbers), 1)
-    ax.bar(of.angle, share, width=width, color="C0", alpha=0.6, label="largest here (share)")
+    share = np.asarray(of.count) / max(int(of.count.max()), 1)
+    ax.bar(of.angle, share, width=width, color="C0", alpha=0.5, label="places of the maxima")
     ring = np.append(of.angle, of.angle[0])
     ax.plot(ring, np.append(of.relative, of.relative[0]), color="C3", linewidth=1.2,
             label="criterion, mean of all")  # fmt: skip

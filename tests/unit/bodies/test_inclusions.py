@@ -190,8 +190,8 @@ def test_inclusions_may_cross_the_sides_and_the_surface():
         (lambda: body(sphere(1.9e-6)).cells_on(GRID), "at least 2 cells per radius, got 1.9"),
         (lambda: body(sphere()).cells_on(sc.Grid(9, 9, 1e-6, 1e-6)), "grid must have dz"),
         (
-            lambda: body(sphere()).cells_on(sc.Grid(9, 9, 1e-6, 1e-6, nz=20, dz=1e-6)),
-            "nz must be at least 29, the layers down to the lower end of incl",
+            lambda: body(sphere()).cells_on(sc.Grid(9, 9, 1e-6, 1e-6, nz=10, dz=1e-6)),
+            "inclusions must lie in the 10 layers of the grid, got none inside",
         ),
         (
             lambda: body(sphere(center=(1e-3, 0.0, 2e-5))).cells_on(GRID),

@@ -145,7 +145,7 @@ ONES = np.ones((2, 2, 2), dtype=int)
         (lambda: drawn(5.0), "fraction must be at most 0.3, got 5.0: it is a share"),
         (lambda: drawn(1e-9), "fraction must give at least one inclusion.*got none with seed 1"),
         (lambda: drawn(0.3, (8e-6, 0.0), gap=3.0), "fraction must leave room.*found no place"),
-        (lambda: drawn(radius=(5e-6, 5e-6, 1)), r"radius must have shape \(2,\)"),
+        (lambda: drawn(radius=(5e-6, 5e-6, 1)), r"radius must be .median .m., standard dev"),
         (lambda: drawn(radius=(5e-6, 3.0)), r"spread of radius must be at most 2.*ln.radius"),
         (lambda: drawn(0.1, (1e-8, 0.0)), "fraction must give at most 100000 inclusions"),
         (lambda: drawn(radius_limits=(6e-6, 7e-6)), "radius_limits must enclose the median"),
