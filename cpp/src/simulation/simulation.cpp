@@ -120,22 +120,6 @@ void require_free_to_advance_along_y(const State& state) {
   throw std::invalid_argument(std::string("advance along y is not supported ") + reason);
 }
 
-/// Throws std::invalid_argument for a body with inclusions that this simulation cannot solve.
-void require_possible(const Setup& setup, int body, const Settings& settings) {
-  const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument("body " + std::to_string(body + 1) + " has inclusions: " + why);
-  };
-  if (settings.residual_stress == operators::ResidualMethod::exact) {
-    refuse(
-        "residual_stress = \"exact\" is not supported with them, because its stress at the centres "
-        "of cells makes soft inclusions unstable: use \"fast\"");
-  }
-  if (setup.bodies[body].is_layered()) refuse("they are not supported in layered bodies");
-  if (setup.bodies[body].is_viscoelastic()) refuse("they are not supported in viscoelastic bodies");
-  if (setup.bodies[body].material(0).elastic.is_rigid()) refuse("its matrix must not be rigid");
-  if (!setup.reliefs[body].worn.empty()) refuse("wear of this body is not supported");
-}
-
 /// Throws std::invalid_argument unless the bodies move by whole cells, since the memory of a
 /// viscoelastic body is stored by cell.
 void require_whole_cells(const Travel& by, double dx) {
@@ -178,9 +162,7 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
     throw std::invalid_argument(
         "dz is required for an elastic-plastic body; the number of layers is chosen automatically");
   }
-  for (int b = 0; b < 2; ++b) {
-    if (setup_->inclusions[b]) require_possible(*setup_, b, settings_);
-  }
+  setup_->require_solvable_inclusions(settings.residual_stress);
   scans({});
   solve_start();
 }

@@ -13,7 +13,7 @@ from ..bodies.inclusion_cells import InclusionCells
 from ..bodies.phase_mixing import relative_phase
 from .grid import Grid
 
-_LARGEST_RATIO = 20.0
+_MAX_MODULUS_RATIO = 20.0
 """Ratio of moduli up to which a laminate is more accurate than mixed moduli."""
 
 
@@ -35,7 +35,7 @@ def set_two_phases(
     for number in np.unique(cells.phase[cells.is_cut]):
         phase = relative_phase(body.matrix, body.phases[number], misfits[number])
         ratios = phase.bulk, phase.shear
-        if min(ratios) < 1 / _LARGEST_RATIO or max(ratios) > _LARGEST_RATIO:
+        if min(ratios) < 1 / _MAX_MODULUS_RATIO or max(ratios) > _MAX_MODULUS_RATIO:
             continue
         normal = normals(cells, grid) if normal is None else normal
         own: BoolArray = cells.is_cut & (cells.phase == number) & normal.any(axis=0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies with inclusions in a simulation, against closed forms and equivalent scenes."""
+"""Bodies with inclusions in a simulation, against closed forms and equivalent cases."""
 
 import pickle
 

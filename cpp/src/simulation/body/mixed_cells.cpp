@@ -29,12 +29,14 @@ void MixedCells::take(const Zones& zones) {
   if (!inclusions_) return;
   zones_ = zones;
   cells_.assign(zones.cells(), nullptr);
+  numbers_.clear();
   const Box solved = box();
   for (std::size_t n = 0; n < cells_.size(); ++n) {
     const auto [i, j, k] = zones.cell(n);
     // Beyond the grid the eigenstrain stays as it is.
     if (i < solved.i0 || i >= solved.i0 + solved.nx) continue;
     cells_[n] = inclusions_->at(i, j, k, first_, setup_.grid.period);
+    if (cells_[n] != nullptr) numbers_.push_back(static_cast<std::uint32_t>(n));
   }
   plastic_ = before_.own ? before_.own->strain(zones) : Field{};
   const auto& of_matrix = before_.of_matrix;

@@ -65,7 +65,7 @@ Field PlasticIncrement::first_guess() {
 double PlasticIncrement::mismatch_tol() const {
   double tol = 0.0;
   for (const PlasticBody& body : bodies_) {
-    const MixedCells& mixed = body.mixed();
+    const MixedCells& mixed = body.cells().mixed();
     if (mixed.is_on()) tol = std::max(tol, mixed.are_strong() ? strong_tol : moderate_tol);
   }
   return tol;
@@ -121,7 +121,7 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     const PlasticBody& body = bodies_[b];
-    if (body.mixed().at(cell) != nullptr) {
+    if (body.cells().mixed().at(cell) != nullptr) {
       active_.put(active_.get(guess, n), mapped, n);
       continue;
     }
@@ -159,8 +159,8 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
     const auto [b, cell] = active_.cells[n];
     const PlasticBody& body = bodies_[b];
     plasticity::Tensors place;
-    const auto r = body.mixed().step(cell, active_.stress[n], active_.strain(guess, n),
-                                     body.cells().before(cell, place));
+    const auto r = body.cells().mixed().step(cell, active_.stress[n], active_.strain(guess, n),
+                                             body.cells().before(cell, place));
     plasticity::Tensor change = r.eigenstrain;
     const plasticity::Tensor before = active_.before(n), present = active_.strain(guess, n);
     for (int c = 0; c < 6; ++c) {
@@ -240,7 +240,7 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   for_own_cells([&](std::size_t n) {
     const std::uint32_t cell = active_.cells[n].cell;
     state.flowed[i] = true;
-    if (body.mixed().at(cell) != nullptr) return;
+    if (body.cells().mixed().at(cell) != nullptr) return;
     body.cells().flow(cell, active_.get(mapped, n), active_.equivalent[n]);
   });
   for (std::size_t m = 0; m < active_.mixed.size(); ++m) {
@@ -248,15 +248,15 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
     const plasticity::MixedReturn& step = active_.mixed_steps[m];
     if (own != b || (step.equivalent == 0 && step.inclusion_equivalent == 0)) continue;
     body.cells().flow(cell, step.flow, step.equivalent);
-    body.mixed().flow(cell, step);
+    body.cells().mixed().flow(cell, step);
   }
   state.softening[i] = body.cells().softening();
-  if (body.mixed().is_on()) {
-    const MixedCells::Flows flows = body.mixed().finish();
+  if (body.cells().mixed().is_on()) {
+    const MixedCells::Flows flows = body.cells().mixed().finish();
     state.inclusions_flow[i] = flows.own;
     state.matrix_flow[i] = flows.of_matrix;
   }
-  if (state.flowed[i] || body.mixed().is_on()) {
+  if (state.flowed[i] || body.cells().mixed().is_on()) {
     state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.setup().grid, symmetry_);
     state.plastic[i] = body.finish();
   }

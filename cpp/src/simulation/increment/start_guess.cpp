@@ -58,7 +58,7 @@ Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) co
       const std::ptrdiff_t cell = body.zones().number(flow.cells[n]);
       if (cell < 0) continue;
       const auto number = static_cast<std::uint32_t>(cell);
-      const bool mixed = body.mixed().at(number) != nullptr;
+      const bool mixed = body.cells().mixed().at(number) != nullptr;
       // In a motion other inclusions may be there now.
       if (mixed && task_.from.advance != Travel{}) continue;
       if (!mixed) {
@@ -87,9 +87,9 @@ void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCe
   const std::size_t parts = active.components();
   for (std::size_t n = 0; n < active.size(); ++n) {
     const PlasticBody& body = bodies[active.cells[n].body];
-    const bool mixed = body.mixed().at(active.cells[n].cell) != nullptr;
+    const bool mixed = body.cells().mixed().at(active.cells[n].cell) != nullptr;
     if (active.equivalent[n] == 0 && !mixed) continue;
-    if (stands && !body.is_split() && !body.mixed().is_on()) continue;
+    if (stands && !body.is_split() && !body.cells().mixed().is_on()) continue;
     // Strain of inclusions moves with them.
     if (mixed && !stands) continue;
     auto& kept = flow->bodies[body.index()];

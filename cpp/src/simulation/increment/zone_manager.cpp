@@ -179,7 +179,7 @@ bool ZoneManager::grow_beyond() {
 }
 
 void ZoneManager::take_up_inclusions(PlasticBody& body) {
-  const Box mixed = body.mixed().box();
+  const Box mixed = body.cells().mixed().box();
   if (mixed.empty()) return;
   const Box now = whole_or_none(body), needed = now.united(choice_.with_margin(mixed));
   if (body.zones().count() == 1 && now.contains(needed)) return;

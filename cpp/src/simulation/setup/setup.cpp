@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "samcontact/base/cells_over.hpp"
@@ -186,5 +188,22 @@ Box Setup::volume_below(const Field& repulsion) const {
 }
 
 void Setup::require_volume(int body) const { simulation::require_volume(grid, media, body); }
+
+void Setup::require_solvable_inclusions(operators::ResidualMethod method) const {
+  for (int b = 0; b < 2; ++b) {
+    if (!inclusions[b]) continue;
+    const auto refuse = [b](const std::string& why) {
+      throw std::invalid_argument("body " + std::to_string(b + 1) + " has inclusions: " + why);
+    };
+    if (method == operators::ResidualMethod::exact) {
+      refuse(
+          "residual_stress = \"exact\" is not supported with them, because its stress at the "
+          "centres of cells makes soft inclusions unstable: use \"fast\"");
+    }
+    if (bodies[b].is_layered()) refuse("they are not supported in layered bodies");
+    if (bodies[b].is_viscoelastic()) refuse("they are not supported in viscoelastic bodies");
+    if (!reliefs[b].worn.empty()) refuse("wear of this body is not supported");
+  }
+}
 
 }  // namespace samcontact::simulation

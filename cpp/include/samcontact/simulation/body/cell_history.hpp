@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "samcontact/plasticity/mixed_cell.hpp"
+#include "samcontact/simulation/body/mixed_cells.hpp"
 #include "samcontact/simulation/cells/box_field.hpp"
 #include "samcontact/simulation/setup/strength.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
@@ -18,11 +20,14 @@ namespace samcontact::simulation {
 /// For the numbered cells of disjoint zones.
 class CellHistory {
  public:
-  explicit CellHistory(const plasticity::Body& body) : body_(body) {}
+  CellHistory(const plasticity::Body& body, MixedCells mixed)
+      : body_(body), mixed_(std::move(mixed)) {}
 
   /// Sets zones, hardening and backstress before the increment, and the strength of the cells.
   void take(const Zones& zones, Field equivalent, Field backstress, const Strength& strength);
   const Zones& zones() const { return zones_; }
+  const MixedCells& mixed() const { return mixed_; }
+  MixedCells& mixed() { return mixed_; }
 
   /// Sets the factor on the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
@@ -85,6 +90,7 @@ class CellHistory {
                                                    plasticity::Tensors& place) const;
 
   const plasticity::Body& body_;
+  MixedCells mixed_;
   Zones zones_;
   Field equivalent_;                     // before the increment
   Field backstress_;                     // before the increment, [term][component][cell]

@@ -36,6 +36,8 @@ class MixedCells {
   /// Sets the zones in which they are numbered.
   void take(const Zones& zones);
 
+  /// Indices of all mixed cells.
+  const std::vector<std::uint32_t>& numbers() const { return numbers_; }
   /// Mixed cell; null in the matrix.
   const plasticity::MixedCell* at(std::size_t cell) const {
     return cells_.empty() ? nullptr : cells_[cell];
@@ -59,6 +61,7 @@ class MixedCells {
   Flows before_;
   Zones zones_;
   std::vector<const plasticity::MixedCell*> cells_;  // by cell of the zones
+  std::vector<std::uint32_t> numbers_;
   // Strain of Flows, [component][cell] with five components, and equivalent strain of the
   // inclusion in cells of two phases; empty: none.
   Field plastic_, matrix_plastic_, inclusion_equivalent_;

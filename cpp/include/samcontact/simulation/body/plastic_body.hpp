@@ -10,7 +10,6 @@
 #include "samcontact/simulation/body/active_cells.hpp"
 #include "samcontact/simulation/body/body_surface.hpp"
 #include "samcontact/simulation/body/cell_history.hpp"
-#include "samcontact/simulation/body/mixed_cells.hpp"
 #include "samcontact/simulation/body/yield_search.hpp"
 #include "samcontact/simulation/sources/sources.hpp"
 #include "samcontact/simulation/state/state.hpp"
@@ -37,8 +36,6 @@ class PlasticBody {
 
   const CellHistory& cells() const { return cells_; }
   CellHistory& cells() { return cells_; }
-  const MixedCells& mixed() const { return mixed_; }
-  MixedCells& mixed() { return mixed_; }
   YieldSearch& search() { return search_; }
   const BodySurface& surface() const { return surface_; }
   BodySurface& surface() { return surface_; }
@@ -63,8 +60,8 @@ class PlasticBody {
   /// minimum of (yield stress - von Mises stress)/yield stress over the inactive cells.
   double find_stress(ActiveCells& active);
   void activate(std::uint32_t cell, const plasticity::Tensor& deviator, ActiveCells& active);
-  bool is_active(std::uint32_t cell) const { return active_[cell] >= 0; }
-  std::size_t active_number(std::uint32_t cell) const { return active_[cell]; }
+  /// Index of a cell among the active cells; -1 if it is inactive.
+  int active_number(std::uint32_t cell) const { return active_[cell]; }
   /// History after the increment; this object must not be used afterwards.
   std::shared_ptr<const PlasticState> finish();
 
@@ -78,9 +75,6 @@ class PlasticBody {
   /// first: index of its first cell; plane: its number of cells.
   LayerCheck check_layer(std::size_t first, std::size_t plane, const double* layer,
                          const CellHistory::Limits& limits, ActiveCells& active) const;
-  void activate_mixed(ActiveCells& active);
-  /// Adds all other stress of a layer.
-  Field with_given_stress(std::size_t zone, int k, const double* layer) const;
 
   const Setup& setup_;
   int index_;
@@ -95,7 +89,6 @@ class PlasticBody {
   operators::Tensor tensor_ = operators::Tensor::deviator;
   double offset_ = 0.0;  // of its cells relative to those of the grid, see Placement
   CellHistory cells_;
-  MixedCells mixed_;
   YieldSearch search_;
   BodySurface surface_;
   std::unique_ptr<ZoneVolume> volume_;  // null: no zones

@@ -50,7 +50,7 @@ class ZoneManager {
   void take_up_inclusions(PlasticBody& body);
   /// Whether a body may have several zones: inclusions are solved for in one box.
   bool may_split(const PlasticBody& body) const {
-    return !body.mixed().is_on() && split_.is_allowed();
+    return !body.cells().mixed().is_on() && split_.is_allowed();
   }
   /// Whether zones had to grow for the first elastic stress; there may be none before.
   bool fit_zones(PlasticBody& body);

@@ -79,6 +79,9 @@ class Setup {
   /// Throws std::invalid_argument for a grid without layers or a rigid body.
   void require_volume(int body) const;
 
+  /// Throws std::invalid_argument for a body with inclusions that is not supported.
+  void require_solvable_inclusions(operators::ResidualMethod method) const;
+
   /// Mirror planes that gap, full sliding and grid permit for all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
 
