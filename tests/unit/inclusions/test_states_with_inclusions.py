@@ -127,7 +127,7 @@ def bodies_to_keep():
     yield sc.Heterogeneous.voxels(hard, [oxide, None], labels, 6e-6, (-30e-6, -30e-6, 12e-6))
 
 
-@pytest.mark.parametrize("body", bodies_to_keep())
+@pytest.mark.parametrize("body", list(bodies_to_keep()), ids=["ellipsoid", "voxels"])
 def test_a_restart_continues_with_identical_bits(body, tmp_path):
     """Also if only the matrix yields, so that the inclusions have no plastic strain."""
     grid = sc.Grid(20, 20, 6e-6, 6e-6, dz=6e-6)
