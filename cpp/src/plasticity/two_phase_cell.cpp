@@ -18,6 +18,9 @@ using Jump = Eigen::Matrix<double, 6, 3>;
 /// Relative residual at convergence, and limits of the number of steps and of halvings of a step.
 constexpr double residual_tol = 1e-10;
 constexpr int max_steps = 40, max_step_halvings = 8;
+/// Least hardening in the derivatives, relative to the shear modulus: two perfectly plastic phases
+/// have singular derivatives. It changes the steps of the iteration, not its result.
+constexpr double min_slope = 1e-3;
 
 Vector to_vector(const Tensor& t) {
   Vector v;
@@ -67,7 +70,8 @@ struct Response {
     if (q <= yield) return;
     const double d = equivalent_increment(q / phase.strength, phase.equivalent, G / phase.strength,
                                           *phase.hardening);
-    const double slope = phase.strength * phase.hardening->at(phase.equivalent + d).slope;
+    const double slope =
+        std::max(phase.strength * phase.hardening->at(phase.equivalent + d).slope, min_slope * G);
     const Vector direction = s / size;
     const double left = 1 - 3 * G * d / q;
     equivalent = d;

@@ -52,10 +52,13 @@ def require_all_used(case: Any) -> None:
 
 
 def _require_inclusions_in_volume(case: Any) -> None:
-    """Raise ValueError for inclusions without layers of cells, or with a prescribed accuracy."""
+    """Raise ValueError for inclusions without layers of cells, or with wear, dents or accuracy."""
     for name, body in (("body1", case.body1), ("body2", case.body2)):
         if not body.has_inclusions:
             continue
+        for other in ("wear", "dents"):
+            if getattr(case, other) is not None:
+                raise ValueError(f"{other} cannot be combined with inclusions of {name}: omit one")
         if case.accuracy is not None:
             raise ValueError(
                 f"accuracy cannot be combined with inclusions of {name}: omit it, and choose cells "

@@ -112,3 +112,30 @@ def test_one_state_gives_statistics_too():
     assert found == sc.inclusions.statistics([state]) == sc.inclusions.statistics([state, state])
     assert "plastic_strain" not in found.near
     assert "cells near inclusions" in found._repr_html_()
+
+
+def bodies_to_keep():
+    hard = sc.Material.linear_hardening(210e9, 0.3, 8e8, 1e10)
+    oxide = sc.Material.elastic(390e9, 0.25)
+    labels = np.zeros((10, 10, 8), dtype=int)
+    labels[3:7, 3:7, 2:6], labels[8:, 8:, 2:] = 1, 2
+    turned = [[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]]
+    ellipsoid = sc.Inclusion.ellipsoid(
+        (0, 0, 5e-5), (24e-6, 25e-6, 28e-6), oxide, [1e-3, 0, 0, 0, 0, 0], turned
+    )
+    yield sc.Heterogeneous(hard, [ellipsoid])
+    yield sc.Heterogeneous.voxels(hard, [oxide, None], labels, 6e-6, (-30e-6, -30e-6, 12e-6))
+
+
+@pytest.mark.parametrize("body", list(bodies_to_keep()), ids=["ellipsoid", "voxels"])
+def test_a_restart_continues_with_identical_bits(body, tmp_path):
+    """Also if only the matrix yields, so that the inclusions have no plastic strain."""
+    grid = sc.Grid(20, 20, 6e-6, 6e-6, dz=6e-6)
+    simulation = sc.Simulation(grid, RIGID, body, sc.surfaces.paraboloid(grid, 3e-3))
+    assert simulation.step(load=4.0).max_plastic_strain_magnitude(2) > 0
+    simulation.save(tmp_path / "kept")
+    again = sc.Simulation.load(tmp_path / "kept")
+    assert again.body2 == body
+    first, second = (one.step(load=5.0) for one in (simulation, again))
+    np.testing.assert_array_equal(first.pressure, second.pressure)
+    np.testing.assert_array_equal(first.stress(2), second.stress(2))

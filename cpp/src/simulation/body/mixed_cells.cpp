@@ -70,9 +70,16 @@ void MixedCells::flow(std::uint32_t cell, const plasticity::MixedReturn& step) {
       at += cells;
     }
   };
-  add_strain(step.plastic, plastic_);
-  flowed_ = true;
+  // A history without strain would have no zones.
+  const auto flows = [](const plasticity::Tensor& increment) {
+    return std::ranges::any_of(increment, [](double part) { return part != 0; });
+  };
+  if (flows(step.plastic)) {
+    add_strain(step.plastic, plastic_);
+    flowed_ = true;
+  }
   if (!cells_[cell]->has_two_phases()) return;
+  if (!flows(step.matrix_plastic) && step.inclusion_equivalent == 0) return;
   add_strain(step.matrix_plastic, matrix_plastic_);
   inclusion_equivalent_.resize(cells, 0.0);
   inclusion_equivalent_[cell] += step.inclusion_equivalent;
