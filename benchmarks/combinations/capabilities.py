@@ -54,6 +54,10 @@ def _both_yield(contact: Contact) -> None:
     contact.body1 = sc.Material.swift(210e9, 0.3, 700e6, 20.0, 0.1)
 
 
+def _stiff_inclusion(contact: Contact) -> None:
+    contact.inclusion = sc.Material.elastic(400e9, 0.25)
+
+
 def _full_sliding(contact: Contact) -> None:
     if contact.law == 0.0:
         contact.law = 0.3
@@ -185,6 +189,7 @@ CAPABILITIES: dict[str, Change] = {
     "viscoelastic body": _relaxes,
     "elastic coating": _elastic_coating,
     "plastic coating and substrate": _yielding_coating,
+    "inclusion": _stiff_inclusion,
     "full sliding": _full_sliding,
     "partial slip": _partial_slip,
     "no slip": _no_slip,

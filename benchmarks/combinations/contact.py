@@ -19,7 +19,7 @@ SPEED = 0.2
 TOL = 1e-5
 METHODS = ("residual_stress", "increment_tol")
 """Settings of the indentation, taken from those of the contact."""
-Body = sc.Material | sc.Layered
+Body = sc.Material | sc.Layered | sc.Heterogeneous
 
 
 @dataclass
@@ -34,6 +34,8 @@ class Contact:
     """Whether the upper body ends at a free face inside the contact."""
     relaxes: bool = False
     """Whether the upper body is viscoelastic."""
+    inclusion: sc.Material | None = None
+    """Material of a spherical inclusion in the lower body."""
     periodic: str = ""
     heights: np.ndarray | None = None
     """Measured heights, which are added to the gap [m]."""
@@ -69,6 +71,9 @@ class Contact:
             body1 = body1.with_relaxation(times=[1e-4, 1e-2], shares=[0.2, 0.1])
         if self.ends:
             body1 = body1.with_free_faces(high=4 * SIZE)
+        if self.inclusion is not None:
+            sphere = sc.Inclusion.sphere((0.0, 0.0, 5 * SIZE), 4 * SIZE, self.inclusion)
+            body2 = sc.Heterogeneous(body2, [sphere])
         if coating is None:
             return body1, body2
         return body1, sc.Layered([(coating, SIZE)], body2)

@@ -366,6 +366,7 @@ class State:
     def deviator_in_own_box(
         self, body: int, loaded: bool
     ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def disturbance(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def eigenstrain(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def eigenstrain_in(
         self, body: int, box: typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
@@ -464,9 +465,15 @@ class State:
     @property
     def history2(self) -> dict[str, typing.Any] | None: ...
     @property
+    def inclusions_flow1(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def inclusions_flow2(self) -> dict[str, typing.Any] | None: ...
+    @property
     def iterations(self) -> int: ...
     @property
     def joint_steps(self) -> int: ...
+    @property
+    def largest_mismatch(self) -> numpy.typing.NDArray[numpy.float64] | None: ...
     @property
     def last_flow(self) -> dict[str, typing.Any] | None: ...
     @property
@@ -477,6 +484,10 @@ class State:
     def lateral_travel(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
     @property
     def load(self) -> float: ...
+    @property
+    def matrix_flow1(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def matrix_flow2(self) -> dict[str, typing.Any] | None: ...
     @property
     def motion(self) -> typing.Annotated[list[float], "FixedSize(3)"]: ...
     @property
@@ -578,6 +589,18 @@ class Simulation:
             "FixedSize(2)",
         ],
         contact_law: ContactLaw,
+        inclusions: typing.Annotated[
+            collections.abc.Sequence[
+                tuple[
+                    typing.Annotated[collections.abc.Sequence[int], "FixedSize(3)"],
+                    numpy.typing.NDArray[numpy.int32],
+                    numpy.typing.NDArray[numpy.float64],
+                    collections.abc.Sequence[Material],
+                ]
+                | None
+            ],
+            "FixedSize(2)",
+        ],
     ) -> None: ...
     def add_eigenstrain(
         self,

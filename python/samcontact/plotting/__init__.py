@@ -17,6 +17,7 @@ from .contact import (
     temperature_profile,
 )
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
+from .inclusions import butterfly, inclusion_outlines, weibull
 from .interface import interface_profile
 from .maps import surface_map, track_map
 from .over_time import over_time
@@ -33,6 +34,7 @@ from .view import save_view, view
 __all__ = [
     "asperities",
     "axis_profile",
+    "butterfly",
     "cohesive_zone",
     "creep_curve",
     "exposure_depth",
@@ -42,6 +44,7 @@ __all__ = [
     "fretting_loop",
     "friction_curve",
     "imprint_profile",
+    "inclusion_outlines",
     "interface_profile",
     "journal_column",
     "load_approach",
@@ -67,4 +70,5 @@ __all__ = [
     "track_section",
     "view",
     "wear",
+    "weibull",
 ]

@@ -92,7 +92,7 @@ class Adhesion(ContactLaw):
         viscoelastic body without a long-time modulus.
         """
         require_type("grid", grid, Grid)
-        require_bodies(body1, body2)
+        require_bodies(body1, body2, inclusions=True)
         cores = relaxed(body1)._core, relaxed(body2)._core
         influence = _core.self_influence(grid._core, *cores)
         alone = Grid(1, 1, grid.dx, grid.dy)

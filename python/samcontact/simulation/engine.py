@@ -14,6 +14,7 @@ from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
+from ..bodies.layered import matrix_of
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -23,6 +24,7 @@ from ..heat import Heat
 from ..problem.domain import Domain, require_consistent_overlap
 from ..problem.grid import Grid
 from ..problem.heating import core_law, heating
+from ..problem.mixed_cells import mixed_cells
 from ..problem.moving_topography import relief_rows
 from ..problem.settings import memory_of_contact
 from ..problem.setup import SimulationSetup
@@ -73,7 +75,9 @@ class Engine:
         setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
         relieved = relieved or setup.adhesion.attracts
-        self.estimate = ContactSetup(grid, domain.initial_gap, setup.bodies, relieved)
+        # The estimate is that of the matrices.
+        bodies = matrix_of(setup.body1), matrix_of(setup.body2)
+        self.estimate = ContactSetup(grid, domain.initial_gap, bodies, relieved)
         self._arguments = StepArguments(grid, setup.bodies, setup.friction, setup.settings.spring)
         self.domain, self.core = domain, core
 
@@ -91,6 +95,7 @@ class Engine:
             softening=self._laws,
             reliefs=reliefs,
             contact_law=setup.resolved_adhesion(grid).to_core(),
+            inclusions=[mixed_cells(n, body, grid) for n, body in enumerate(setup.bodies, 1)],
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
