@@ -31,9 +31,7 @@ Field RelaxingBodies::slip(const operators::Tractions& before) const {
     const TrackTractions past = equivalent(*from_.memory[b], body);
     cause.subtract(past.tractions);
     cause.add(compliances_[b], before, body.grid, true);
-    Field u = displacement(cause, body, operators::Axis::x);
-    const Field v = displacement(cause, body, operators::Axis::y);
-    u.insert(u.end(), v.begin(), v.end());
+    const Field u = displacement(cause, body, std::array{operators::Axis::x, operators::Axis::y});
     slip.resize(u.size(), 0.0);
     contact::add_scaled(-operators::shear_sign(b), u, slip);
   }
