@@ -27,6 +27,7 @@ Field BodyDisplacement::operator()(const Tractions& tractions, double shear_sign
   Field displacement(axes.size() * cells, 0.0);
   if (medium_->is_rigid()) return displacement;
   Field acting;  // [traction][i][j]
+  acting.reserve(all_tractions.size() * cells);
   std::vector<MatrixKernelRef> kernels;
   int inputs = 0;
   for (const Traction kind : all_tractions) {
