@@ -15,7 +15,7 @@ def test_the_page_states_at_most_1_3_elastic_increments():
 
 
 def test_memory_is_one_field_more_than_terms_for_each_traction():
-    pressed = viscous.press(Meter(), "periodic rough surface", 32, 2)
+    pressed = viscous.press(Meter(), "periodic rough surface", 48, 2)
     assert pressed["remembered fields"] == 3  # all cells have been loaded
     ball = viscous.press(Meter(), "ball", 32, 2)
     assert ball["remembered fields"] < 3
