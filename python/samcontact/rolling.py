@@ -15,7 +15,13 @@ from ._util.checks import FloatArray, exactly_one, require_type
 from ._util.short_text import in_short
 from .bodies.layered import Body, require_bodies
 from .bodies.viscoelastic import relaxes
-from .contact.creeping_rolling import CreepingRest, intermediate, roll_creeping
+from .contact.creeping_rolling import (
+    CreepingRest,
+    Motion,
+    Tractions,
+    intermediate,
+    roll_creeping,
+)
 from .contact.moving import (
     UNSHEARED,
     MovingContactSolver,
@@ -76,8 +82,8 @@ def steady(
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
     friction : friction law, or 0.0
-        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0 with
-        viscoelastic bodies.
+        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0: bodies,
+        of which one is viscoelastic, roll without shear.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
         `None` for a component, or for both, leaves that direction to `tangential_load`.
@@ -101,13 +107,13 @@ def steady(
 
     Returns
     -------
-    RollingSolution, or FreeRollingSolution with viscoelastic bodies
+    RollingSolution, or FreeRollingSolution of viscoelastic bodies without friction
 
     Raises
     ------
     ValueError, TypeError
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`. With
-        viscoelastic bodies: friction, creepage or tangential forces, a fluid, or free faces.
+        viscoelastic bodies: no speed, a fluid, or free faces.
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
@@ -120,7 +126,8 @@ def steady(
     -----
     J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
     long, so the error is proportional to the cell size. The page on rolling describes the
-    iteration.
+    iteration. The creep of viscoelastic bodies includes the whole track behind the contact; it is
+    computed from the last tractions until they no longer change.
     """
     require_type("grid", grid, Grid)
     require_bodies(body1, body2)
@@ -150,11 +157,16 @@ def steady(
         {"tangential_load": tangential_load, "torque": torque},
     )
     _require_rolling(grid, spin, torque)
-    bodies = require_moving(body1, body2) if creeps else (body1, body2)
-    bases = tuple(intermediate(body) for body in bodies)
-    solver = ContactSolver(grid, *bases, law, on_stall=on_stall, **settings)
-    moving = bodies if creeps else None
-    solution = solve_driven(solver, gap, normal, _Rolling(given, law, start, pace, moving))
+    elastic, creep = (body1, body2), None
+    if creeps:
+        bodies = require_moving(body1, body2)
+        elastic = intermediate(body1, pace, grid), intermediate(body2, pace, grid)
+
+        def creep(cells: Grid) -> CreepingRest:
+            return CreepingRest(cells, bodies, elastic, pace)
+
+    solver = ContactSolver(grid, *elastic, law, on_stall=on_stall, **settings)
+    solution = solve_driven(solver, gap, normal, _Rolling(given, law, start, pace, creep))
     assert isinstance(solution, RollingSolution)
     return solution
 
@@ -214,8 +226,8 @@ class _Rolling:
     previous: RollingSolution | None
     speed: float = 0.0
     """Rolling speed [m/s]; 0 for friction that does not depend on the slip rate."""
-    moving: tuple[Body, Body] | None = None
-    """Viscoelastic bodies, whose elastic part is in the solver; None: elastic bodies."""
+    creep: Callable[[Grid], CreepingRest] | None = None
+    """Displacement on a grid in addition to that of the elastic bodies of the solver."""
 
     def solved(
         self,
@@ -231,18 +243,21 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        (gap, normal), (tol, *rest) = contact, settings
+        (gap, normal), (tol, most, refuse, accept) = contact, settings
         lasts = 1 / self.speed if self.speed else 0.0
 
-        def roll(gap: Any, pressure: Any, shear: Any, motion: Any, tol: float, moved: Any) -> Any:
-            start = pressure, shear, motion or creepage
-            return core.roll(gap, normal, *drive, *start, tol, *rest, lasts, moved)
+        def roll(
+            gap: FloatArray, start: Tractions, motion: Motion, tol: float, moved: FloatArray | None
+        ) -> dict[str, Any]:
+            return core.roll(
+                gap, normal, *drive, *start, motion, tol, most, refuse, accept, lasts, moved
+            )
 
-        if self.moving is None:
-            found = roll(gap, start, shear, None, tol, None)
+        if self.creep is None:
+            found = roll(gap, (start, shear), creepage, tol, None)
         else:
-            creep = CreepingRest(grid, self.moving, self.speed)
-            found = roll_creeping(creep, roll, gap, tol, (start, shear))
+            first = (start, shear), creepage
+            found = roll_creeping(self.creep(grid), roll, gap, tol, first)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

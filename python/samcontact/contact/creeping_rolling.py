@@ -7,6 +7,7 @@ the last tractions until it no longer changes.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -14,45 +15,55 @@ import numpy as np
 from .. import _core
 from .._util import memory
 from .._util.checks import FloatArray
-from ..bodies.layered import Body
-from ..bodies.relaxation import long_time_share
-from ..bodies.viscoelastic import instantaneous, relaxation_of, softened
+from ..bodies.layered import Body, materials_of
+from ..bodies.viscoelastic import instantaneous, relaxation_of, softened, vibrating
 from ..problem.grid import Grid
 from .moving import moving_creep
 
+Tractions = tuple[FloatArray | None, FloatArray | None]
+"""Pressure, shape (nx, ny), and shear, shape (2, nx, ny) [Pa]."""
+Motion = tuple[float, float, float]
+"""Creepages along x and y [-] and spin [1/m]."""
+Roll = Callable[[FloatArray, Tractions, Motion, float, FloatArray | None], dict[str, Any]]
+"""Solves steady rolling of elastic bodies for a gap, tractions and motion to start from, a
+tolerance, and an additional tangential displacement, shape (2, nx, ny) [m]."""
+
 _DEPTH = 8
 """Number of differences in the acceleration."""
-_MAX_REPETITIONS = 200
-_INNER = 0.1
+_MAX_REPETITIONS = 400
+_INNER = 0.01
 """Tolerance of a repetition relative to that of the solution."""
 _LEAST = 1e-12
 """Smallest tolerance of a repetition."""
 
 
-def intermediate(body: Body) -> Body:
-    """Return the elastic body whose compliance is halfway between the fast and the slow one.
+def intermediate(body: Body, speed: float, grid: Grid) -> Body:
+    """Return the elastic body whose compliance is halfway between those of fast and slow waves.
 
-    The compliance of a standard linear solid at any frequency differs from it by at most (J - 1)/
-    (J + 1) of it, with the creep function J after a long time.
+    The slow waves are twice as long as the grid. The complex compliance of a standard linear solid
+    at higher frequencies differs from the mean compliance by less than the mean itself.
     """
-    terms = relaxation_of(body)
-    if terms is None:
+    if relaxation_of(body) is None:
         return body
-    return softened(body, 2 / (1 + 1 / long_time_share(terms)))
+    slow = vibrating(body, np.pi * speed / (grid.nx * grid.dx))
+    share = materials_of(slow)[0].E / materials_of(body)[0].E
+    return softened(body, 2 / (1 + 1 / share))
 
 
 class CreepingRest:
-    """Displacement of rolling viscoelastic bodies less that of their intermediate bodies."""
+    """Displacement of rolling viscoelastic bodies less that of elastic bodies."""
 
-    def __init__(self, grid: Grid, bodies: tuple[Body, Body], speed: float) -> None:
+    def __init__(
+        self, grid: Grid, bodies: tuple[Body, Body], elastic: tuple[Body, Body], speed: float
+    ) -> None:
         needed = memory.surface(grid, memory.MOVING_CONTACT_BYTES)
         memory.require_for_grid("a moving viscoelastic contact", grid, needed)
         cores = [instantaneous(body)._core for body in bodies]
         creeps = [moving_creep(body, -speed) for body in bodies]
         self._moving = _core.CreepingTractions(grid._core, *cores, *creeps)
-        bases = [intermediate(body)._core for body in bodies]
         none = _core.MovingCreep([], [], False)
-        self._elastic = _core.CreepingTractions(grid._core, *bases, none, none)
+        upper, lower = (body._core for body in elastic)
+        self._elastic = _core.CreepingTractions(grid._core, upper, lower, none, none)
 
     def __call__(self, pressure: FloatArray, shear: FloatArray) -> tuple[FloatArray, float]:
         """Return the rest along x, y and z, shape (3, nx, ny), and the size of the whole [m]."""
@@ -83,39 +94,41 @@ class _Acceleration:
 
 
 def roll_creeping(
-    rest: CreepingRest, roll: Any, gap: FloatArray, tol: float, start: tuple[Any, Any]
+    rest: CreepingRest, roll: Roll, gap: FloatArray, tol: float, start: tuple[Tractions, Motion]
 ) -> dict[str, Any]:
-    """Repeat the solution of intermediate bodies with the rest of its own tractions.
+    """Repeat the solution of elastic bodies with the rest of its own tractions.
 
     Parameters
     ----------
     rest : CreepingRest
     roll : callable
-        Solves for a gap, pressure and shear to start from, creepages to start from (None: given
-        ones), a tolerance, and a tangential displacement.
+        Solves the contact of the elastic bodies.
     gap : ndarray, shape (nx, ny)
         Initial gap [m].
     tol : float
         Tolerance of the solution.
-    start : pair of ndarray, or of None
-        Pressure and shear [Pa].
+    start : pair
+        Tractions and creepages from which the first solution starts.
 
     Raises
     ------
     ConvergenceError
         No convergence.
     """
-    pressure, shear = start
-    lag = np.zeros((3, *gap.shape)) if shear is None else rest(pressure, shear)[0]
-    motion, counts = None, dict.fromkeys(_COUNTED, 0)
+    tractions, motion = start
+    lag = np.zeros((3, *gap.shape))
+    if tractions[0] is not None and tractions[1] is not None:
+        lag = rest(tractions[0], tractions[1])[0]
+    counts = dict.fromkeys(_COUNTED, 0)
     inner, error = max(_INNER * tol, _LEAST), np.inf
     acceleration = _Acceleration()
     for _ in range(_MAX_REPETITIONS):
         loose = max(inner, min(1e-3, 1e-2 * error))
-        found: dict[str, Any] = roll(gap + lag[2], pressure, shear, motion, loose, lag[:2])
+        found = roll(gap + lag[2], tractions, motion, loose, lag[:2])
         for name in _COUNTED:
             counts[name] += found[name]
         pressure, shear, motion = found["pressure"], found["shear"], found["motion"]
+        tractions = pressure, shear
         now, size = rest(pressure, shear)
         change = (now - lag) * (pressure > 0)
         error = float(np.abs(change).max()) / size if size > 0 else 0.0
@@ -123,11 +136,13 @@ def roll_creeping(
             found.update(counts, error=max(error, found["error"]))
             return found
         lag = acceleration.next(lag, now - lag)
-    raise _core.ConvergenceError(
+    failed = _core.ConvergenceError(
         "the steady rolling of viscoelastic bodies did not converge: relative change "
         f"{error:.2g} after {_MAX_REPETITIONS} repetitions, tol {tol:g}: increase tol, or "
         "approach the speed and the creepage by steps of a Simulation"
     )
+    failed.iterations, failed.residual = counts["iterations"], error
+    raise failed
 
 
 _COUNTED = (
