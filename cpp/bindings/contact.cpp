@@ -209,9 +209,9 @@ void bind_creeping(py::module_& m) {
                        const plasticity::Body& body2, const MovingCreep& creep1,
                        const MovingCreep& creep2) {
              return std::make_unique<CreepingTractions>(
-                 grid, std::array<operators::CreepingBody, 2>{
-                           {{operators::medium_of(body1), creep1},
-                            {operators::medium_of(body2), creep2}}});
+                 grid,
+                 std::array<operators::CreepingBody, 2>{{{operators::medium_of(body1), creep1},
+                                                         {operators::medium_of(body2), creep2}}});
            }),
            py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("creep1"),
            py::arg("creep2"))

@@ -12,8 +12,9 @@ from typing import Any
 from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
-from .._util.errors import ConvergenceWarning, GridTooSmallWarning
+from .._util.errors import ConvergenceWarning, GridTooSmallWarning, IncrementWarning
 from ..bodies.free_faces import contact_strip
+from ..bodies.viscoelastic import relaxes
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -149,6 +150,8 @@ class Engine:
     ) -> tuple[State, list[UserWarning]]:
         """Advance by one increment; return the new state, and the warnings of the core."""
         setup = self.setup
+        observed = relaxes(*setup.bodies) and not monitor.relaxation.warned
+        earlier = self.state if observed else None
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
         if before is not None:
@@ -167,6 +170,8 @@ class Engine:
         found: list[UserWarning] = list(map(GridTooSmallWarning, complaints))
         if core.stall_warning:
             found.insert(0, ConvergenceWarning(core.stall_warning))
+        if earlier is not None and (text := monitor.relaxation.warning(earlier, state)):
+            found.append(IncrementWarning(text))
         return state, found
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:

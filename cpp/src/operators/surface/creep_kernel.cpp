@@ -106,14 +106,13 @@ Parts with_tracks(const Grid& grid, const std::vector<Group>& groups, const Kern
   const bool is_odd = compliance_parity(kind, axis).odd_x;
   Field& elastic = is_odd ? parts.odd : parts.even;
   for (const Group& group : groups) {
-    const Field kernel = group.medium->compliance(kind, axis, grid,
-                                                  CellOffsets::lattice(offsets.nx, offsets.ny));
+    const Field kernel =
+        group.medium->compliance(kind, axis, grid, CellOffsets::lattice(offsets.nx, offsets.ny));
     for (std::size_t n = 0; n < kernel.size(); ++n) elastic[n] += group.elastic * kernel[n];
     std::vector<double> decays;
     decays.reserve(group.terms.size());
     for (const Term& term : group.terms) decays.push_back(grid.dx / term.distance);
-    const std::vector<Field> beyond =
-        track_sums(*group.medium, kind, axis, grid, offsets, decays);
+    const std::vector<Field> beyond = track_sums(*group.medium, kind, axis, grid, offsets, decays);
     for (std::size_t t = 0; t < group.terms.size(); ++t) {
       add_term(group.terms[t], CellWeights(decays[t]), kernel, beyond[t], nx, is_odd ? -1.0 : 1.0,
                parts);

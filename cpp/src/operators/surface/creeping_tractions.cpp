@@ -8,8 +8,7 @@ namespace {
 
 bool equal(const CreepingBody& a, const CreepingBody& b) {
   return *a.medium == *b.medium && a.creep.amounts == b.creep.amounts &&
-         a.creep.distances == b.creep.distances &&
-         a.creep.towards_plus_x == b.creep.towards_plus_x;
+         a.creep.distances == b.creep.distances && a.creep.towards_plus_x == b.creep.towards_plus_x;
 }
 
 /// Bodies with the factors of their displacement along an axis due to a traction.

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Warning of a sudden load in an increment that is long for the relaxation; memory of a track."""
+
+import pytest
+from viscoelastic_setups import GRID, LOAD, SLS, SOFT, simulation
+
+import samcontact as sc
+from samcontact._util import memory
+
+SLOW = 4 * SLS.relaxation_terms[0][0]
+
+
+def loaded(body, *steps):
+    sim = simulation(body)
+    for load, duration in steps:
+        sim.step(load=load * LOAD, duration=duration)
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.ElasticStrainWarning")
+def test_a_sudden_load_in_a_long_increment_warns_once():
+    """Not if the load continues to rise, is applied at once, or the body hardly relaxes."""
+    with pytest.warns(sc.IncrementWarning, match="apply it with duration = 0") as found:
+        loaded(SLS, (0.2, SLOW), (0.2, SLOW), (0.02, SLOW), (0.02, SLOW))
+    assert len(found) == 1
+    loaded(SLS, (0.2, 0.0), (0.2, SLOW), (0.2, SLOW))
+    loaded(SLS, (0.2, SLOW / 2), (0.2, SLOW))
+    loaded(SLS, (0.1, SLOW), (0.15, SLOW), (0.2, SLOW), (0.2, SLOW))
+    loaded(SOFT.with_relaxation([1.0], [0.005]), (0.2, SLOW), (0.2, SLOW))
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
+def test_a_long_track_requires_memory(monkeypatch):
+    """The operators of the grid with the track are not built if they do not fit."""
+    sim = simulation(SLS, friction=0.0)
+    sim.step(load=0.1 * LOAD, duration=0.0)
+    far = 40000 * GRID.dx
+    monkeypatch.setattr(memory, "available", lambda: 1e8)
+    with pytest.raises(MemoryError, match="track of a viscoelastic body"):
+        sim.step(load=0.1 * LOAD, advance=(0.0, -far), duration=0.1)
+    near = sim.step(load=0.1 * LOAD, advance=(0.0, -GRID.dx), duration=0.1)
+    assert near.load == pytest.approx(0.1 * LOAD)
