@@ -22,6 +22,9 @@ RETESTED = (
     ("no slip", "steady heat"),
     ("elastic coating", "adhesion"),
     ("rolling", "dent of a pressed particle"),
+    ("viscoelastic body", "friction that falls with the slip rate"),
+    ("plastic body", "friction that depends on the temperature"),
+    ("layer of wear particles", "rolling"),
 )
 """Pairs that the tests run again."""
 
