@@ -26,7 +26,7 @@ NAME = "viscous"
 TITLE = "Viscoelastic increments"
 SIDE, RADIUS, CONTACT_RADIUS = 1e-3, 10e-3, 0.35e-3  # m
 RUBBER = sc.Material.elastic(10e6, 0.45)
-SHARE, STEP = 0.8, 0.05  # of the modulus that relaxes; duration of an increment [s]
+RELAXING_SHARE, STEP = 0.8, 0.05  # of the modulus that relaxes; duration of an increment [s]
 RELAXED = {2: 0.496, 8: 0.414}  # load for the contact area of the elastic ball
 RMS, WAVES, MU = 1e-6, 16, 0.3
 TURNS, WARM, MEASURED = 3, 3, 8
@@ -46,7 +46,7 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 def relaxing(terms: int) -> sc.Material:
     """Return the material with equal shares over two decades of relaxation times."""
     times = np.logspace(-2, 0, terms)
-    return RUBBER.with_relaxation(times=times.tolist(), shares=[SHARE / terms] * terms)
+    return RUBBER.with_relaxation(times=times.tolist(), shares=[RELAXING_SHARE / terms] * terms)
 
 
 def modulus() -> float:

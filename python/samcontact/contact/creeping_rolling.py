@@ -17,6 +17,7 @@ from .._util import memory
 from .._util.checks import FloatArray
 from ..bodies.layered import Body, materials_of
 from ..bodies.viscoelastic import instantaneous, relaxation_of, softened, vibrating
+from ..problem.contact_law import in_contact
 from ..problem.grid import Grid
 from .moving import moving_creep
 
@@ -31,9 +32,9 @@ tolerance, and an additional tangential displacement, shape (2, nx, ny) [m]."""
 _DEPTH = 8
 """Number of differences in the acceleration."""
 _MAX_REPETITIONS = 400
-_INNER = 0.01
+_INNER_TOL = 0.01
 """Tolerance of a repetition relative to that of the solution."""
-_LEAST = 1e-12
+_TIGHTEST_TOL = 1e-12
 """Smallest tolerance of a repetition."""
 
 
@@ -69,7 +70,7 @@ class CreepingRest:
         """Return the rest along x, y and z, shape (3, nx, ny), and the size of the whole [m]."""
         whole = self._moving.displacement(pressure, shear)
         rest: FloatArray = whole - self._elastic.displacement(pressure, shear)
-        touching = whole[2][pressure > 0]
+        touching = whole[2][in_contact(pressure)]
         return rest, float(np.abs(touching).max()) if touching.size else 0.0
 
 
@@ -120,7 +121,7 @@ def roll_creeping(
     if tractions[0] is not None and tractions[1] is not None:
         lag = rest(tractions[0], tractions[1])[0]
     counts = dict.fromkeys(_COUNTED, 0)
-    inner, error = max(_INNER * tol, _LEAST), np.inf
+    inner, error = max(_INNER_TOL * tol, _TIGHTEST_TOL), np.inf
     acceleration = _Acceleration()
     for _ in range(_MAX_REPETITIONS):
         loose = max(inner, min(1e-3, 1e-2 * error))
@@ -130,7 +131,7 @@ def roll_creeping(
         pressure, shear, motion = found["pressure"], found["shear"], found["motion"]
         tractions = pressure, shear
         now, size = rest(pressure, shear)
-        change = (now - lag) * (pressure > 0)
+        change = (now - lag) * in_contact(pressure)
         error = float(np.abs(change).max()) / size if size > 0 else 0.0
         if error <= tol and loose <= tol:
             found.update(counts, error=max(error, found["error"]))

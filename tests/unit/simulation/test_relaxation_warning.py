@@ -7,7 +7,7 @@ from viscoelastic_setups import GRID, LOAD, SLS, SOFT, simulation
 import samcontact as sc
 from samcontact._util import memory
 
-SLOW = 4 * SLS.relaxation_terms[0][0]
+LONG_DURATION = 4 * SLS.relaxation_terms[0][0]
 
 
 def loaded(body, *steps):
@@ -20,12 +20,20 @@ def loaded(body, *steps):
 def test_a_sudden_load_in_a_long_increment_warns_once():
     """Not if the load continues to rise, is applied at once, or the body hardly relaxes."""
     with pytest.warns(sc.IncrementWarning, match="apply it with duration = 0") as found:
-        loaded(SLS, (0.2, SLOW), (0.2, SLOW), (0.02, SLOW), (0.02, SLOW))
+        loaded(
+            SLS,
+            (0.2, LONG_DURATION),
+            (0.2, LONG_DURATION),
+            (0.02, LONG_DURATION),
+            (0.02, LONG_DURATION),
+        )
     assert len(found) == 1
-    loaded(SLS, (0.2, 0.0), (0.2, SLOW), (0.2, SLOW))
-    loaded(SLS, (0.2, SLOW / 2), (0.2, SLOW))
-    loaded(SLS, (0.1, SLOW), (0.15, SLOW), (0.2, SLOW), (0.2, SLOW))
-    loaded(SOFT.with_relaxation([1.0], [0.005]), (0.2, SLOW), (0.2, SLOW))
+    loaded(SLS, (0.2, 0.0), (0.2, LONG_DURATION), (0.2, LONG_DURATION))
+    loaded(SLS, (0.2, LONG_DURATION / 2), (0.2, LONG_DURATION))
+    loaded(
+        SLS, (0.1, LONG_DURATION), (0.15, LONG_DURATION), (0.2, LONG_DURATION), (0.2, LONG_DURATION)
+    )
+    loaded(SOFT.with_relaxation([1.0], [0.005]), (0.2, LONG_DURATION), (0.2, LONG_DURATION))
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
