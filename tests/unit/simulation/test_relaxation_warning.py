@@ -7,7 +7,7 @@ from viscoelastic_setups import GRID, LOAD, SLS, SOFT, simulation
 import samcontact as sc
 from samcontact._util import memory
 
-LONG_DURATION = 4 * SLS.relaxation_terms[0][0]
+DURATION = 4 * SLS.relaxation_terms[0][0]
 
 
 def loaded(body, *steps):
@@ -22,18 +22,16 @@ def test_a_sudden_load_in_a_long_increment_warns_once():
     with pytest.warns(sc.IncrementWarning, match="apply it with duration = 0") as found:
         loaded(
             SLS,
-            (0.2, LONG_DURATION),
-            (0.2, LONG_DURATION),
-            (0.02, LONG_DURATION),
-            (0.02, LONG_DURATION),
+            (0.2, DURATION),
+            (0.2, DURATION),
+            (0.02, DURATION),
+            (0.02, DURATION),
         )
     assert len(found) == 1
-    loaded(SLS, (0.2, 0.0), (0.2, LONG_DURATION), (0.2, LONG_DURATION))
-    loaded(SLS, (0.2, LONG_DURATION / 2), (0.2, LONG_DURATION))
-    loaded(
-        SLS, (0.1, LONG_DURATION), (0.15, LONG_DURATION), (0.2, LONG_DURATION), (0.2, LONG_DURATION)
-    )
-    loaded(SOFT.with_relaxation([1.0], [0.005]), (0.2, LONG_DURATION), (0.2, LONG_DURATION))
+    loaded(SLS, (0.2, 0.0), (0.2, DURATION), (0.2, DURATION))
+    loaded(SLS, (0.2, DURATION / 2), (0.2, DURATION))
+    loaded(SLS, (0.1, DURATION), (0.15, DURATION), (0.2, DURATION), (0.2, DURATION))
+    loaded(SOFT.with_relaxation([1.0], [0.005]), (0.2, DURATION), (0.2, DURATION))
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
