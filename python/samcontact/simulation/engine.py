@@ -12,7 +12,7 @@ from typing import Any
 from .. import _core
 from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
-from .._util.errors import ConvergenceWarning, GridTooSmallWarning, IncrementWarning
+from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.viscoelastic import relaxes
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
@@ -150,8 +150,7 @@ class Engine:
     ) -> tuple[State, list[UserWarning]]:
         """Advance by one increment; return the new state, and the warnings of the core."""
         setup = self.setup
-        observed = relaxes(*setup.bodies) and not monitor.relaxation.warned
-        earlier = self.state if observed else None
+        earlier = self.state if relaxes(*setup.bodies) else None
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
         if before is not None:
@@ -170,8 +169,8 @@ class Engine:
         found: list[UserWarning] = list(map(GridTooSmallWarning, complaints))
         if core.stall_warning:
             found.insert(0, ConvergenceWarning(core.stall_warning))
-        if earlier is not None and (text := monitor.relaxation.warning(earlier, state)):
-            found.append(IncrementWarning(text))
+        if earlier is not None:
+            found += monitor.relaxation.warnings(earlier, state)
         return state, found
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:

@@ -34,6 +34,25 @@ def test_a_sudden_load_in_a_long_increment_warns_once():
     loaded(SOFT.with_relaxation([1.0], [0.005]), (0.2, DURATION), (0.2, DURATION))
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.ElasticStrainWarning")
+def test_creep_within_a_cell_warns_once():
+    """Not over more than a cell, or so fast that the body has its long-time modulus."""
+    creep = SLS.relaxation_terms[0][0] / (1 - SLS.relaxation_terms[1][0])  # retardation time [s]
+
+    def rolled(cells):
+        sim = simulation(SLS, friction=0.0)
+        sim.step(load=0.2 * LOAD, duration=0.0)
+        step = {"advance": (0.0, -GRID.dx), "duration": creep / cells}
+        for _ in range(3):
+            sim.step(load=0.2 * LOAD, **step)
+
+    with pytest.warns(sc.ResolutionWarning, match="creeps within") as found:
+        rolled(0.3)
+    assert len(found) == 1
+    rolled(3.0)
+    rolled(0.003)
+
+
 @pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
 def test_a_long_track_requires_memory(monkeypatch):
     """The operators of the grid with the track are not built if they do not fit."""
