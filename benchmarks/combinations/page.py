@@ -23,6 +23,9 @@ RETESTED = (
     ("elastic coating", "adhesion"),
     ("rolling", "dent of a pressed particle"),
     ("inclusion", "rolling"),
+    ("viscoelastic body", "friction that falls with the slip rate"),
+    ("plastic body", "friction that depends on the temperature"),
+    ("layer of wear particles", "rolling"),
 )
 """Pairs that the tests run again."""
 

@@ -53,6 +53,7 @@ CORE_USERS = {
     "bodies.hardening_laws",
     "bodies.layered",
     "commands.errors",
+    "contact.creeping_rolling",
     "contact.enlargement",
     "contact.fields",
     "contact.interpenetration",

@@ -20,6 +20,7 @@ __all__: list[str] = [
     "ContactSolver",
     "ConvergenceError",
     "CreepingContact",
+    "CreepingTractions",
     "Drive",
     "Elastic",
     "FilmSolver",
@@ -296,6 +297,16 @@ class MovingCreep:
         towards_plus_x: bool,
     ) -> None: ...
 
+class CreepingTractions:
+    def __init__(
+        self, grid: Grid, body1: Body, body2: Body, creep1: MovingCreep, creep2: MovingCreep
+    ) -> None: ...
+    def displacement(
+        self,
+        pressure: numpy.typing.NDArray[numpy.float64],
+        shear: numpy.typing.NDArray[numpy.float64],
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
+
 class CreepingContact:
     def __init__(
         self, grid: Grid, body1: Body, body2: Body, creep1: MovingCreep, creep2: MovingCreep
@@ -331,6 +342,7 @@ class PartialSlipContact:
         error_on_border: bool,
         accept_stall: bool,
         duration: float = 0.0,
+        displacement: numpy.typing.NDArray[numpy.float64] | None = None,
     ) -> dict[str, typing.Any]: ...
     def solve(
         self,

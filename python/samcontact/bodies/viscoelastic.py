@@ -57,6 +57,11 @@ def vibrating(body: Body, omega: float) -> Body:
     )
 
 
+def softened(body: Body, share: float) -> Body:
+    """Return the elastic body with a share of the instantaneous moduli [-]."""
+    return _changed(body, lambda material: Material.elastic(share * material.E, material.nu))
+
+
 def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
     """Return a viscoelastic body with other materials, except for a rigid base."""
     if relaxation_of(body) is None:

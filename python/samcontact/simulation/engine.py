@@ -15,6 +15,7 @@ from .._util import memory
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import matrix_of
+from ..bodies.viscoelastic import relaxes
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -154,6 +155,7 @@ class Engine:
     ) -> tuple[State, list[UserWarning]]:
         """Advance by one increment; return the new state, and the warnings of the core."""
         setup = self.setup
+        earlier = self.state if relaxes(*setup.bodies) else None
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
         if before is not None:
@@ -172,6 +174,8 @@ class Engine:
         found: list[UserWarning] = list(map(GridTooSmallWarning, complaints))
         if core.stall_warning:
             found.insert(0, ConvergenceWarning(core.stall_warning))
+        if earlier is not None:
+            found += monitor.relaxation.warnings(earlier, state)
         return state, found
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:

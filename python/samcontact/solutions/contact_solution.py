@@ -250,6 +250,14 @@ class RollingSolution(ShearedSolution):
     friction: FrictionLaw
     friction_work_per_distance: float
 
+    @property
+    def rolling_resistance(self) -> float:
+        """Moment that resists the rolling [N m], the integral of pressure times x.
+
+        It is zero if both bodies are elastic and the gap is symmetric; see `FreeRollingSolution`.
+        """
+        return -float(self.moment[1])
+
     def _motion(self) -> Rows:
         return [
             ("creepage", both(self.creepage, "")),
