@@ -49,7 +49,7 @@ class MixedFilm:
 
     def _first_factor(self, thickness: float) -> float:
         """Return the speed at which a layer bears all; the film grows with speed^(2/3)."""
-        return (FILM_OF_DRY * thickness / self.dry.film) ** 1.5
+        return float((FILM_OF_DRY * thickness / self.dry.film) ** 1.5)
 
     def _begin(self) -> Any:
         """Return the solution at a speed at which the layer bears all.
@@ -61,7 +61,7 @@ class MixedFilm:
         layers = [thin]
         while layers[0] * LAYER_RATIO < LAYER_OF_APPROACH * depth:
             layers.insert(0, layers[0] * LAYER_RATIO)
-        state = {
+        state: dict[str, Any] = {
             "fluid_pressure": _FLUID_OF_DRY * self.dry.pressure,
             "boundary_pressure": self.dry.pressure,
             "void_fraction": np.zeros_like(self.dry.pressure),
