@@ -184,3 +184,14 @@ def test_refusals():
     relaxing = STEEL.with_relaxation(times=[1.0], shares=[0.5])
     with pytest.raises(ValueError, match="inclusions in viscoelastic bodies"):
         simulation(sc.Heterogeneous(relaxing, [sphere(STIFF)]))
+
+
+def test_prescribed_pressure_on_an_inclusion_off_the_axis():
+    """A symmetric pressure does not make the inclusion symmetric."""
+    body = sc.Heterogeneous(STEEL, [sphere(STIFF, x=6e-5, misfit=1e-3)])
+    pressed = simulation(body).step(load=LOAD)
+    given = simulation(body).step(pressure=0.5 * (pressed.pressure + pressed.pressure[::-1]))
+    share = given.share(2)
+    strained = np.abs(given.eigenstrain(2)).max(axis=0) > 0
+    assert not strained[share == 0].any()
+    assert strained[share > 0].all()
