@@ -20,9 +20,8 @@ if TYPE_CHECKING:
 def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
     """Return the elastic energy that bodies have in addition to that of homogeneous ones [J].
 
-    The stress s0 of the tractions in the matrix and the stress s of the body, with the
-    eigenstrain e* of the inclusions and their misfit e0, give 1/2 of the integral of s0 : e* - s : e0
-    in addition to that of the tractions on the matrix.
+    It is 1/2 of the integral of s0 : e* - s : e0, with the stress s0 of the tractions in the
+    homogeneous matrix, the stress s, the eigenstrain e* of the inclusions and their misfit e0.
     """
     total = 0.0
     for number, body in enumerate(bodies, 1):
