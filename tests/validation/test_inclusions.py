@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A sphere below a contact against finite elements (reference/inclusions)."""
 
+import re
 import warnings
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import samcontact as sc
+import spheres_in_stress
 from reference import inclusions
 
 A, P0, E = 1e-3, 4e9, 210e9
@@ -129,3 +132,62 @@ def test_elastic_plastic(name, per_radius, matrix, inside, pressure, strain):
     assert loaded.pressure.max() / P0 == pytest.approx(
         case["summary"]["max_pressure_over_p0"], rel=pressure
     )
+
+
+PAGE = Path(__file__).parents[2] / "docs" / "theory" / "inclusions.md"
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+
+
+def table(first):
+    """Numbers of the table whose head begins with the given words, by row and column."""
+    lines = PAGE.read_text(encoding="utf-8").splitlines()
+    start = next(n for n, line in enumerate(lines) if line.startswith(f"| {first}"))
+    rows = []
+    for line in lines[start + 2 :]:
+        if not line.startswith("|"):
+            break
+        cells = line.strip("|").split("|")[1:]
+        rows.append([[float(n) for n in NUMBER.findall(cell)] for cell in cells])
+    return rows
+
+
+@pytest.mark.slow
+def test_page_states_the_errors():
+    names = ["e2_05", "e03_05", "v_05", "m_05", "e2_05p", "e03_05p", "v_05p"]
+    for name, row in zip(names, table("sphere"), strict=True):
+        for column, per_radius in enumerate(int(n) for n in row[0]):
+            case, loaded, _, _ = states(name, per_radius)
+            rms = errors(name, per_radius, "loaded", loaded)[0]
+            assert row[1][column] == pytest.approx(rms[0], rel=0.02)
+            if not name.startswith("v"):
+                assert row[2][column] == pytest.approx(rms[1], rel=0.06)
+            pressure = loaded.pressure.max() / P0 / case["summary"]["max_pressure_over_p0"] - 1
+            assert row[3][column] == pytest.approx(100 * pressure, abs=0.06)
+    ratios = (0.0, 0.3, 2.0)
+    for ratio, row in zip(ratios, table("ratio of Young's moduli | 4"), strict=True):
+        for per_radius, stated in zip((4, 8), row, strict=True):
+            error, _ = spheres_in_stress.errors(ratio, per_radius)
+            assert stated[0] == pytest.approx(100 * error, abs=0.1)
+
+
+@pytest.mark.slow
+def test_page_states_the_evaluations():
+    load = 2 / 3 * np.pi * A**2 * P0
+    (row,) = table("ratio of Young's moduli | 0")
+    for ratio, stated in zip((0.0, 0.1, 0.3, 2.0, 10.0, 1000.0), row, strict=True):
+        for per_radius, count in zip((4, 8), stated, strict=True):
+            h = 0.25 * A / per_radius
+            n = int(2 * 1.15 * A / h) // 2 * 2 + 1
+            grid = sc.Grid(n, n, h, h, dz=h)
+            place = (0.0, 0.0, 0.5 * A), 0.25 * A
+            one = (
+                sc.Inclusion.sphere(*place, sc.Material.elastic(ratio * E, 0.3))
+                if ratio > 0
+                else sc.Inclusion.void(*place)
+            )
+            body = sc.Heterogeneous(sc.Material.elastic(E, 0.3), [one])
+            gap = sc.surfaces.paraboloid(grid, 36.728 * A)
+            sim = sc.Simulation(
+                grid, sc.Material.rigid(), body, gap, tol=1e-3, image_tol=1e-4, on_border="warn"
+            )
+            assert sim.step(load=load).iterations + 1 == pytest.approx(count, abs=1)
