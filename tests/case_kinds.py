@@ -42,9 +42,9 @@ ELLIPSOID = {
     "axes": [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
 }  # fmt: skip
 DRAWN = {
-    "E": 390e9, "nu": 0.25, "fraction": 0.04, "radius": 25e-6, "spread": 0.1,
+    "E": 390e9, "nu": 0.25, "fraction": 0.25, "radius": 25e-6, "spread": 0.1,
     "radius_limits": [24.5e-6, 30e-6], "misfit": 1e-3, "seed": 1, "gap": 0.1, "cover": 1e-6,
-    "box": [[-1e-4, 1e-4], [-1e-4, 1e-4], [0.0, 1e-4]],
+    "box": [[-4e-5, 4e-5], [-4e-5, 4e-5], [0.0, 1.5e-4]],
     "cluster": {"members": 3.0, "distance": 6e-5},
 }  # fmt: skip
 HARDENED = {name: value for name, value in SWIFT.items() if name != "yield_profile"}

@@ -62,9 +62,11 @@ def solved(seed):
         warnings.simplefilter("ignore")
         try:
             simulation, path, load = setup(seed)
+        except ValueError:  # no inclusion is drawn, or one finds no place
+            return False
+        try:
             states = [simulation.step(**step) for step in path]
-        except (ValueError, sc.ConvergenceError, sc.GridTooSmallError) as error:
-            assert len(str(error)) > 30
+        except sc.ConvergenceError:
             return False
         largest = max(np.abs(state.stress(2)).max() for state in states)
         for state, step in zip(states, path, strict=True):

@@ -56,16 +56,17 @@ def _require_inclusions_in_volume(case: Any) -> None:
     for name, body in (("body1", case.body1), ("body2", case.body2)):
         if not body.has_inclusions:
             continue
+        field = f"{name}.{'inclusions' if body.inclusions is not None else 'random_inclusions'}"
         for other in ("wear", "dents"):
             if getattr(case, other) is not None:
-                raise ValueError(f"{other} cannot be combined with inclusions of {name}: omit one")
+                raise ValueError(f"{field} cannot be combined with {other}: omit one of them")
         if case.accuracy is not None:
             raise ValueError(
-                f"accuracy cannot be combined with inclusions of {name}: omit it, and choose cells "
-                "of an eighth to a quarter of the smallest radius"
+                f"{field} cannot be combined with accuracy: omit accuracy, and choose cells of an "
+                "eighth to a quarter of the smallest radius"
             )
         if not case.has_volume:
-            raise ValueError(f"{name} has inclusions and requires a grid with layers: set grid.dz")
+            raise ValueError(f"{field} requires a grid with layers: set grid.dz")
 
 
 def path_with_loads(case: Any) -> list[Segment]:

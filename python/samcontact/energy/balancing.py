@@ -12,12 +12,13 @@ import numpy as np
 
 from .._util.checks import FloatArray, require_list, require_type
 from .._util.display import HtmlTable, Rows, percent, quantity
-from ..bodies.layered import Body, backstresses_of
+from ..bodies.layered import Body, backstresses_of, matrix_of
 from ..bodies.viscoelastic import instantaneous, relaxation_of
 from ..contact.solver import ContactSolver
 from ..problem.friction import friction_law
 from ..solutions.state import State, on_common_grid
-from .motion import Motion, over_grid
+from .mismatch import mismatch_energy, not_balanced
+from .motion import Motion, have_equal_eigenstrain, over_grid
 from .work import (
     cell_volume,
     eigenstrain_energy,
@@ -179,7 +180,9 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
             f"adhesion must not attract, got {simulation.adhesion!r}: the energy stored by "
             "attraction is not included in the balance"
         )
-    if not all(_have_equal_eigenstrain(*pair) for pair in pairwise(states)):
+    if reason := not_balanced(_bodies(simulation), states):
+        return reason
+    if not all(have_equal_eigenstrain(*pair) for pair in pairwise(states)):
         return (
             "states must have equal eigenstrain: the work of adding eigenstrain is not included in "
             "the balance"
@@ -196,20 +199,6 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
                 "or the difference of advance"
             )
     return ""
-
-
-def _have_equal_eigenstrain(one: State, other: State) -> bool:
-    """Whether the eigenstrain of each body is the same in two states, where both grids have it."""
-    bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
-    if not bodies:
-        return True
-    layers = max(one.layers, other.layers)
-    a, b = one.at_layers(layers), other.at_layers(layers)
-    for body in bodies:
-        now = b.eigenstrain(body)
-        if not np.array_equal(Motion(a, b, body).convected(a.eigenstrain(body), now), now):
-            return False
-    return True
 
 
 def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:
@@ -378,7 +367,7 @@ def _thermal_stress(simulation: Simulation, state: State, body: int) -> FloatArr
 
 
 def _elastic_solver(simulation: Simulation, state: State) -> ContactSolver:
-    body1, body2 = map(instantaneous, _bodies(simulation))
+    body1, body2 = map(instantaneous, map(matrix_of, _bodies(simulation)))
     return ContactSolver(state.grid, body1, body2, simulation.friction, on_border="warn")
 
 
@@ -396,4 +385,5 @@ def _elastic_energy(simulation: Simulation, state: State) -> float:
     )
     done = np.sum(pressure * (first[2] + second[2])) + np.sum(shear * (second - first)[:2])
     stored = sum(state.stored_energy(body) for body, relaxes in enumerate(relaxing, 1) if relaxes)
+    stored += mismatch_energy(_bodies(simulation), state)
     return float(0.5 * state.grid.cell_area * done + stored)

@@ -109,3 +109,17 @@ class Motion:
             return 0.0
         grid, parts = self.after.grid, zip(tractions, fields, strict=True)
         return 0.5 * travel * sum(float(np.sum(t * slope(grid, f))) for t, f in parts)
+
+
+def have_equal_eigenstrain(one: State, other: State) -> bool:
+    """Whether the eigenstrain of each body is the same in two states, where both grids have it."""
+    bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
+    if not bodies:
+        return True
+    layers = max(one.layers, other.layers)
+    a, b = one.at_layers(layers), other.at_layers(layers)
+    for body in bodies:
+        now = b.eigenstrain(body)
+        if not np.array_equal(Motion(a, b, body).convected(a.eigenstrain(body), now), now):
+            return False
+    return True

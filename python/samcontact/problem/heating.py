@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
 from .._util.short_text import in_short
+from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import Body, Layered, materials_at, materials_of, thermal_of
 from ..heat import Heat
 from .friction import FrictionLaw
@@ -65,6 +66,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
             _require_in_layers(n, body, grid)
+            _require_equal_expansion(n, body)
             _require_transient(name, heat, grid, n, factor)
             lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
@@ -98,6 +100,21 @@ def _required_constants(
             f"{factor!r}: set them with with_thermal()"
         )
     return thermal
+
+
+def _require_equal_expansion(n: int, body: Body) -> None:
+    """Raise ValueError for inclusions that expand differently from a heated matrix."""
+    if not isinstance(body, Heterogeneous) or body.thermal is None:
+        return
+    expansion = body.thermal[1]
+    for number, material in enumerate(body.phases):
+        if material is None or material.thermal is None or material.thermal[1] == expansion:
+            continue
+        raise ValueError(
+            f"the thermal expansion of body{n}.phases[{number}] must be that of the heated matrix, "
+            f"{expansion!r}, got {material.thermal[1]!r}: the misfit due to frictional heat is not "
+            "computed; give it as misfit, or omit the thermal constants of the inclusion"
+        )
 
 
 def _of_missing(body: Body) -> str:

@@ -33,12 +33,10 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
         return None
     materials = [material for material in cells.laws if material is not None]
     of_law = np.array([-1 if m is None else materials.index(m) for m in cells.laws])
+    places = np.argwhere(differs)
     used = tuple(
-        slice(int(along.argmax()), differs.shape[axis] - int(along[::-1].argmax()))
-        for axis, along in enumerate(
-            differs.any(axis=tuple(other for other in range(3) if other != axis))
-            for axis in range(3)
-        )
+        slice(int(low), int(high) + 1)
+        for low, high in zip(places.min(axis=0), places.max(axis=0), strict=True)
     )
     first = tuple(f + s.start for f, s in zip(cells.first, used, strict=True))
     in_core = np.ascontiguousarray(differs[used].transpose(2, 0, 1))

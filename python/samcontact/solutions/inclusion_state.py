@@ -26,9 +26,10 @@ class InclusionState:
     if TYPE_CHECKING:
         setup: SimulationSetup
         grid: Grid
-        layers: int
         _core: Any
 
+        @property
+        def layers(self) -> int: ...
         def _field(
             self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
         ) -> FloatArray: ...

@@ -206,7 +206,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
         It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
-        stress due to tractions and heat.
+        stress due to tractions and heat. Under load it includes the mismatch of inclusions.
         """
         return self._field("residual_stress", body)
 

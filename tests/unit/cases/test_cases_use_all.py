@@ -65,8 +65,9 @@ OTHER = {
     "designation": ["6209"], "profile_y": [[0.0, 5e-5]], "profile_drop": [[0.0, 2e-8]],
     "times": [[1e-3, 0.2]], "shares": [[0.3, 0.1]],
     "axes": [[[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]],
-    "radius_limits": [[24.9e-6, 3e-5]],
-    "box": [[[-1e-4, 1e-4], [-1e-4, 1e-4], [0.0, 1.1e-4]]],
+    "radius_limits": [[24.9e-6, 3e-5]], "misfit": [2e-3], "fraction": [0.1, 0.3], "gap": [0.8],
+    "cover": [2e-5], "members": [1.0, 9.0],
+    "box": [[[-4e-5, 4e-5], [-4e-5, 4e-5], [0.0, 1.6e-4]]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {

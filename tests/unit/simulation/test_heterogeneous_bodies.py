@@ -181,6 +181,23 @@ def test_refusals():
         simulation(sc.Heterogeneous(STEEL, [sphere(hard)]))
     with pytest.raises(ValueError, match="must not have kinematic hardening if an inclusion"):
         simulation(sc.Heterogeneous(hard, [sphere(YIELDING)]))
+    hot, other = (STEEL.with_thermal(50.0, a, 1.3e-5) for a in (12e-6, 8e-6))
+    heat = sc.Heat((0.0, 0.2), velocity=((0.0, 0.0), (1.0, 0.0)))
+    with pytest.raises(
+        ValueError, match=r"expansion of body2.phases\[0\] must be that of the heated"
+    ):
+        simulation(sc.Heterogeneous(hot, [sphere(other)]), friction=0.2, heat=heat)
     relaxing = STEEL.with_relaxation(times=[1.0], shares=[0.5])
     with pytest.raises(ValueError, match="inclusions in viscoelastic bodies"):
         simulation(sc.Heterogeneous(relaxing, [sphere(STIFF)]))
+
+
+def test_prescribed_pressure_on_an_inclusion_off_the_axis():
+    """A symmetric pressure does not make the inclusion symmetric."""
+    body = sc.Heterogeneous(STEEL, [sphere(STIFF, x=6e-5, misfit=1e-3)])
+    pressed = simulation(body).step(load=LOAD)
+    given = simulation(body).step(pressure=0.5 * (pressed.pressure + pressed.pressure[::-1]))
+    share = given.share(2)
+    strained = np.abs(given.eigenstrain(2)).max(axis=0) > 0
+    assert not strained[share == 0].any()
+    assert strained[share > 0].all()

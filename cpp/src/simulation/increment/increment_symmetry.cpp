@@ -15,6 +15,10 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   } else {
     symmetry = common(symmetry, symmetry_of(task.target.drive));
   }
+  const auto& inclusions = task.setup().inclusions;
+  if (inclusions[0] || inclusions[1]) {
+    symmetry = common(symmetry, task.setup().symmetry_of_inclusions(task.from.travel));
+  }
   if (task.setup().friction.sticks()) {
     symmetry = common(symmetry, symmetry_of(tangential_drive(task)));
     symmetry = common(symmetry, task.from.shear_symmetry);

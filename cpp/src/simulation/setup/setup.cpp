@@ -85,7 +85,7 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
   symmetry_ = common(symmetry_, friction.symmetry());
   symmetry_ = common(symmetry_, symmetry_of_faces(bodies));
   for (const auto& own : inclusions) {
-    if (own) symmetry_ = common(symmetry_, own->symmetry(grid));
+    if (own) symmetry_of_inclusions_ = common(symmetry_of_inclusions_, own->symmetry(grid));
   }
 }
 
@@ -148,6 +148,11 @@ fft::Symmetry Setup::symmetry(const Travel& travel) const {
   if (flat) return symmetry;
   const auto of_gap = common(symmetry, symmetry_of(gap(travel), grid));
   return common(of_gap, common(symmetry_of_worn(0, travel), symmetry_of_worn(1, travel)));
+}
+
+fft::Symmetry Setup::symmetry_of_inclusions(const Travel& travel) const {
+  if (travel == Travel{}) return symmetry_of_inclusions_;
+  return common(symmetry_of_inclusions_, fft::Symmetry::y);
 }
 
 fft::Symmetry Setup::symmetry_of_worn(int body, const Travel& travel) const {

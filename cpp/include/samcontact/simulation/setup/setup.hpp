@@ -84,11 +84,13 @@ class Setup {
 
   /// Mirror planes that gap, full sliding and grid permit for all fields.
   fft::Symmetry symmetry(const Travel& travel) const;
+  /// Mirror planes that the inclusions of both bodies permit.
+  fft::Symmetry symmetry_of_inclusions(const Travel& travel) const;
 
  private:
   fft::Symmetry symmetry_of_worn(int body, const Travel& travel) const;
 
-  fft::Symmetry symmetry_;
+  fft::Symmetry symmetry_, symmetry_of_inclusions_ = fft::Symmetry::xy;
 };
 
 }  // namespace samcontact::simulation
