@@ -24,7 +24,7 @@ from ..diagnostics.plausibility import warn_if_implausible, wear_coefficient
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw, sticking_law
 from ..problem.grid import Grid
-from .problem import WearProblem
+from .problem import NO_RELAXATION, WearProblem
 from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = (
@@ -67,7 +67,7 @@ def make_setup(
     require_type("grid", grid, Grid)
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
-    require_no_relaxation("wear does not support viscoelastic bodies", *bodies)
+    require_no_relaxation(NO_RELAXATION, *bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(

@@ -36,7 +36,7 @@ from ..problem.friction import FrictionLaw, is_law
 from ..problem.grid import Grid, within_period
 from ..problem.moving_topography import heights_over
 from ..simulation.steps import STEP_ARGUMENTS
-from .problem import WearProblem
+from .problem import NO_RELAXATION, WearProblem
 from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_order
 
@@ -108,7 +108,7 @@ def make_setup(
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
-    require_no_relaxation("wear does not support viscoelastic bodies", *bodies)
+    require_no_relaxation(NO_RELAXATION, *bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)

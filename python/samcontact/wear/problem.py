@@ -22,6 +22,12 @@ from ..simulation.kept_heat import continue_heat
 from ..simulation.simulation import Simulation
 from .results import AnyCycle
 
+NO_RELAXATION = (
+    "wear does not support viscoelastic bodies, whose pressure depends on the time between the "
+    "cycles; use elastic bodies with the long-time moduli"
+)
+"""Reason why bodies that wear must not be viscoelastic."""
+
 P = TypeVar("P", bound="WearProblem")
 
 
