@@ -44,6 +44,14 @@ CALLS = [
         )
         for method in ("ratio", "slope")
     ),
+    ("lubricants.iso_vg", sc.lubricants.iso_vg, {"grade": "ISO VG 68"}),
+    ("lubricants.oil", sc.lubricants.oil, {"nu40": 68e-6, "nu100": 8.5e-6, "density": 880.0}),
+    ("lubricants.Oil", sc.lubricants.Oil,
+     {"name": "a", "nu40": 68e-6, "nu100": 8.5e-6, "density": 880.0, "source": "b"}),
+    *(
+        (f"lubricants.Oil.{name}", getattr(sc.lubricants.iso_vg(68), name), {"T": 320.0})
+        for name in ("beta", "kinematic_viscosity", "lubricant", "pressure_viscosity", "viscosity")
+    ),
     *(
         (f"lubrication.{name}", getattr(sc.lubrication, name), CASE)
         for name in ("estimate", "moes", "nijenbanning", "regime", "rigid_isoviscous")

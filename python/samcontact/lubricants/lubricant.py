@@ -63,7 +63,7 @@ class LubricantHeat:
 
 @dataclass(frozen=True, repr=False)
 class Lubricant(HtmlTable):
-    """Lubricant, made by `roelands`, `barus`, `doolittle`, `tabulated` or `from_grade`.
+    """Lubricant, made by `roelands`, `barus`, `doolittle`, `tabulated` or `lubricants.iso_vg`.
 
     Attributes
     ----------
