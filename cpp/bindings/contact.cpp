@@ -276,15 +276,17 @@ void bind_contact(py::module_& m) {
 
   py::class_<Drive>(m, "Drive")
       .def(py::init([](bool is_load, double value, const std::array<bool, 2>& is_moment,
-                       const contact::AboutAxes& tilt) {
+                       const contact::AboutAxes& tilt, double spring) {
              Drive drive = is_load ? Drive::load(value) : Drive::approach(value);
+             drive.spring = spring;
              for (int k = 0; k < 2; ++k) {
                drive.tilt[k] =
                    is_moment[k] ? contact::Given::force(tilt[k]) : contact::Given::motion(tilt[k]);
              }
              return drive;
            }),
-           py::arg("is_load"), py::arg("value"), py::arg("is_moment"), py::arg("tilt"));
+           py::arg("is_load"), py::arg("value"), py::arg("is_moment"), py::arg("tilt"),
+           py::arg("spring") = 0.0);
 
   py::class_<ContactSolver>(m, "ContactSolver")
       .def(py::init([](const Grid& grid, const plasticity::Body& body1,

@@ -11,5 +11,6 @@ PYBIND11_MODULE(_core, m) {
   samcontact::bindings::bind_operators(m);
   samcontact::bindings::bind_contact(m);
   samcontact::bindings::bind_simulation(m);
+  samcontact::bindings::bind_film(m);
   samcontact::bindings::bind_fatigue(m);
 }

@@ -14,6 +14,7 @@ void bind_plasticity(pybind11::module_& m);
 void bind_contact(pybind11::module_& m);
 void bind_state(pybind11::module_& m);
 void bind_simulation(pybind11::module_& m);
+void bind_film(pybind11::module_& m);
 void bind_fatigue(pybind11::module_& parent);
 
 }  // namespace samcontact::bindings

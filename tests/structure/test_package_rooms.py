@@ -64,6 +64,8 @@ CORE_USERS = {
     "fatigue.criteria",
     "heat_kernels",
     "kernels",
+    "lubrication.nested",
+    "lubrication.steady",
     "operators",
     "restart.file",
     "rolling",

@@ -33,6 +33,7 @@ BELOW = {
     "plasticity": {"base"},
     "operators": {"base", "kernels", "fft", "plasticity"},
     "contact": {"base", "kernels", "fft", "operators"},
+    "film": {"base", "kernels", "fft", "operators", "contact"},
     "simulation": {"base", "kernels", "fft", "operators", "plasticity", "contact"},
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/contact/adhesive_slip.hpp"
 #include "samcontact/contact/normal/first_contact.hpp"
 #include "samcontact/contact/slip_rate.hpp"
 #include "samcontact/contact/sweeps.hpp"
@@ -41,17 +42,15 @@ PartialSlipContact::PartialSlipContact(const Grid& grid, const operators::Shared
     : grid_(grid),
       friction_(friction),
       law_(std::move(law)),
+      adhesive_(law_->varies()
+                    ? std::make_unique<AdhesiveContact>(grid, frictionless(body1, body2), law_)
+                    : nullptr),
       crosswise_(crosswise_compliance(grid, {body1, body2})),
       normal_(grid, frictionless(body1, body2)),
       shear_(grid, {body1, body2, friction.compliance()}),
       coupling_(grid, {body1, body2}),
       joint_(grid, {body1, body2, friction.compliance()}) {
   assert(friction.sticks());
-  if (law_->varies()) {
-    throw std::invalid_argument(
-        "friction must be a coefficient (full sliding) with adhesion that depends on the gap: "
-        "partial slip is not supported");
-  }
 }
 
 namespace {
@@ -159,6 +158,9 @@ PartialSlipSolution PartialSlipContact::solve(const Field& gap, const Drive& dri
                                               const FrictionConditions& conditions) const {
   require_contact(gap, drive, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
+  if (adhesive_) {
+    return AdhesiveSlip(*this, gap, drive, tangential, before, settings, conditions).run(start);
+  }
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
   const Drive repelling = attraction.repelling(drive);
   require_reach(repelling, grid_, gap);
@@ -189,6 +191,10 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& driv
                                              const ContactSettings& settings,
                                              const FrictionConditions& conditions) const {
   require_contact(gap, drive, {start.pressure, start.shear, {}});
+  if (adhesive_) {
+    throw std::invalid_argument(
+        "adhesion that depends on the gap is not supported in steady rolling: use hard contact");
+  }
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
   const Drive repelling = attraction.repelling(drive);
   require_reach(repelling, grid_, gap);

@@ -22,12 +22,14 @@ __all__: list[str] = [
     "CreepingContact",
     "Drive",
     "Elastic",
+    "FilmSolver",
     "FrictionLaw",
     "Grid",
     "GridTooSmallError",
     "Heating",
     "LawDescription",
     "LawParameter",
+    "LubricantTable",
     "Material",
     "MovingCreep",
     "PartialSlipContact",
@@ -38,6 +40,7 @@ __all__: list[str] = [
     "State",
     "contact_outline",
     "fatigue",
+    "film_outflow",
     "friction_laws",
     "hardening_laws",
     "kernels",
@@ -259,6 +262,7 @@ class Drive:
         value: float,
         is_moment: typing.Annotated[collections.abc.Sequence[bool], "FixedSize(2)"],
         tilt: typing.Annotated[collections.abc.Sequence[float], "FixedSize(2)"],
+        spring: float = 0.0,
     ) -> None: ...
 
 class ContactSolver:
@@ -622,9 +626,54 @@ class Simulation:
     @property
     def tilt(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
 
+class LubricantTable:
+    def __init__(
+        self,
+        scale: float,
+        step: float,
+        reduced: numpy.typing.NDArray[numpy.float64],
+        fluidity: numpy.typing.NDArray[numpy.float64],
+        density: numpy.typing.NDArray[numpy.float64],
+        density_slope: numpy.typing.NDArray[numpy.float64],
+    ) -> None: ...
+    def at(self, pressure: float) -> tuple[float, float, float, float]: ...
+    @property
+    def largest_pressure(self) -> float: ...
+
+class FilmSolver:
+    def __init__(self, grid: Grid, body1: Body, body2: Body) -> None: ...
+    def solve(
+        self,
+        lubricant: LubricantTable,
+        gap: numpy.typing.NDArray[numpy.float64],
+        is_load: bool,
+        target: float,
+        along_x: numpy.typing.NDArray[numpy.float64],
+        along_y: numpy.typing.NDArray[numpy.float64],
+        order: int,
+        supply: float,
+        thinnest: float,
+        layer: tuple[float, float],
+        start: dict[str, typing.Any],
+        tol: float,
+        max_iterations: int,
+        time: tuple[float, float] = (0.0, 1.0),
+        content: numpy.typing.NDArray[numpy.float64] | None = None,
+    ) -> dict[str, typing.Any]: ...
+
 def contact_outline(
     pressure: numpy.typing.NDArray[numpy.float64], along_x: bool, along_y: bool, rise: float
 ) -> tuple[int, int, int, bool, float]: ...
+def film_outflow(
+    grid: Grid,
+    lubricant: LubricantTable,
+    along_x: numpy.typing.NDArray[numpy.float64],
+    along_y: numpy.typing.NDArray[numpy.float64],
+    order: int,
+    supply: float,
+    layer: float,
+    fields: collections.abc.Sequence[numpy.typing.NDArray[numpy.float64]],
+) -> numpy.typing.NDArray[numpy.float64]: ...
 def friction_laws() -> list[tuple[str, bool, list[LawParameter]]]: ...
 def hardening_laws() -> list[LawDescription]: ...
 def self_influence(grid: Grid, body1: Body, body2: Body) -> float: ...

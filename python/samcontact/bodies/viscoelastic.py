@@ -11,7 +11,7 @@ import numpy as np
 
 from .layered import Body, Layered, materials_of
 from .material import Material
-from .relaxation import RelaxationTerms
+from .relaxation import RelaxationTerms, long_time_share
 
 
 def relaxation_of(body: Body) -> RelaxationTerms | None:
@@ -27,6 +27,24 @@ def relaxes(*bodies: Body) -> bool:
 def instantaneous(body: Body) -> Body:
     """Return the elastic body that a body is for fast loads."""
     return _changed(body, lambda material: replace(material, relaxation_terms=None))
+
+
+def relaxed(body: Body) -> Body:
+    """Return the elastic body that a body is for slow loads.
+
+    Raises ValueError for a fluid: its long-time modulus is 0.
+    """
+
+    def slow(material: Material) -> Material:
+        share = long_time_share(material.relaxation_terms or ((), ()))
+        if not share > 0:
+            raise ValueError(
+                "the shares of relaxation must sum to less than 1, got a body without a long-time "
+                "modulus"
+            )
+        return Material.elastic(material.E * share, material.nu)
+
+    return _changed(body, slow)
 
 
 def vibrating(body: Body, omega: float) -> Body:

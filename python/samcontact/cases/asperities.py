@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 else:
     # smooth frictionless spheres; without tol, the default tol of `collide` applies
     AsperitySolver = settings_section(
-        "AsperitySolver", __name__, without=("friction", "adhesion"), tol=None
+        "AsperitySolver", __name__, without=("friction", "adhesion", "stiffness"), tol=None
     )
 
 

@@ -251,6 +251,12 @@ def _require_accuracy(case: Any) -> None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add the field accuracy, or omit {name}")
         return
+    law = contact_law_of(case.contact)
+    if law.is_of_grid:
+        raise ValueError(
+            f"contact.adhesion.range is required with accuracy, got {law!r}: without it the range "
+            "changes with the grid"
+        )
     if case.grid is not None and not reason_for_grid(case):
         raise ValueError("grid cannot be combined with accuracy: omit one of them")
     for index, segment in enumerate(case.path):
@@ -264,6 +270,8 @@ def reason_for_grid(case: Any) -> str:
         return "grid.periodic prescribes the period"
     if case.wear is not None:
         return "wear changes the size of the contact"
+    if contact_law_of(case.contact).attracts:
+        return "attraction extends beyond the contact"
     if any(segment.tilting for segment in case.path):
         return "moments and tilts move the contact"
     if not case.surface.is_known:

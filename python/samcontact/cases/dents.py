@@ -19,7 +19,7 @@ from .base import Count, Length, NonNegative, Position, Positive, Section, in_un
 if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
-NOT_OF_PARTICLES = ("friction", "adhesion", "on_border", "reach")
+NOT_OF_PARTICLES = ("friction", "adhesion", "stiffness", "on_border", "reach")
 """Settings in [contact] that concern the path only: particles are pressed in without friction."""
 
 

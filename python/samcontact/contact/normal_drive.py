@@ -26,6 +26,8 @@ class NormalDrive:
     is_moment: tuple[bool, bool] = (False, False)
     about: tuple[float, float] = UNTILTED
     """Moments [N m] or tilts [rad] about x and y."""
+    spring: float = 0.0
+    """Compliance of the machine that prescribes the approach [m/N]."""
 
     @classmethod
     def of(
@@ -35,14 +37,15 @@ class NormalDrive:
         moment: Sequence[float | None] | None = None,
         tilt: Sequence[float | None] | None = None,
         held: Sequence[float] = UNTILTED,
+        spring: float = 0.0,
     ) -> NormalDrive:
         """Check and combine the arguments; an axis with neither moment nor tilt keeps `held`.
 
-        name: "load" or "approach".
+        name: "load" or "approach". spring: compliance of the machine [m/N].
         """
         value = number(name, value)
         if moment is None and tilt is None:
-            return cls(name, value, about=(float(held[0]), float(held[1])))
+            return cls(name, value, about=(float(held[0]), float(held[1])), spring=spring)
         moments, tilts = pair_of("moment", moment, "about"), pair_of("tilt", tilt, "about")
         about = []
         for axis, m, t, present in zip("xy", moments, tilts, held, strict=True):
@@ -67,7 +70,7 @@ class NormalDrive:
             # separated bodies keep their tilt
             is_moment = False, False
             about = [about[k] if moments[k] is None else float(held[k]) for k in range(2)]
-        return cls(name, value, is_moment, (about[0], about[1]))
+        return cls(name, value, is_moment, (about[0], about[1]), spring)
 
     @property
     def target(self) -> dict[str, float]:
@@ -81,4 +84,4 @@ class NormalDrive:
 
     def to_core(self) -> _core.Drive:
         """Return the drive of the core."""
-        return _core.Drive(self.name == "load", self.value, self.is_moment, self.about)
+        return _core.Drive(self.name == "load", self.value, self.is_moment, self.about, self.spring)

@@ -71,6 +71,9 @@ class ContactSolver(ContactFields):
         Attraction of the surfaces across the gap: a law of `Adhesion`, or `TensileLimit`. Default:
         `HardContact()`, none. Friction acts on the repulsive part of the pressure only. Attraction
         acts over the whole grid, which is not enlarged.
+    stiffness : float, optional
+        Stiffness of the machine that prescribes an approach [N/m], with a law of `Adhesion`: the
+        approach of the bodies is that of the machine less load/stiffness. Default: rigid.
 
     Raises
     ------
@@ -94,6 +97,7 @@ class ContactSolver(ContactFields):
         max_iterations: int = ContactSettings.max_iterations,
         heat: Heat | None = None,
         adhesion: ContactLaw = ContactSettings.adhesion,
+        stiffness: float | None = ContactSettings.stiffness,
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
@@ -105,7 +109,9 @@ class ContactSolver(ContactFields):
         self.grid = grid
         self.body1 = body1
         self.body2 = body2
-        settings = ContactSettings(friction, tol, on_border, on_stall, max_iterations, adhesion)
+        settings = ContactSettings(
+            friction, tol, on_border, on_stall, max_iterations, adhesion, stiffness
+        )
         self._configure(settings)
         self._law = settings.law
         self.heat = NO_HEAT if heat is None else heat
@@ -266,7 +272,9 @@ class ContactSolver(ContactFields):
         )
         drive = at_pace(drive, self._law, duration, slip_rate)
         name = exactly_one(load=load, approach=approach)
-        normal = NormalDrive.of(name, load if approach is None else approach, moment, tilt)
+        normal = NormalDrive.of(
+            name, load if approach is None else approach, moment, tilt, spring=self._settings.spring
+        )
         return solve_driven(self, gap, normal, drive, initial_pressure)
 
     def _over(self, counts: Sequence[int]) -> ContactSolver:

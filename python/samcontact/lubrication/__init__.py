@@ -8,7 +8,9 @@
 The speeds (u1, u2) of the surfaces are those in the frame of the contact, along x.
 """
 
+from .boundary import Boundary
 from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
+from .film_solution import FilmLevel, FilmSolution
 from .formulas import (
     FilmThickness,
     dowson_higginson,
@@ -18,11 +20,21 @@ from .formulas import (
     rigid_isoviscous,
 )
 from .groups import MoesNumbers, moes
+from .steady import steady
+from .stribeck import StribeckCurve, stribeck
+from .transient import FilmHistory, transient
+from .yielding import FilmIncrement, press
 
 __all__ = [
+    "Boundary",
     "FilmEstimate",
+    "FilmHistory",
+    "FilmIncrement",
+    "FilmLevel",
+    "FilmSolution",
     "FilmThickness",
     "MoesNumbers",
+    "StribeckCurve",
     "bearing_speeds",
     "dowson_higginson",
     "estimate",
@@ -30,6 +42,10 @@ __all__ = [
     "lambda_ratio",
     "moes",
     "nijenbanning",
+    "press",
     "regime",
     "rigid_isoviscous",
+    "steady",
+    "stribeck",
+    "transient",
 ]

@@ -124,7 +124,7 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
     """
     limits = _hamrock_limits(_wide_ellipse(contact, speed, lubricant))
     thickest = max(max(limits[:2]), min(limits[2:]))
-    return Limits._fields[limits.index(thickest)].replace("_", "-")
+    return tuple(Limits.__annotations__)[limits.index(thickest)].replace("_", "-")
 
 
 def dowson_higginson(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:

@@ -30,8 +30,8 @@ class PullOff(ShortRepr):
     approach : float
         Approach at the largest tension [m].
     work : float
-        Work of the external force on the way [J]: negative during retraction under load, positive
-        against tension. By the trapezoidal rule over the increments.
+        Work of the external force on the bodies [J]: negative during retraction under load,
+        positive against tension. By the trapezoidal rule over the increments.
     is_apart : bool
         Whether the surfaces are separated at the end.
     """
@@ -48,8 +48,9 @@ def pull_off(
 ) -> PullOff:
     """Retract a simulation with adhesion, until its surfaces separate.
 
-    The approach decreases by `step` in each increment. The contact follows its branch of
-    equilibrium, past the largest tension, and jumps apart where the branch ends. The surfaces count
+    The approach, or that of a machine of finite stiffness, decreases by `step` in each increment.
+    The contact follows its branch of equilibrium and jumps apart where the branch ends: past the
+    largest tension with a rigid machine, at the largest tension with a soft one. The surfaces count
     as separated if no cell is in contact and the tension has fallen to a hundredth of its maximum.
 
     Parameters
@@ -88,9 +89,11 @@ def pull_off(
     states = [simulation.state]
     most, where = -states[0].load, states[0].approach
     work = 0.0
-    for _ in range(max_steps):
+    compliance = 0.0 if simulation.stiffness is None else 1.0 / simulation.stiffness
+    machine = states[0].approach + compliance * states[0].load
+    for n in range(1, max_steps + 1):
         before = states[-1]
-        state = simulation.step(approach=before.approach - step)
+        state = simulation.step(approach=machine - n * step)
         states.append(state)
         work += 0.5 * (before.load + state.load) * (state.approach - before.approach)
         if -state.load > most:

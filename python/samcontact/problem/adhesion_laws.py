@@ -15,6 +15,7 @@ from .. import _core
 from .._util.checks import finite_array, positive, require_type
 from .._util.display import HtmlTable, ShortRepr, quantity
 from ..bodies.layered import Body, require_bodies
+from ..bodies.viscoelastic import relaxed
 from .contact_law import ContactLaw, HardContact, TensileLimit
 from .grid import Grid
 
@@ -86,11 +87,13 @@ class Adhesion(ContactLaw):
     def on(self, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion:
         """Return the law as it is solved on a grid, with its range, kappa and Tabor number.
 
-        Raises TypeError if an argument is not a grid or a body.
+        Viscoelastic bodies count with their long-time moduli, for which the grid must resolve the
+        law as well. Raises TypeError if an argument is not a grid or a body, ValueError for a
+        viscoelastic body without a long-time modulus.
         """
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
-        cores = body1._core, body2._core
+        cores = relaxed(body1)._core, relaxed(body2)._core
         influence = _core.self_influence(grid._core, *cores)
         alone = Grid(1, 1, grid.dx, grid.dy)
         ratio = grid.dy / grid.dx
@@ -163,6 +166,11 @@ class ExponentialAdhesion(Adhesion):
         object.__setattr__(self, "work", positive("work", self.work))
         if self.range is not None:
             object.__setattr__(self, "range", positive("range", self.range))
+
+    @property
+    def is_of_grid(self) -> bool:
+        """Whether the range of the attraction is chosen for the grid."""
+        return self.range is None
 
     def _refined(self, influence: float) -> Adhesion:
         if self.range is not None:

@@ -57,6 +57,11 @@ class ContactLaw(HtmlTable):
         """Whether the attraction depends on the gap: there may be several solutions."""
         return False
 
+    @property
+    def is_of_grid(self) -> bool:
+        """Whether the range of the attraction is chosen for the grid."""
+        return False
+
     def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
         """Return the law as it is solved on a grid between two bodies."""
         return self

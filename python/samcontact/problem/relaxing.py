@@ -10,7 +10,6 @@ from .._util.checks import non_negative, number
 from ..bodies.layered import Body
 from ..bodies.viscoelastic import relaxes, require_no_relaxation
 from ..heat import Heat
-from .contact_law import ContactLaw
 from .grid import Grid
 from .heating import checked_heat
 from .settings import Settings
@@ -22,14 +21,12 @@ def possible_heat(
     """Check the heat of a simulation against its bodies, grid and settings, and return it."""
     heat = checked_heat(given, bodies, grid, settings.law)
     if relaxes(*bodies):
-        _require_possible(bodies, settings.adhesion, heat)
+        _require_possible(bodies, heat)
     return heat
 
 
-def _require_possible(bodies: tuple[Body, Body], adhesion: ContactLaw, heat: Heat) -> None:
-    """Raise ValueError for settings that are not supported with viscoelastic bodies."""
-    if adhesion.attracts:
-        require_no_relaxation("attraction of viscoelastic bodies is not supported", *bodies)
+def _require_possible(bodies: tuple[Body, Body], heat: Heat) -> None:
+    """Raise ValueError for heat that is not supported with viscoelastic bodies."""
     for name in ("history", "partition"):
         if getattr(heat, name) is not None:
             require_no_relaxation(

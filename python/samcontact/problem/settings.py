@@ -118,6 +118,7 @@ class ContactSettings:
     on_stall: str = _setting("error", ChoiceSetting(("error", "warn")))
     max_iterations: int = _setting(5000, CountSetting())
     adhesion: ContactLaw = _setting(HardContact(), ContactLawSetting())  # noqa: RUF009 (a field)
+    stiffness: float | None = _setting(None, RangeSetting(gt=0.0, unit="N/m"))
 
     def __post_init__(self) -> None:
         for item in fields(self):
@@ -125,6 +126,12 @@ class ContactSettings:
             if value is not None or item.default is not None:
                 checked = item.metadata["allowed"].check(item.name, value)
                 object.__setattr__(self, item.name, checked)
+        if self.stiffness is not None and not self.adhesion.varies:
+            raise ValueError(
+                f"stiffness = {self.stiffness!r} requires a law of `Adhesion`, got adhesion = "
+                f"{self.adhesion!r}: without it, each load has one approach, and the machine is "
+                "compressed by load/stiffness"
+            )
 
     @classmethod
     def checked(cls, name: str, value: Any) -> Any:
@@ -135,6 +142,11 @@ class ContactSettings:
     def law(self) -> FrictionLaw:
         """Friction law; if `friction` is a number, the contact slides fully."""
         return friction_law(self.friction)
+
+    @property
+    def spring(self) -> float:
+        """Compliance of the machine that prescribes the approach [m/N]; 0: rigid."""
+        return 0.0 if self.stiffness is None else 1.0 / self.stiffness
 
     def arguments(self) -> dict[str, Any]:
         """Return the values of the settings by name."""
@@ -170,7 +182,7 @@ class Settings(ContactSettings):
     def to_core(self, dx: float) -> _core.Settings:
         """Return the settings for the core; dx: cell size along x [m]."""
         given = self.arguments()
-        del given["friction"], given["adhesion"]  # passed separately
+        del given["friction"], given["adhesion"], given["stiffness"]  # passed separately
         given["increment_tol"] = self.increment_tol or 0.0
         given["one_zone"] = given.pop("zones") == "one"
         given["reach"] = round(in_cells("reach", given["reach"], dx))
@@ -186,6 +198,7 @@ class Configured(FixedAttributes):
     on_stall: str
     max_iterations: int
     adhesion: ContactLaw
+    stiffness: float | None
     _settings: ContactSettings
 
     def _configure(self, settings: ContactSettings) -> None:

@@ -74,7 +74,7 @@ class Engine:
         relieved = any(relief is not None for relief in domain.reliefs)
         relieved = relieved or setup.adhesion.attracts
         self.estimate = ContactSetup(grid, domain.initial_gap, setup.bodies, relieved)
-        self._arguments = StepArguments(grid, setup.bodies, setup.friction)
+        self._arguments = StepArguments(grid, setup.bodies, setup.friction, setup.settings.spring)
         self.domain, self.core = domain, core
 
     def _core_over(self, domain: Domain) -> Any:

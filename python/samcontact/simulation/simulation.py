@@ -72,9 +72,8 @@ class Simulation(Configured, HtmlTable):
         Maximum number of fixed-point iterations before the increment is halved.
     residual_stress : {"fast", "exact"}, optional
         "fast": recurrence over layers; time and memory are proportional to the number of cells.
-        "exact": influence coefficients of cuboids at cell centres, as a reference; time grows with
-        the square of the number of layers, memory is 1 kB per cell. With little hardening and cubic
-        cells, plastic strain may alternate between layers (`ResolutionWarning`) or not converge.
+        "exact": influence coefficients of cuboids at cell centres, as a reference: 1 kB per cell;
+        plastic strain may alternate between layers (`ResolutionWarning`) or not converge.
     image_tol : float, optional
         Maximum error of "fast" due to periodicity, relative to the residual stress, in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
@@ -86,8 +85,9 @@ class Simulation(Configured, HtmlTable):
         Topography (roughness, dents) moving with body 1 or 2, or a function from Grid to Relief.
     reach : float, optional
         Distance beyond the grid along x up to which plastic strain acts [m]. Default: grid length.
-    adhesion : ContactLaw, optional
-        Attraction of the surfaces, e.g. `Adhesion.jkr(w)`. Default: `HardContact()`, none.
+    adhesion, stiffness : ContactLaw, float, optional
+        Attraction of the surfaces, e.g. `Adhesion.jkr(w)`, default none; stiffness of the machine
+        that prescribes an approach [N/m], as in `ContactSolver`, default rigid.
 
     Raises
     ------
@@ -98,10 +98,9 @@ class Simulation(Configured, HtmlTable):
 
     Notes
     -----
-    A grid is enlarged by cells of unchanged size: for a paraboloid, to 1.25 times the Hertz contact
-    (in `run`, at maximum load); otherwise by half along each axis on which contact reaches the
-    edge. A state keeps its grid; `run` returns all states on the last grid. GridTooSmallError:
-    above 64 times the cells. With a period, heat.history, softening or attraction it is fixed.
+    If the contact reaches the edge, the grid is enlarged by cells of unchanged size, up to 64 times
+    the cells; `run` returns all states on the last grid. With a period, heat.history, softening or
+    attraction, the grid is fixed.
     """
 
     _last = "engine"
@@ -132,6 +131,7 @@ class Simulation(Configured, HtmlTable):
         relief2: Relief | Callable[[Grid], Relief] | None = None,
         reach: float | None = Settings.reach,
         adhesion: ContactLaw = Settings.adhesion,
+        stiffness: float | None = Settings.stiffness,
     ) -> None:
         require_type("grid", grid, Grid)
         require_bodies(body1, body2)
@@ -140,8 +140,8 @@ class Simulation(Configured, HtmlTable):
         settings = Settings(
             friction=friction, tol=tol, increment_tol=increment_tol, on_border=on_border,
             on_stall=on_stall, max_iterations=max_iterations, residual_stress=residual_stress,
-            image_tol=image_tol, zones="one" if layered else zones,
-            reach=grid.nx * grid.dx if reach is None else reach, adhesion=adhesion,
+            image_tol=image_tol, zones="one" if layered else zones, adhesion=adhesion,
+            reach=grid.nx * grid.dx if reach is None else reach, stiffness=stiffness,
         )  # fmt: skip
         self._configure(settings)
         require_fast("residual_stress", self.residual_stress, grid.periodic)

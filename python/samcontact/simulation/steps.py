@@ -90,8 +90,10 @@ _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 class StepArguments:
     """Checks of the arguments of increments on one grid; only a changed heat is checked again."""
 
-    def __init__(self, grid: Grid, bodies: Bodies, friction: FrictionLaw) -> None:
-        self.grid, self.bodies, self.friction = grid, bodies, friction
+    def __init__(
+        self, grid: Grid, bodies: Bodies, friction: FrictionLaw, spring: float = 0.0
+    ) -> None:
+        self.grid, self.bodies, self.friction, self.spring = grid, bodies, friction, spring
         self._slips_by_rate = friction.needs_duration
         self._relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
@@ -128,7 +130,7 @@ class StepArguments:
             raise ValueError(f"shear cannot be combined with {kind}: set friction instead")
         else:
             normal = NormalDrive.of(
-                kind, load if approach is None else approach, moment, tilt, held_tilt
+                kind, load if approach is None else approach, moment, tilt, held_tilt, self.spring
             )
         travels = _STANDING if advance is AT_REST else _travels(grid, advance)
         tangential = _NO_MOTION

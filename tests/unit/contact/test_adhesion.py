@@ -254,7 +254,6 @@ def test_friction_acts_on_the_repulsion_only():
     [
         ({"law": sc.Adhesion.exponential(W, 1e-11)}, "adhesion must be resolved by the grid"),
         ({"solve": {"load": 1e-7, "moment": (1e-15, 0.0)}}, "moment cannot be combined"),
-        ({"friction": sc.Coulomb(0.3)}, "partial slip is not supported"),
         ({"heat": sc.Heat(1e-3)}, "heat is not supported with adhesion"),
     ],
 )

@@ -57,6 +57,27 @@ def test_a_cycle_loses_work_in_its_jumps():
     assert pulled_off < pulled_in  # hysteresis
 
 
+def test_a_machine_of_finite_stiffness_is_a_spring_in_series():
+    for periodic in ("", "xy"):
+        grid = sc.Grid(32, 32, 6e-9, 6e-9, periodic=periodic)
+        gap = sc.surfaces.paraboloid(grid, R)
+        machine = sc.Simulation(grid, TIP, SOFT, gap, adhesion=LAW, stiffness=200.0)
+        rigid = sc.Simulation(grid, TIP, SOFT, gap, adhesion=LAW)
+        for approach in (2e-9, 0.0, -1e-9):
+            state = machine.step(approach=approach)
+            assert state.approach == pytest.approx(approach - state.load / 200.0, abs=1e-20)
+            other = rigid.step(approach=state.approach)
+            np.testing.assert_allclose(
+                state.pressure, other.pressure, atol=1e-6 * other.pressure.max()
+            )
+    soft = sc.Simulation(grid, TIP, SOFT, gap, adhesion=LAW, stiffness=1.0)
+    soft.step(approach=0.0)
+    found = sc.paths.pull_off(soft, step=5e-9)
+    lost = found.states[-2]
+    assert found.is_apart
+    assert -lost.load > 0.9 * found.pull_off  # it jumps apart near the largest tension
+
+
 def test_pull_off_is_the_largest_tension():
     simulation = ball()
     simulation.step(approach=0.0)

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,7 @@ class PartialSlipContact {
 
  private:
   class Sweeps;
+  class AdhesiveSlip;  // in adhesive_slip.cpp
   PartialSlipSolution with_conditions(const SolveUnder& solve, Field pressure,
                                       const PartialSlipStart& start,
                                       const FrictionConditions& given,
@@ -119,7 +121,8 @@ class PartialSlipContact {
   Grid grid_;
   FrictionLaw friction_;
   SharedContactLaw law_;
-  double crosswise_;  // crosswise_compliance() [-]
+  std::unique_ptr<const AdhesiveContact> adhesive_;  // null: the law does not vary with the gap
+  double crosswise_;                                 // crosswise_compliance() [-]
   Multilevel normal_;
   ShearSolver shear_;
   operators::NormalTangentialCoupling coupling_;

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "samcontact/base/interrupt.hpp"
@@ -30,10 +31,9 @@ Eigen::VectorXd orthogonalise(const std::vector<Field>& vectors, Field& q) {
   return column;
 }
 
-}  // namespace
-
-int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
-          int max_steps, Field& x) {
+/// images: preconditioned vectors that are kept; null: the preconditioner is linear.
+int solve(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
+          int max_steps, Field& x, std::vector<Field>* images) {
   x.assign(b.size(), 0.0);
   const double first = std::sqrt(product(b, b));
   if (!(first > 0)) return 0;
@@ -49,6 +49,7 @@ int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b,
     check_interrupt();
     precondition(vectors.back(), z);
     apply(z, q);
+    if (images != nullptr) images->push_back(z);
     Eigen::VectorXd column = orthogonalise(vectors, q);
     const bool exact = !(column[steps + 1] > 0);
     for (int i = 0; i < steps; ++i) column.applyOnTheLeft(i, i + 1, rotations[i].adjoint());
@@ -66,10 +67,28 @@ int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b,
       triangle.topLeftCorner(steps, steps).triangularView<Eigen::Upper>().solve(right.head(steps));
   std::fill(q.begin(), q.end(), 0.0);
   for (int i = 0; i < steps; ++i) {
-    for (std::size_t k = 0; k < q.size(); ++k) q[k] += shares[i] * vectors[i][k];
+    const Field& v = images != nullptr ? (*images)[i] : vectors[i];
+    for (std::size_t k = 0; k < q.size(); ++k) q[k] += shares[i] * v[k];
   }
-  precondition(q, x);
+  if (images != nullptr) {
+    x = std::move(q);
+  } else {
+    precondition(q, x);
+  }
   return steps;
+}
+
+}  // namespace
+
+int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
+          int max_steps, Field& x) {
+  return solve(apply, precondition, b, gain, max_steps, x, nullptr);
+}
+
+int flexible_gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b,
+                   double gain, int max_steps, Field& x) {
+  std::vector<Field> images;
+  return solve(apply, precondition, b, gain, max_steps, x, &images);
 }
 
 }  // namespace samcontact::contact

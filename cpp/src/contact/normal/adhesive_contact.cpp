@@ -187,7 +187,9 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
     for (std::size_t i = 0; i < tilted.size(); ++i) tilted[i] -= lowering(i);
   }
   const double descent_tol = std::min(tol, loosest);
-  GapDescent descent(surface_, *law_, tilted);
+  const bool yields = drive.spring > 0 && !drive.normal.is_force();
+  const AdhesiveSurface surface = yields ? surface_.with_spring(drive.spring) : surface_;
+  GapDescent descent(surface, *law_, tilted);
   const bool warm = !is_zero(initial_pressure);
   descent.start_from(warm ? initial_pressure : Field{});
   Solution solution;
@@ -207,8 +209,9 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
   }
   solution.tractions.pressure = descent.pressure();
   solution.gap = descent.gap().over_grid();
-  solution.motion = {descent.gap().approach(), held.tilt};
   solution.load = drive.normal.is_force() ? drive.normal.value : descent.load();
+  const double compression = yields ? drive.spring * solution.load : 0.0;
+  solution.motion = {descent.gap().approach() - compression, held.tilt};
   solution.moment = moments(grid, solution.tractions.pressure);
   solution.error = descent.error();
   solution.iterations = descent.iterations();

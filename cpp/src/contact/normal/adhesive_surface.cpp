@@ -37,6 +37,19 @@ AdhesiveSurface::AdhesiveSurface(const Grid& grid, const operators::SurfaceInflu
   if (influence.ends(grid)) {
     throw std::invalid_argument("adhesion cannot be combined with free faces of the bodies");
   }
+  invert();
+}
+
+AdhesiveSurface AdhesiveSurface::with_spring(double compliance) const {
+  AdhesiveSurface surface = *this;
+  // The padding carries no pressure: a uniform displacement of all cells acts as one of the grid.
+  surface.compliance_[0] += compliance * grid_.cell_area();
+  surface.invert();
+  return surface;
+}
+
+void AdhesiveSurface::invert() {
+  const Grid& grid = grid_;
   const auto points = static_cast<double>(size());
   const double largest = *std::max_element(compliance_.begin(), compliance_.end());
   const bool periodic = grid.period.x > 0 && grid.period.y > 0;

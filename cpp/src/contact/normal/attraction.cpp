@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/reduce.hpp"
@@ -17,9 +18,13 @@ constexpr double rounding_fraction = 1e-12;
 
 Attraction::Attraction(const ContactLaw& law, const Grid& grid,
                        const operators::NormalDisplacement& displacement, const Field& gap)
-    : given_(gap), cell_area_(grid.cell_area()) {
-  if (!law.attracts()) return;
-  pull_ = contact::attraction(law, gap);
+    : Attraction(law.attracts() ? contact::attraction(law, gap) : Field{}, grid, displacement,
+                 gap) {}
+
+Attraction::Attraction(Field pull, const Grid& grid,
+                       const operators::NormalDisplacement& displacement, const Field& gap)
+    : given_(gap), pull_(std::move(pull)), cell_area_(grid.cell_area()) {
+  if (pull_.empty()) return;
   moment_ = moments(grid, pull_);
   force_ = cell_area_ * ordered_sum(gap.size(), [&](std::size_t i) { return pull_[i]; });
   attracted_.resize(gap.size());

@@ -110,7 +110,7 @@ Target between(const State& from, const Target& target, double fraction) {
   if (target.is_load()) {
     normal = mix(from.load, normal);
   } else if (target.is_approach()) {
-    normal = mix(from.approach, normal);
+    normal = mix(from.approach + part.drive.spring * from.load, normal);
   } else {
     const auto mix_field = [&](const Field& a, Field& b) {
       if (a.empty() && b.empty()) return;

@@ -18,4 +18,9 @@ using LinearMap = std::function<void(const Field& v, Field& out)>;
 int gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b, double gain,
           int max_steps, Field& x);
 
+/// The same with a preconditioner that may differ from step to step (Saad 1993,
+/// doi:10.1137/0914028): each step stores two vectors.
+int flexible_gmres(const LinearMap& apply, const LinearMap& precondition, const Field& b,
+                   double gain, int max_steps, Field& x);
+
 }  // namespace samcontact::contact

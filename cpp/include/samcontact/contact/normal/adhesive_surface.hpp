@@ -19,6 +19,9 @@ class AdhesiveSurface {
   /// Throws std::invalid_argument for free faces and if the stiffness is not positive.
   AdhesiveSurface(const Grid& grid, const operators::SurfaceInfluence& influence);
 
+  /// Surface with a spring in series [m/N], under the same resultant.
+  AdhesiveSurface with_spring(double compliance) const;
+
   const Grid& grid() const { return grid_; }
   std::size_t size() const { return static_cast<std::size_t>(transform_.mx()) * transform_.my(); }
 
@@ -41,6 +44,9 @@ class AdhesiveSurface {
   Field padded(const Field& over_grid) const;
 
  private:
+  /// Finds the stiffness and the preconditioner. Throws std::invalid_argument unless the stiffness
+  /// is positive.
+  void invert();
   std::size_t row(int i) const { return static_cast<std::size_t>(i) * transform_.my(); }
 
   Grid grid_;

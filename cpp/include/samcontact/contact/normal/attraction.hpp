@@ -10,12 +10,15 @@
 
 namespace samcontact::contact {
 
-/// Attraction at given gaps as a constant traction. Exact if the law does not depend on the gap.
-/// Keeps a reference to the gap.
+/// Attraction as a constant traction. Keeps a reference to the gap.
 class Attraction {
  public:
+  /// gap: of the undeformed surfaces [i][j] [m]. Exact if the law does not depend on the gap.
   Attraction(const ContactLaw& law, const Grid& grid,
              const operators::NormalDisplacement& displacement, const Field& gap);
+  /// pull: attraction of each cell [i][j] [Pa]; empty: none.
+  Attraction(Field pull, const Grid& grid, const operators::NormalDisplacement& displacement,
+             const Field& gap);
 
   /// Gap of the undeformed surfaces plus the displacement due to the attraction [m].
   const Field& gap() const { return pull_.empty() ? given_ : attracted_; }

@@ -42,6 +42,9 @@ struct RigidMotion {
 struct Drive {
   Given normal{};
   std::array<Given, 2> tilt{Given::motion(0.0), Given::motion(0.0)};  // about x and y
+  /// Compliance of the machine that prescribes the approach [m/N]: the approach of the bodies is
+  /// smaller by the compression of the machine under the load.
+  double spring = 0.0;
 
   static Drive load(double newton) { return {Given::force(newton)}; }
   static Drive approach(double metre) { return {Given::motion(metre)}; }

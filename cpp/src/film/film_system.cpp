@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/film/film_system.hpp"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/reduce.hpp"
+#include "samcontact/base/threads.hpp"
+#include "samcontact/contact/iteration/gmres.hpp"
+
+namespace samcontact::film {
+namespace {
+
+/// Accuracy of the pressure that belongs to a film, in the preconditioner.
+constexpr double pressure_accuracy = 0.05;
+/// Compliance of the boundary layer in a cavitated cell, relative to that of the cell, from which
+/// on its pressure is an unknown.
+constexpr double least_contact = 1e-3;
+/// Pivots on the diagonal are taken if they are larger than this share of the column.
+constexpr double pivot_share = 0.01;
+/// A decomposition is used again for later systems, until a share of the cells has changed between
+/// full and cavitated, or GMRES takes this many times as many steps as with a new one.
+constexpr double changed_share = 2e-3, slower = 1.5;
+constexpr int few_steps = 4;
+/// Required accuracy of a system above which the state is too far from the solution.
+constexpr double share_when_close = 1e-3;
+constexpr double tiny = 1e-300;
+
+/// The factors are a part of a preconditioner, for which single precision is enough.
+using Sparse = Eigen::SparseMatrix<double>;
+using ShortSparse = Eigen::SparseMatrix<float>;
+using ShortVector = Eigen::VectorXf;
+
+/// Entries below this share of the largest of their row are left out.
+constexpr double negligible_entry = 1e-10;
+
+double largest(const double* values, std::size_t n) {
+  return largest_of(n, [&](std::size_t i) { return std::fabs(values[i]); });
+}
+
+}  // namespace
+
+struct FilmSystem::Factors {
+  Eigen::SparseLU<ShortSparse, Eigen::COLAMDOrdering<int>> lu;
+};
+
+FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
+    : lattice_(grid),
+      cell_area_(grid.cell_area()),
+      elastic_(elastic),
+      factors_(std::make_unique<Factors>()) {
+  factors_->lu.setPivotThreshold(pivot_share);
+}
+FilmSystem::~FilmSystem() = default;
+
+double FilmSystem::fill() const {
+  return static_cast<double>(factors_->lu.nnzL()) + static_cast<double>(factors_->lu.nnzU());
+}
+
+void FilmSystem::classify(const Linearised& system) {
+  const std::size_t n = size();
+  const double own = elastic_.self_influence();
+  full_.assign(n, 0);
+  touched_ = stiff_ = pressed_ = full_;
+  damping_.assign(n, 0.0);
+  column_.assign(n, 1.0);
+  contact_weight_ = column_;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double k = system.stiffness[i];
+    full_[i] = system.cavitated[i] ? 0 : 1;
+    touched_[i] = system.cavitated[i] && k * own > least_contact ? 1 : 0;
+    pressed_[i] = full_[i] || touched_[i] ? 1 : 0;
+    // The fluid flows so easily that its pressure is known, and not the film.
+    stiff_[i] = k * own > 1 && std::fabs(system.slopes.pressure.diagonal(i)) * k >
+                                   std::fabs(system.slopes.film.diagonal(i))
+                    ? 1
+                    : 0;
+    if (stiff_[i] || touched_[i]) damping_[i] = 1 / std::max(k, tiny);
+    column_[i] = contact_weight_[i] = 1 / (1 + k * own);
+  }
+}
+
+Field FilmSystem::nearest_pressure(const Field& displacement) const {
+  Field pressure(size(), 0.0);
+#pragma omp parallel for schedule(static) if (size() > 20'000)
+  for (int i = 0; i < lattice_.nx(); ++i) {
+    for (int j = 0; j < lattice_.ny(); ++j) {
+      const std::ptrdiff_t row = lattice_.at(i, j);
+      if (!full_[row]) continue;
+      double sum = 0.0;
+      for (const auto& near : elastic_.nearest()) {
+        const std::ptrdiff_t at = lattice_.at(i + near.along_x, j + near.along_y);
+        if (at >= 0 && pressed_[at]) sum += near.stiffness * displacement[at];
+      }
+      pressure[row] = sum;
+    }
+  }
+  return pressure;
+}
+
+bool FilmSystem::needs_decomposition() const {
+  if (is_old_ || decomposed_.size() != size()) return true;
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < size(); ++i) changed += full_[i] != decomposed_[i] ? 1 : 0;
+  return static_cast<double>(changed) > changed_share * static_cast<double>(size());
+}
+
+bool FilmSystem::decompose(const Linearised& system) {
+  const auto& [by_pressure, by_film, by_void] = system.slopes;
+  decomposed_ = full_;
+  const std::size_t n = size();
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(n * 40);
+  row_scale_.assign(n, 1.0);
+  const auto add = [&](std::size_t row, std::ptrdiff_t column, double value) {
+    if (value != 0) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+  };
+  for (int i = 0; i < lattice_.nx(); ++i) {
+    for (int j = 0; j < lattice_.ny(); ++j) {
+      const std::ptrdiff_t row = lattice_.at(i, j);
+      for (int slot = 0; slot < Star::entries; ++slot) {
+        const auto [di, dj] = Star::offset(slot);
+        const std::ptrdiff_t at = lattice_.at(i + di, j + dj);
+        if (at < 0) continue;
+        if (!full_[at]) {
+          add(row, at, by_void.entry(row, slot));
+          continue;
+        }
+        const double slope = by_pressure.entry(row, slot);
+        add(row, at, column_[at] * (slope * system.stiffness[at] + by_film.entry(row, slot)));
+        if (slope == 0) continue;
+        for (const auto& near : elastic_.nearest()) {
+          const std::ptrdiff_t to = lattice_.at(i + di + near.along_x, j + dj + near.along_y);
+          if (to >= 0 && full_[to]) add(row, to, slope * near.stiffness * column_[to]);
+        }
+      }
+    }
+  }
+  Sparse matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  row_scale_.assign(n, 0.0);
+  const auto each = [&](const auto& act) {
+    for (int k = 0; k < matrix.outerSize(); ++k) {
+      for (Sparse::InnerIterator it(matrix, k); it; ++it) act(it);
+    }
+  };
+  each([&](auto& it) {
+    row_scale_[it.row()] = std::max(row_scale_[it.row()], std::fabs(it.value()));
+  });
+  for (double& scale : row_scale_) scale = 1 / std::max(scale, tiny);
+  each([&](auto& it) { it.valueRef() *= row_scale_[it.row()]; });
+  matrix.prune([](Eigen::Index row, Eigen::Index column, double value) {
+    return row == column || std::fabs(value) > negligible_entry;
+  });
+  const ShortSparse rounded = matrix.cast<float>();
+  factors_->lu.analyzePattern(rounded);
+  factors_->lu.factorize(rounded);
+  return factors_->lu.info() == Eigen::Success;
+}
+
+Field FilmSystem::flow_solution(const Field& residual) const {
+  const std::size_t n = size();
+  Field right(n);
+  for (std::size_t i = 0; i < n; ++i) right[i] = row_scale_[i] * residual[i];
+  // Single precision has a short range.
+  const double unit = std::max(largest(right.data(), n), tiny);
+  ShortVector scaled(static_cast<Eigen::Index>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    scaled[static_cast<Eigen::Index>(i)] = static_cast<float>(right[i] / unit);
+  }
+  const ShortVector found = factors_->lu.solve(scaled);
+  for (std::size_t i = 0; i < n; ++i) right[i] = unit * found[static_cast<Eigen::Index>(i)];
+  return right;
+}
+
+Field FilmSystem::target(const Linearised& system, const Field& flow, double approach,
+                         const Field& contact) const {
+  const std::size_t n = size();
+  Field film(n);
+  for (std::size_t i = 0; i < n; ++i) film[i] = full_[i] ? flow[i] * column_[i] : 0.0;
+  Field moved(n);
+  for (std::size_t i = 0; i < n; ++i) moved[i] = film[i] + approach;
+  const Field near = nearest_pressure(moved);
+  Field goal(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double fluid = full_[i] ? near[i] + system.stiffness[i] * film[i] : 0.0;
+    const double own = touched_[i] ? contact[i] * damping_[i]
+                       : stiff_[i] ? fluid * damping_[i]
+                                   : film[i];
+    goal[i] = own + approach;
+  }
+  return goal;
+}
+
+void FilmSystem::find_response(const Linearised& system) {
+  const std::size_t n = size();
+  const Field zero(n, 0.0);
+  Field flow(n, 0.0);
+  system.slopes.pressure.add_product(nearest_pressure(Field(n, 1.0)), flow);
+  flow_response_ = flow_solution(flow);
+  Field negative = flow_response_;
+  for (double& value : negative) value = -value;
+  pressure_response_ =
+      elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_, pressure_accuracy);
+  load_response_ =
+      cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure_response_[i]; });
+}
+
+/// Unknowns: [pressure or void fraction of each cell | pressure of touched cells | approach].
+void FilmSystem::precondition(const Linearised& system, const Field& residual, Field& change) {
+  const std::size_t n = size();
+  Field contact(n);
+  for (std::size_t i = 0; i < n; ++i) contact[i] = residual[n + i] / contact_weight_[i];
+  Field flow = flow_solution(residual);
+  Field pressure =
+      elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_, pressure_accuracy);
+  double approach = residual[2 * n];
+  if (system.has_load) {
+    const double load = cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure[i]; });
+    approach = (residual[2 * n] - load) / load_response_;
+  }
+  change.assign(2 * n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double z = pressure[i] + approach * pressure_response_[i];
+    change[i] = full_[i] ? z : flow[i] - approach * flow_response_[i];
+    if (touched_[i]) change[n + i] = z;
+  }
+  change[2 * n] = approach;
+}
+
+Field FilmSystem::pressure_of(const Field& change) const {
+  const std::size_t n = size();
+  Field pressure(n);
+  for (std::size_t i = 0; i < n; ++i) pressure[i] = full_[i] ? change[i] : change[n + i];
+  return pressure;
+}
+
+void FilmSystem::apply(const Linearised& system, const Field& change, Field& image) {
+  const std::size_t n = size();
+  const Field pressure = pressure_of(change);
+  const double approach = change[2 * n];
+  Field film(n), fluid(n), voids(n), flow(n, 0.0);
+  elastic_.displace(pressure, film);
+  for (std::size_t i = 0; i < n; ++i) {
+    film[i] -= approach;
+    fluid[i] = full_[i] ? change[i] + system.stiffness[i] * film[i] : 0.0;
+    voids[i] = full_[i] ? 0.0 : change[i];
+  }
+  system.slopes.pressure.add_product(fluid, flow);
+  system.slopes.film.add_product(film, flow);
+  system.slopes.void_fraction.add_product(voids, flow);
+  image.assign(2 * n + 1, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    image[i] = flow[i];
+    if (touched_[i]) {
+      image[n + i] = (change[n + i] + system.stiffness[i] * film[i]) * contact_weight_[i];
+    }
+  }
+  image[2 * n] = system.has_load
+                     ? cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure[i]; })
+                     : approach;
+}
+
+FilmChange FilmSystem::unpack(const Linearised& system, const Field& solution) {
+  const std::size_t n = size();
+  FilmChange change;
+  const Field pressure = pressure_of(solution);
+  change.approach = solution[2 * n];
+  change.film.resize(n);
+  elastic_.displace(pressure, change.film);
+  change.fluid_pressure.assign(n, 0.0);
+  change.boundary_pressure = change.void_fraction = change.fluid_pressure;
+  for (std::size_t i = 0; i < n; ++i) {
+    change.film[i] -= change.approach;
+    if (pressed_[i]) {
+      change.boundary_pressure[i] = system.lag[i] - system.stiffness[i] * change.film[i];
+    }
+    if (full_[i]) {
+      change.fluid_pressure[i] = solution[i] - change.boundary_pressure[i];
+    } else {
+      change.void_fraction[i] = solution[i];
+    }
+  }
+  return change;
+}
+
+FilmChange FilmSystem::solve(const Linearised& system, double share, int max_steps) {
+  const std::size_t n = size();
+  classify(system);
+  const bool is_new = share > share_when_close || needs_decomposition();
+  if (is_new && !decompose(system)) {
+    is_old_ = true;
+    return {};
+  }
+  find_response(system);
+  Field lag(n), right(2 * n + 1, 0.0), flow(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) lag[i] = full_[i] ? system.lag[i] : 0.0;
+  system.slopes.pressure.add_product(lag, flow);
+  for (std::size_t i = 0; i < n; ++i) {
+    right[i] = flow[i] - system.outflow[i];
+    if (touched_[i]) right[n + i] = system.lag[i] * contact_weight_[i];
+  }
+  right[2 * n] = system.has_load ? system.missing_load : 0.0;
+  // Flow, contact pressure and load count alike.
+  const double flow_weight = 1 / std::max(largest(right.data(), n), tiny);
+  const double contact_weight =
+      1 / std::max({largest(right.data() + n, n),
+                    1e-9 * system.load_scale / cell_area_ / static_cast<double>(n), tiny});
+  const double load_weight =
+      1 / std::max({std::fabs(right[2 * n]), 1e-6 * system.load_scale, tiny});
+  const auto scale = [&](Field& field, bool inverse) {
+    for (std::size_t i = 0; i <= 2 * n; ++i) {
+      const double weight = i < n ? flow_weight : i < 2 * n ? contact_weight : load_weight;
+      field[i] *= inverse ? 1 / weight : weight;
+    }
+  };
+  scale(right, false);
+  Field solution;
+  FilmChange change;
+  const int steps = contact::flexible_gmres(
+      [&](const Field& v, Field& image) {
+        apply(system, v, image);
+        scale(image, false);
+      },
+      [&](const Field& v, Field& z) {
+        check_interrupt();
+        Field residual = v;
+        scale(residual, true);
+        precondition(system, residual, z);
+      },
+      right, share, max_steps, solution);
+  change = unpack(system, solution);
+  change.steps = steps;
+  if (is_new) steps_when_new_ = steps;
+  is_old_ = steps > slower * steps_when_new_ + few_steps;
+  return change;
+}
+
+}  // namespace samcontact::film

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solution of a lubricated contact."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray
+from .._util.display import HtmlTable, Rows, quantity
+from .._util.lazy_scipy import scipy
+from ..bodies.layered import Body
+from ..lubricants.lubricant import Lubricant
+from ..problem.grid import Grid
+from .boundary import Boundary
+
+
+class FilmLevel(NamedTuple):
+    """Solution on one of the nested grids, from the coarsest to the given one."""
+
+    cells: tuple[int, int]
+    iterations: int
+    """Newton iterations."""
+    krylov_steps: int
+    """Steps of GMRES in all Newton iterations."""
+    operator_applications: float
+    """Applications of the elastic operator."""
+    residual: float
+    central_film: float
+    """Film at the centre [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class FilmPast:
+    """Past of a transient film, with which it continues."""
+
+    time: float
+    """Time since the start [s]."""
+    ways: FloatArray
+    """Ways of the surfaces of bodies 1 and 2 along x and y since the start [m]."""
+    content: FloatArray
+    """Content of the film at the instant before [m]."""
+    gap: FloatArray
+    """Gap of the undeformed surfaces without moving reliefs [m]."""
+    peak: float
+    """Largest pressure at the start [Pa]."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FilmSolution(HtmlTable):
+    """Pressure and film of a lubricated contact, from `lubrication.steady`.
+
+    Fields have the shape (nx, ny).
+
+    Attributes
+    ----------
+    grid : Grid
+    lubricant : Lubricant
+    velocities : ndarray, shape (2, 2)
+        Velocities of bodies 1 and 2 along x and y, in the frame of the contact [m/s].
+    gap : ndarray
+        Gap of the undeformed surfaces [m].
+    fluid_pressure, boundary_pressure : ndarray
+        Pressure of the fluid, and of the boundary layer [Pa].
+    film : ndarray
+        Film thickness [m]: the distance of the surfaces.
+    filling : ndarray
+        Share of the film that is filled with lubricant [-]; below 1 in cavitated cells.
+    approach : float
+        Rigid-body approach of the bodies [m].
+    load : float
+        Normal load [N].
+    residual : float
+        Largest imbalance of the flow of a cell, relative to the flow through the central film, or
+        of the load [-].
+    levels : tuple of FilmLevel
+        Nested grids; the last is the given grid.
+    boundary : Boundary, or None
+    spin : float
+        Mean angular velocity of the surfaces about z [rad/s].
+    bodies : tuple of Material or Layered
+        Upper and lower body.
+    past : FilmPast, or None
+        Past of a transient contact.
+    """
+
+    grid: Grid
+    lubricant: Lubricant
+    velocities: FloatArray
+    gap: FloatArray
+    fluid_pressure: FloatArray
+    boundary_pressure: FloatArray
+    film: FloatArray
+    filling: FloatArray
+    approach: float
+    load: float
+    residual: float
+    levels: tuple[FilmLevel, ...]
+    boundary: Boundary | None = None
+    spin: float = 0.0
+    bodies: tuple[Body, ...] = ()
+    past: FilmPast | None = None
+
+    @cached_property
+    def pressure(self) -> FloatArray:
+        """Pressure of fluid and boundary layer [Pa], shape (nx, ny)."""
+        return self.fluid_pressure + self.boundary_pressure
+
+    @property
+    def time(self) -> float:
+        """Time since the start of a transient contact [s]; 0 for a steady one."""
+        return 0.0 if self.past is None else self.past.time
+
+    @property
+    def content(self) -> FloatArray:
+        """Lubricant in the film as a thickness at p = 0: filling, density and film [m]."""
+        density = self.lubricant.density(self.fluid_pressure)
+        content: FloatArray = self.filling * density * self.film
+        return content
+
+    @property
+    def central_film(self) -> float:
+        """Film thickness where the gap of the undeformed surfaces is smallest [m]."""
+        return film_at_centre(self.film, self.gap)
+
+    @property
+    def minimum_film(self) -> float:
+        """Smallest film thickness of all cells [m]."""
+        return float(self.film.min())
+
+    @property
+    def boundary_share(self) -> float:
+        """Share of the load that the boundary layer bears [-]."""
+        return float(self.boundary_pressure.sum() / self.pressure.sum())
+
+    @property
+    def iterations(self) -> int:
+        """Newton iterations on the given grid."""
+        return self.levels[-1].iterations
+
+    @property
+    def converged(self) -> bool:
+        """True: without convergence, an error is raised instead."""
+        return True
+
+    def _rows(self) -> Rows:
+        rows = [
+            ("load", quantity(self.load, "N")),
+            ("largest pressure", quantity(float(self.pressure.max()), "Pa")),
+            ("central film", quantity(self.central_film, "m")),
+            ("minimum film", quantity(self.minimum_film, "m")),
+        ]
+        if self.boundary is not None:
+            rows.append(("share of the boundary layer", quantity(self.boundary_share)))
+        return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]
+
+    def __repr__(self) -> str:
+        parts = ", ".join(f"{name}={value}" for name, value in self._rows()[:4])
+        return f"FilmSolution({parts})"
+
+
+def film_at_centre(film: FloatArray, gap: FloatArray) -> float:
+    """Return the film where a gap has its minimum, which may lie between the centres of cells."""
+    index = np.unravel_index(int(np.argmin(gap)), gap.shape)
+    place = []
+    for axis, (i, n) in enumerate(zip(index, gap.shape, strict=True)):
+        at = float(i)
+        if 0 < i < n - 1:
+            before, here, after = (
+                float(v) for v in np.take(gap[_line(index, axis)], [i - 1, i, i + 1])
+            )
+            bend = before - 2.0 * here + after
+            if bend > 0:
+                at += 0.5 * (before - after) / bend
+        place.append([at])
+    order = 3 if min(n for n in film.shape if n > 1) > 3 else 1
+    return float(scipy.ndimage.map_coordinates(film, place, order=order, mode="nearest")[0])
+
+
+def _line(index: tuple[np.intp, ...], axis: int) -> tuple[slice | int, ...]:
+    """Return the index of the line through a cell along an axis."""
+    return tuple(slice(None) if k == axis else int(i) for k, i in enumerate(index))

@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solution of a lubricated contact on nested grids, from the dry contact on the coarsest."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _core, hertz
+from .._util.checks import FloatArray, gap_array
+from .._util.lazy_scipy import scipy
+from ..bodies.layered import Body, softest
+from ..contact.solver import ContactSolver
+from ..lubricants.lubricant import Lubricant
+from ..problem.grid import Grid
+from .boundary import Boundary
+from .film_solution import FilmLevel, film_at_centre
+from .formulas import dowson_higginson, nijenbanning
+
+COARSEST_SIDE = 24
+"""Smallest number of cells along x of a coarser grid."""
+COARSE_CELLS, COARSE_CELLS_OF_LINE = 5.0, 10.0
+"""Smallest number of cells per contact radius, or half-width of a line contact, on a coarser
+grid."""
+TABLE_RANGE = 10.0
+"""Largest pressure of the tables of the lubricant, relative to that of the dry contact."""
+MIN_TABLE_PRESSURE = 1e8
+"""Smallest range of these tables [Pa]."""
+MIN_FILM_SHARE = 1e-9
+"""Films below this share of the range of the gap conduct as one of this share."""
+_ENTERING_VOID = 1e-6
+"""Void fraction at least given to a cell that the coarser grid found cavitated."""
+
+
+@dataclass(frozen=True)
+class FilmTask:
+    """Lubricated contact that is solved on several grids."""
+
+    bodies: tuple[Body, Body]
+    gap: ArrayLike | Callable[[Grid], ArrayLike]
+    is_load: bool
+    target: float
+    """Load [N] or approach [m]."""
+    velocities: FloatArray
+    """Velocities of bodies 1 and 2 along x and y [m/s]."""
+    spin: float
+    lubricant: Lubricant
+    supply: float
+    boundary: Boundary | None
+    order: int
+    tol: float
+    max_iterations: int
+
+    def gap_on(self, grid: Grid, finest: Grid) -> FloatArray:
+        """Return the gap on a grid that covers the same area as the given one [m]."""
+        if callable(self.gap):
+            return gap_array("gap", self.gap(grid), grid.surface_shape)
+        given = gap_array("gap", self.gap, finest.surface_shape)
+        return given if grid == finest else resampled(given, grid.surface_shape, order=1)
+
+    def face_velocities(self, grid: Grid) -> tuple[FloatArray, FloatArray]:
+        """Return the mean velocity of the surfaces normal to the faces of the cells [m/s]."""
+        u, v = self.velocities.mean(axis=0)
+        nx, ny = grid.surface_shape
+        y = (np.arange(ny) - 0.5 * (ny - 1)) * grid.dy
+        x = (np.arange(nx) - 0.5 * (nx - 1)) * grid.dx
+        along_x = np.broadcast_to(u - self.spin * y, (nx + 1, ny))
+        along_y = np.broadcast_to((v + self.spin * x)[:, None], (nx, ny + 1))
+        return np.ascontiguousarray(along_x), np.ascontiguousarray(along_y)
+
+    def layer(self, peak: float) -> tuple[float, float]:
+        """Return thickness [m] and pressure [Pa] of the boundary layer; 0, 0 without one.
+
+        peak: largest pressure of the dry contact [Pa].
+        """
+        if self.boundary is None:
+            return 0.0, 0.0
+        pressure = self.boundary.pressure
+        return self.boundary.thickness, peak if pressure is None else pressure
+
+    @property
+    def entrainment(self) -> float:
+        """Magnitude of the mean velocity of the surfaces [m/s]."""
+        return float(np.hypot(*self.velocities.mean(axis=0)))
+
+
+@dataclass(frozen=True)
+class DryContact:
+    """Dry contact of the same bodies, from which a film starts."""
+
+    pressure: FloatArray
+    approach: float
+    load: float
+    radius: float
+    """Contact radius, or half-width of a line contact, of a Hertz contact with the same load and
+    largest pressure [m]."""
+    film: float
+    """Central film that a formula predicts [m]."""
+
+    @property
+    def peak(self) -> float:
+        """Largest pressure [Pa]."""
+        return float(self.pressure.max())
+
+
+def grids_up_to(finest: Grid) -> list[Grid]:
+    """Return the nested grids, from the coarsest to the given one."""
+    grids = [finest]
+    while (nx := grids[0].nx // 2) >= COARSEST_SIDE:
+        last = grids[0]
+        ny = last.ny if last.ny == 1 else last.ny // 2
+        if ny < 1 or (last.periodic and ny > 1 and ny % 2):
+            break
+        dx, dy = finest.nx * finest.dx / nx, finest.ny * finest.dy / ny
+        grids.insert(0, replace(finest, nx=nx, ny=ny, dx=dx, dy=dy))
+    return grids
+
+
+def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], DryContact]:
+    """Return the nested grids that resolve the contact, and the dry contact on the coarsest."""
+    grids = grids_up_to(finest)
+    while True:
+        dry = dry_contact(task, grids[0], task.gap_on(grids[0], finest))
+        needed = COARSE_CELLS_OF_LINE if grids[0].ny == 1 else COARSE_CELLS
+        if len(grids) == 1 or dry.radius >= needed * grids[0].dx:
+            return grids, dry
+        del grids[0]
+
+
+def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> FloatArray:
+    """Return a field of cells on other cells of the same area, by splines of an order."""
+    places = [(np.arange(n) + 0.5) * m / n - 0.5 for n, m in zip(shape, field.shape, strict=True)]
+    at = np.meshgrid(*places, indexing="ij")
+    found: FloatArray = scipy.ndimage.map_coordinates(field, at, order=order, mode="nearest")
+    return found
+
+
+def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
+    """Return the dry contact on a grid, and the film that is expected there."""
+    solver = ContactSolver(grid, *task.bodies, tol=1e-6, on_border="warn")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # a film needs more cells, and is checked by itself
+        if task.is_load:
+            found = solver.solve(gap, load=task.target)
+        else:
+            found = solver.solve(gap, approach=task.target)
+    if not found.load > 0:
+        raise ValueError(
+            f"approach must press the dry surfaces together, got {task.target!r} m: increase it, "
+            "or prescribe the load"
+        )
+    E_star = hertz.effective_modulus(*map(softest, task.bodies))
+    peak = float(found.pressure.max())
+    speeds = 2.0 * task.entrainment, 0.0
+    if grid.ny == 1 or "y" in grid.periodic:
+        per_length = found.load / (grid.ny * grid.dy)
+        radius = 2.0 * per_length / (math.pi * peak)
+        R = math.pi * E_star * radius**2 / (4.0 * per_length)
+        line = hertz.line(R, E_star, load_per_length=per_length)
+        U = task.lubricant.eta0 * task.entrainment / (2.0 * E_star * R)
+        soft = 3.1 * R * U**0.6 * (per_length / (2.0 * E_star * R)) ** -0.2
+        film = max(dowson_higginson(line, speeds, task.lubricant), soft)
+    else:
+        radius = math.sqrt(1.5 * found.load / (math.pi * peak))
+        R = 4.0 * E_star * radius**3 / (3.0 * found.load)
+        film = nijenbanning(hertz.point(R, E_star, load=found.load), speeds, task.lubricant)
+    return DryContact(found.pressure, found.approach, found.load, radius, film)
+
+
+def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> dict[str, Any]:
+    """Return the start of a full film: the dry pressure, or a wider one under a light load."""
+    pressure = dry.pressure
+    peak = int(np.argmax(pressure))
+    # half-width of the film at which the gap of the surfaces has grown by itself
+    wide = dry.radius * math.sqrt(2.0 * dry.film / _height_at(gap, grid, dry.radius))
+    if wide > dry.radius and task.is_load:
+        x, y = (c - c.ravel()[peak] for c in np.broadcast_arrays(grid.x[:, None], grid.y[None, :]))
+        along_y = 0.0 if grid.ny == 1 or "y" in grid.periodic else 1.0
+        pressure = np.maximum(1.0 - (x**2 + along_y * y**2) / wide**2, 0.0)
+        pressure *= dry.load / (pressure.sum() * grid.cell_area)
+    approach = dry.approach
+    if task.is_load:
+        solver = ContactSolver(grid, *task.bodies)
+        moved = sum(
+            solver.displacement(pressure, body=n)[2]
+            for n, body in enumerate(task.bodies, 1)
+            if not body.is_rigid
+        )
+        approach = float((gap + moved).ravel()[int(np.argmax(pressure))]) - dry.film
+    zero = np.zeros(grid.surface_shape)
+    return {
+        "fluid_pressure": pressure, "boundary_pressure": zero, "void_fraction": zero,
+        "approach": approach,
+    }  # fmt: skip
+
+
+def _height_at(gap: FloatArray, grid: Grid, radius: float) -> float:
+    """Return twice the mean height of a gap within a radius about its minimum, R^2/(2 R_x) [m]."""
+    i, j = np.unravel_index(int(np.argmin(gap)), gap.shape)
+    x, y = grid.x[:, None] - grid.x[i], grid.y[None, :] - grid.y[j]
+    inside = x**2 + (0.0 if grid.ny == 1 or "y" in grid.periodic else 1.0) * y**2 <= radius**2
+    heights = (gap - gap.min())[np.broadcast_to(inside, gap.shape)]
+    share = 3.0 if grid.ny == 1 or "y" in grid.periodic else 2.0
+    return max(share * float(heights.mean()), 1e-12 * float(np.ptp(gap)), 1e-300)
+
+
+def refined(state: dict[str, Any], shape: tuple[int, int]) -> dict[str, Any]:
+    """Return a state on a finer grid, as a start."""
+    cavitated = resampled((state["void_fraction"] > 0).astype(np.float64), shape) > 0.5
+    voids = np.clip(resampled(state["void_fraction"], shape), _ENTERING_VOID, 1.0)
+    fluid = np.maximum(resampled(state["fluid_pressure"], shape), 0.0)
+    return {
+        "fluid_pressure": np.where(cavitated, 0.0, fluid),
+        "boundary_pressure": np.maximum(resampled(state["boundary_pressure"], shape), 0.0),
+        "void_fraction": np.where(cavitated, voids, 0.0),
+        "approach": state["approach"],
+    }
+
+
+def state_of(found: Any) -> dict[str, Any]:
+    """Return the state of a solution, as a start."""
+    names = "fluid_pressure", "boundary_pressure", "void_fraction", "approach"
+    return {name: found[name] for name in names}
+
+
+class LevelSolver:
+    """Solver of a lubricated contact on one grid."""
+
+    def __init__(self, task: FilmTask, grid: Grid, gap: FloatArray, table: Any) -> None:
+        self.task, self.grid, self.gap, self._table = task, grid, gap, table
+        self._core = _core.FilmSolver(grid._core, *(body._core for body in task.bodies))
+
+    def solve(
+        self, start: dict[str, Any], layer: tuple[float, float], order: int, **in_time: Any
+    ) -> Any:
+        """Return the solution from a start, as a dictionary; it may not have converged.
+
+        in_time: time step and earlier contents of a transient film.
+        """
+        task = self.task
+        along_x, along_y = task.face_velocities(self.grid)
+        state = {
+            name: value if name == "approach" else np.ascontiguousarray(value)
+            for name, value in start.items()
+        }
+        return self._core.solve(
+            lubricant=self._table, gap=self.gap, is_load=task.is_load, target=task.target,
+            along_x=along_x, along_y=along_y, order=order, supply=task.supply,
+            thinnest=MIN_FILM_SHARE * float(np.ptp(self.gap)), layer=layer, start=state,
+            tol=task.tol, max_iterations=task.max_iterations, **in_time,
+        )  # fmt: skip
+
+    def level(self, found: Any) -> FilmLevel:
+        """Return what is stated about this grid."""
+        return FilmLevel(
+            self.grid.surface_shape, found["iterations"], found["krylov_steps"],
+            found["operator_applications"], found["error"],
+            film_at_centre(found["film"], self.gap),
+        )  # fmt: skip
+
+
+def table_of(lubricant: Lubricant, peak: float) -> Any:
+    """Return the tables of a lubricant for the core, for a contact with this dry pressure [Pa]."""
+    tables = lubricant.tables(max(TABLE_RANGE * peak, MIN_TABLE_PRESSURE))
+    return _core.LubricantTable(
+        scale=tables.scale, step=tables.step, reduced=tables.reduced, fluidity=tables.fluidity,
+        density=tables.density, density_slope=tables.density_slope,
+    )  # fmt: skip

@@ -1,0 +1,331 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Steady lubricated contact of two bodies."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._core import ConvergenceError
+from .._util.checks import (
+    FloatArray,
+    choice,
+    exactly_one,
+    finite,
+    integer,
+    number,
+    positive,
+    real_array,
+    require_type,
+)
+from .._util.display import quantity
+from .._util.errors import GridTooSmallWarning, ResolutionWarning, attach
+from .._util.frozen import read_only
+from .._util.short_text import in_short
+from ..bodies.layered import Body, require_bodies
+from ..bodies.viscoelastic import require_no_relaxation
+from ..lubricants.lubricant import Lubricant
+from ..problem.grid import Grid
+from .boundary import Boundary
+from .film_solution import FilmLevel, FilmSolution
+from .mixed import MixedFilm
+from .nested import (
+    DryContact,
+    FilmTask,
+    LevelSolver,
+    dry_contact,
+    refined,
+    start_of,
+    started,
+    state_of,
+    table_of,
+)
+
+CELLS_PER_RADIUS = 12.0
+"""Cells per contact radius below which a warning is issued."""
+MAX_CHANGE = 0.05
+"""Relative change of the central film between the last two grids that causes a warning."""
+THICK = 20.0
+"""Predicted film, in thicknesses of the layer, from which on a full film is tried first."""
+MAX_SHARE = 1e-3
+"""Share of the boundary layer up to which the solution of a full film is taken."""
+MAX_EDGE_PRESSURE = 1e-3
+"""Pressure next to the inlet edge of the grid, relative to the largest, that causes a warning."""
+
+
+def steady(
+    grid: Grid,
+    body1: Body,
+    body2: Body,
+    gap: ArrayLike | Callable[[Grid], ArrayLike],
+    *,
+    load: float | None = None,
+    approach: float | None = None,
+    speed: Sequence[float | Sequence[float]],
+    spin: float = 0.0,
+    lubricant: Lubricant,
+    supply: float | None = None,
+    boundary: Boundary | None = None,
+    order: int = 3,
+    tol: float = 1e-6,
+    max_iterations: int = 40,
+) -> FilmSolution:
+    """Solve a steady elastohydrodynamic contact: pressure, film and cavitation.
+
+    The film of the surfaces obeys Reynolds' equation with mass-conserving cavitation; the bodies
+    deform as in `ContactSolver`. The contact is solved on nested grids, each by Newton's method,
+    from the dry contact on the coarsest.
+
+    Parameters
+    ----------
+    grid : Grid
+        Grid around the contact. It should extend from 2.5 contact radii before the contact (4.5
+        under light loads) to 1.5 radii behind it, and have 12 or more cells per radius. A line
+        contact has one row of cells and `periodic="y"`.
+    body1, body2 : Material or Layered
+        Upper and lower body; plastic materials are treated as elastic.
+    gap : array_like, shape (nx, ny), or callable
+        Gap of the undeformed surfaces [m], or a function of a grid that returns this array.
+    load : float
+        Normal load [N], > 0.
+    approach : float
+        Rigid-body approach of the bodies [m]. Exactly one of load and approach must be given.
+    speed : pair
+        Velocities (u1, u2) of the surfaces along x, or ((u1, v1), (u2, v2)) along x and y, in the
+        frame of the contact [m/s].
+    spin : float, optional
+        Mean angular velocity of the surfaces about z, through the centre of the grid [rad/s].
+    lubricant : Lubricant
+    supply : float, optional
+        Thickness of the film that arrives at the inlet [m]. Default: fully flooded.
+    boundary : Boundary, optional
+        Boundary layer, which bears where the film is thin. Default: none, full film.
+    order : {1, 2, 3}, optional
+        Order of the film at the faces of the cells along the flow.
+    tol : float, optional
+        Largest residual of flow and load [-], in [1e-10, 1e-2].
+    max_iterations : int, optional
+        Maximum number of Newton iterations on each grid.
+
+    Returns
+    -------
+    FilmSolution
+
+    Raises
+    ------
+    ValueError, TypeError
+        Invalid arguments, or a film that is not positive, for which the cells are too large.
+    ConvergenceError
+        No convergence; attributes `iterations` and `residual`.
+
+    Warns
+    -----
+    ResolutionWarning
+        Less than 12 cells per contact radius, or a central film that changes by more than 5 %
+        between the last two grids.
+    GridTooSmallWarning
+        Pressure at an edge through which lubricant enters.
+
+    Notes
+    -----
+    Cavitation: Elrod (1981), doi:10.1115/1.3251669. The pressure spike at the outlet converges
+    slowly with the cells. See docs/theory/lubrication.md.
+    """
+    task = checked_task(
+        grid, (body1, body2), gap, load, approach, speed, spin, lubricant, supply, boundary, order,
+        tol, max_iterations,
+    )  # fmt: skip
+    solution, dry, _ = solved_from_dry(task, grid)
+    _warn_of_grid(solution, dry, task)
+    return solution
+
+
+Found = tuple[FilmSolution, DryContact, Any]
+"""Solution, the dry contact from which it started, and the fields of the core."""
+
+
+def solved_from_dry(task: FilmTask, grid: Grid) -> Found:
+    """Return the solution from the dry contact."""
+    return _full_film(task, grid) if task.boundary is None else _mixed_film(task, grid)
+
+
+def _full_film(task: FilmTask, grid: Grid) -> Found:
+    """Return the solution on nested grids, from a thick film."""
+    grids, dry = started(task, grid)
+    table = table_of(task.lubricant, dry.peak)
+    layer = task.layer(dry.peak)
+    levels: list[FilmLevel] = []
+    found: Any = None
+    for n, cells in enumerate(grids):
+        gap = task.gap_on(cells, grid)
+        if found is not None and found["converged"]:
+            state = refined(found, cells.surface_shape)
+        else:  # a state that has not converged misleads the next grid
+            state = start_of(task, cells, gap, dry if n == 0 else dry_contact(task, cells, gap))
+        solver = LevelSolver(task, cells, gap, table)
+        found = _solved(solver, state, layer)
+        levels.append(solver.level(found))
+    require_converged(found, task)
+    return solution_of(grid, gap, task, found, levels), dry, found
+
+
+def _mixed_film(task: FilmTask, grid: Grid) -> Found:
+    """Return the solution with a boundary layer: of a thick film, or else from the dry contact."""
+    assert task.boundary is not None
+    mixed = MixedFilm(task, grid)
+    if mixed.dry.film > THICK * task.boundary.thickness:
+        try:
+            thick = _full_film(task, grid)
+        except (ValueError, RuntimeError):
+            pass  # a rough surface may touch
+        else:
+            if thick[0].boundary_share < MAX_SHARE:
+                return thick
+    found = mixed.at(1.0)
+    require_converged(found, task)
+    return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry, found
+
+
+def checked_task(
+    grid: Grid, bodies: tuple[Body, Body], gap: Any, load: float | None, approach: float | None,
+    speed: Any, spin: float, lubricant: Lubricant, supply: float | None,
+    boundary: Boundary | None, order: int, tol: float, max_iterations: int,
+) -> FilmTask:  # fmt: skip
+    """Check the arguments of `steady`."""
+    require_type("grid", grid, Grid)
+    require_bodies(*bodies)
+    require_type("lubricant", lubricant, Lubricant)
+    if boundary is not None:
+        require_type("boundary", boundary, Boundary)
+    require_no_relaxation("films between viscoelastic bodies are not supported", *bodies)
+    if "x" in grid.periodic:
+        raise ValueError(
+            f"grid must not be periodic along x, got periodic = {grid.periodic!r}: lubricant "
+            "enters and leaves there"
+        )
+    if grid.ny == 1 and not grid.periodic:
+        raise ValueError('grid with one row of cells must have periodic = "y" (a line contact)')
+    name = exactly_one(load=load, approach=approach)
+    target = positive("load", load) if load is not None else number("approach", approach)
+    velocities = velocities_of(speed)
+    if grid.ny == 1 and velocities[:, 1].any():
+        raise ValueError(f"speed along y must be 0 for a line contact, got {in_short(speed)}")
+    spin = finite("spin", spin)
+    if not velocities.mean(axis=0).any() and spin == 0:
+        raise ValueError(
+            f"speed must have a mean other than 0, got {in_short(speed)}: without it no "
+            "lubricant is drawn into the contact"
+        )
+    tol = positive("tol", tol)
+    if not 1e-10 <= tol <= 1e-2:
+        raise ValueError(f"tol must be in [1e-10, 1e-2], got {tol!r}")
+    return FilmTask(
+        bodies, gap, name == "load", target, velocities, spin, lubricant,
+        math.inf if supply is None else positive("supply", supply), boundary,
+        choice("order", order, (1, 2, 3)), tol, integer("max_iterations", max_iterations, 1),
+    )  # fmt: skip
+
+
+def velocities_of(speed: Any) -> FloatArray:
+    """Return the velocities of bodies 1 and 2 along x and y [m/s], shape (2, 2)."""
+    given = real_array("speed", speed)
+    if given.shape == (2,):
+        given = np.stack([given, np.zeros(2)], axis=1)
+    if given.shape != (2, 2) or not np.isfinite(given).all():
+        raise ValueError(
+            "speed must be (u1, u2) along x, or ((u1, v1), (u2, v2)), in finite numbers [m/s], got "
+            f"{in_short(speed)}"
+        )
+    return given
+
+
+def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, float]) -> Any:
+    """Return the solution on a grid; a solution of order 1 leads to it if Newton fails."""
+    found = solver.solve(start, layer, solver.task.order)
+    if found["converged"] or solver.task.order == 1:
+        return found
+    first = solver.solve(start, layer, 1)
+    if not first["converged"]:
+        return found
+    return solver.solve(state_of(first), layer, solver.task.order)
+
+
+def require_converged(found: Any, task: FilmTask) -> None:
+    """Raise an error for a state that is not a solution, or is none of the physical problem."""
+    target = quantity(task.target, "N" if task.is_load else "m")
+    if not found["converged"]:
+        error = ConvergenceError(
+            f"film at {'load' if task.is_load else 'approach'} {target} did not converge: residual "
+            f"{found['error']:.3g} after {found['iterations']} iterations, tol {task.tol:g}: use "
+            "smaller cells, a longer inlet, or order = 1"
+        )
+        attach(error, iterations=found["iterations"], residual=found["error"])
+        raise error
+    lowest = float(found["film"].min())
+    if not lowest > 0:
+        raise ValueError(
+            f"film must be > 0 everywhere, got {lowest:.3g} m: the cells are too large for this "
+            "film; use smaller cells, or a boundary layer for surfaces that touch"
+        )
+
+
+def solution_of(
+    grid: Grid, gap: FloatArray, task: FilmTask, found: Any, levels: list[FilmLevel]
+) -> FilmSolution:
+    fluid, layer, film = (
+        read_only(found[name]) for name in ("fluid_pressure", "boundary_pressure", "film")
+    )
+    return FilmSolution(
+        grid=grid, lubricant=task.lubricant, velocities=read_only(task.velocities), gap=gap,
+        filling=read_only(1.0 - found["void_fraction"]), approach=found["approach"],
+        load=found["load"], residual=found["error"], levels=tuple(levels),
+        boundary=task.boundary, spin=task.spin, bodies=task.bodies,
+        fluid_pressure=fluid, boundary_pressure=layer, film=film,
+    )  # fmt: skip
+
+
+def _warn_of_grid(solution: FilmSolution, dry: DryContact, task: FilmTask) -> None:
+    """Warn of cells that are too large, and of a grid that cuts the inlet."""
+    grid, films = solution.grid, [level.central_film for level in solution.levels[-2:]]
+    sizes = [grid.dx] if grid.ny == 1 or "y" in grid.periodic else [grid.dx, grid.dy]
+    cells = dry.radius / max(sizes)
+    if cells < CELLS_PER_RADIUS:
+        warnings.warn(
+            f"the film is resolved by {cells:.3g} cells per contact radius (at least "
+            f"{CELLS_PER_RADIUS:g} recommended): use smaller cells",
+            ResolutionWarning,
+            stacklevel=3,
+        )
+    elif len(films) == 2 and abs(films[1] - films[0]) > MAX_CHANGE * abs(films[1]):
+        warnings.warn(
+            f"the central film changes from {quantity(films[0], 'm')} to {quantity(films[1], 'm')} "
+            "between the last two grids: use smaller cells",
+            ResolutionWarning,
+            stacklevel=3,
+        )
+    if (share := _pressure_at_inlet(solution, task)) > MAX_EDGE_PRESSURE:
+        warnings.warn(
+            f"the pressure at the inlet edge of the grid is {share:.2g} of the largest (at most "
+            f"{MAX_EDGE_PRESSURE:g} expected): enlarge the grid towards the inlet",
+            GridTooSmallWarning,
+            stacklevel=3,
+        )
+
+
+def _pressure_at_inlet(solution: FilmSolution, task: FilmTask) -> float:
+    """Return the largest pressure next to an edge through which lubricant enters, relative."""
+    along_x, along_y = task.face_velocities(solution.grid)
+    p = solution.fluid_pressure
+    edges = [(p[0], along_x[0]), (p[-1], -along_x[-1])]
+    if not solution.grid.periodic:
+        edges += [(p[:, 0], along_y[:, 0]), (p[:, -1], -along_y[:, -1])]
+    entering = [float(edge[inward > 0].max()) for edge, inward in edges if np.any(inward > 0)]
+    return max(entering, default=0.0) / float(p.max())
+
+
+__all__ = ["steady"]

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lubricated contact over the speed, from the dry contact to the full film."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, finite, finite_array
+from .._util.display import ShortRepr
+from ..bodies.layered import Body
+from ..lubricants.lubricant import Lubricant
+from ..problem.grid import Grid
+from .boundary import Boundary
+from .film_solution import FilmSolution
+from .mixed import MixedFilm
+from .steady import checked_task, require_converged, solution_of
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class StribeckCurve(ShortRepr):
+    """Films at increasing speeds, from `stribeck`.
+
+    Attributes
+    ----------
+    solutions : tuple of FilmSolution
+        Solution at each speed.
+    dry_pressure : ndarray, shape (nx, ny)
+        Pressure of the dry contact [Pa].
+    """
+
+    solutions: tuple[FilmSolution, ...]
+    dry_pressure: FloatArray
+
+    @property
+    def speed(self) -> FloatArray:
+        """Mean speeds of the surfaces [m/s], shape (n,)."""
+        return np.array([float(s.velocities[:, 0].mean()) for s in self.solutions])
+
+    @property
+    def boundary_share(self) -> FloatArray:
+        """Share of the load that the boundary layer bears [-], shape (n,)."""
+        return np.array([s.boundary_share for s in self.solutions])
+
+    @property
+    def central_film(self) -> FloatArray:
+        """Central films [m], shape (n,)."""
+        return np.array([s.central_film for s in self.solutions])
+
+    @property
+    def minimum_film(self) -> FloatArray:
+        """Minimum films [m], shape (n,)."""
+        return np.array([s.minimum_film for s in self.solutions])
+
+
+def stribeck(
+    grid: Grid,
+    body1: Body,
+    body2: Body,
+    gap: ArrayLike | Callable[[Grid], ArrayLike],
+    *,
+    load: float,
+    speeds: Sequence[float],
+    slide_to_roll: float = 0.0,
+    lubricant: Lubricant,
+    boundary: Boundary,
+    order: int = 3,
+    tol: float = 1e-6,
+    max_iterations: int = 40,
+) -> StribeckCurve:
+    """Solve a lubricated contact at several speeds, from the dry contact upwards.
+
+    Each solution is the start of the next: films open as the speed rises, on one branch. On the way
+    to the first speed, and between speeds that are far apart, further speeds are solved.
+
+    Parameters
+    ----------
+    grid, body1, body2, gap, load, lubricant, tol, max_iterations
+        As in `steady`.
+    speeds : sequence of float
+        Mean speeds (u1 + u2)/2 of the surfaces along x, increasing [m/s], > 0.
+    slide_to_roll : float, optional
+        Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) [-]. It does not change an isothermal film.
+    boundary : Boundary
+        Boundary layer, which bears at low speeds.
+    order : {1, 2, 3}, optional
+        Order of the film at the faces of the cells. The share of the layer depends on it where it
+        is below 0.1: compare orders 1 and 3, or cells of half the size.
+
+    Returns
+    -------
+    StribeckCurve
+
+    Raises
+    ------
+    ValueError, TypeError, ConvergenceError
+        As `steady`; speeds that are not positive and increasing.
+    """
+    given = finite_array("speeds", speeds)
+    if given.ndim != 1 or not given.size or given[0] <= 0 or np.any(np.diff(given) <= 0):
+        raise ValueError(
+            f"speeds must be positive and increasing [m/s], got {list(map(float, given.ravel()))}"
+        )
+    slip = finite("slide_to_roll", slide_to_roll)
+    unit = 1.0 + 0.5 * slip, 1.0 - 0.5 * slip
+    task = checked_task(
+        grid, (body1, body2), gap, load, None, unit, 0.0, lubricant, None, boundary, order, tol,
+        max_iterations,
+    )  # fmt: skip
+    if task.boundary is None:
+        raise ValueError("boundary is required: without it dry surfaces bear nothing at low speeds")
+    mixed = MixedFilm(task, grid)
+    solutions = []
+    for speed in map(float, given):
+        found = mixed.at(speed)
+        level = mixed.level(found)
+        moving = mixed.task_at(speed)
+        require_converged(found, moving)
+        solutions.append(solution_of(grid, mixed.gap, moving, found, [level]))
+    return StribeckCurve(tuple(solutions), mixed.dry.pressure)

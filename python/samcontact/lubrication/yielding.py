@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Increments of bodies that yield under a lubricant film."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .._core import ConvergenceError
+from .._util.checks import FloatArray, positive, require_type
+from .._util.display import ShortRepr
+from .._util.lazy_scipy import scipy
+from ..lubricants.lubricant import Lubricant
+from ..simulation.simulation import Simulation
+from ..solutions.state import State
+from .boundary import Boundary
+from .film_solution import FilmSolution
+from .nested import FilmTask, LevelSolver, state_of, table_of
+from .steady import checked_task, require_converged, solution_of, solved_from_dry
+
+DEPTH = 5
+"""Number of earlier solutions that Anderson's acceleration uses."""
+MAX_EVALUATIONS = 40
+"""Largest number of solutions of film and plastic flow in an increment."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FilmIncrement(ShortRepr):
+    """Increment of a simulation under a film, from `press`.
+
+    Attributes
+    ----------
+    film : FilmSolution
+        Film at the end of the increment.
+    state : State
+        State of the bodies under the pressure of the film.
+    evaluations : int
+        Solutions of film and plastic flow.
+    """
+
+    film: FilmSolution
+    state: State
+    evaluations: int
+
+
+def press(
+    simulation: Simulation,
+    *,
+    load: float,
+    speed: Sequence[float | Sequence[float]],
+    lubricant: Lubricant,
+    boundary: Boundary | None = None,
+    order: int = 3,
+    tol: float = 1e-4,
+    max_iterations: int = 40,
+) -> FilmIncrement:
+    """Advance a simulation by an increment in which a steady film carries the load.
+
+    The film takes the place of the dry contact: the pressure of the film causes plastic flow, and
+    the residual displacement of the surfaces changes the gap of the film, until both agree. The
+    simulation remains at the new state; a step without load then gives the residual imprint.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        Bodies, gap and history. Its friction, heat and moving reliefs are not used.
+    load : float
+        Normal load [N], > 0.
+    speed, lubricant, boundary, order, max_iterations
+        As in `steady`.
+    tol : float, optional
+        Largest change of the residual displacement in the last evaluation, relative to the
+        approach of a Hertz contact with the same load and pressure [-].
+
+    Returns
+    -------
+    FilmIncrement
+
+    Raises
+    ------
+    ValueError, TypeError
+        Invalid arguments, or a simulation with reliefs.
+    ConvergenceError
+        No convergence of the film, or of film and plastic flow. The simulation keeps its previous
+        state.
+    """
+    require_type("simulation", simulation, Simulation)
+    if simulation.relief1 is not None or simulation.relief2 is not None:
+        raise ValueError("simulation must not have reliefs: add their heights to the gap")
+    tol = positive("tol", tol)
+    task = checked_task(
+        simulation.grid, (simulation.body1, simulation.body2), simulation.initial_gap, load, None,
+        speed, 0.0, lubricant, None, boundary, order, min(1e-6, 0.1 * tol), max_iterations,
+    )  # fmt: skip
+    coupling = _Coupling(simulation, task)
+    before = simulation.state
+    try:
+        coupling.solve(tol)
+    except BaseException:
+        simulation.engine.stand_at(before)
+        raise
+    assert coupling.film is not None
+    return FilmIncrement(coupling.film, simulation.state, coupling.evaluations)
+
+
+class _Coupling:
+    """Film and plastic flow of an increment, as a fixed point of the residual displacement."""
+
+    def __init__(self, simulation: Simulation, task: FilmTask) -> None:
+        self._simulation, self._task = simulation, task
+        self._gap: FloatArray = simulation.initial_gap
+        self._start = simulation.state
+        self.film: FilmSolution | None = None
+        self.evaluations = 0
+        self._found: Any = None
+        self._layer = 0.0, 0.0
+        self._table: Any = None
+
+    def solve(self, tol: float) -> None:
+        """Iterate until the residual displacement changes by less than `tol`."""
+        first = _residual(self._start)
+        change = self._change(first)
+        size = self._size()
+        if np.abs(change).max() <= tol * size:
+            return
+        try:
+            scipy.optimize.anderson(
+                lambda x: self._change(x * size) / size, (first + change) / size, alpha=1.0,
+                M=DEPTH, f_tol=tol, maxiter=MAX_EVALUATIONS, line_search=None,
+            )  # fmt: skip
+        except scipy.optimize.NoConvergence:
+            raise ConvergenceError(
+                f"film and plastic flow did not agree at load {self._task.target:g} N after "
+                f"{self.evaluations} solutions: use smaller increments of the load"
+            ) from None
+
+    def _size(self) -> float:
+        """Approach of a Hertz contact with the load and the largest pressure of the film [m]."""
+        assert self.film is not None
+        radius = np.sqrt(1.5 * self.film.load / (np.pi * self.film.pressure.max()))
+        gap = self.film.gap - self.film.gap.min()
+        grid = self.film.grid
+        near = np.abs(gap)[np.hypot(grid.x[:, None], grid.y[None, :]) <= 1.01 * radius + grid.dx]
+        return max(2.0 * float(near.max()), 1e-12)
+
+    def _change(self, residual: FloatArray) -> FloatArray:
+        """Return the change of the residual displacement that the film causes [m]."""
+        self.evaluations += 1
+        gap = self._gap + residual
+        self.film = self._film(gap)
+        engine = self._simulation.engine
+        engine.stand_at(self._start)
+        state = self._simulation.step(pressure=self.film.pressure)
+        return _residual(state) - residual
+
+    def _film(self, gap: FloatArray) -> FilmSolution:
+        task = replace(self._task, gap=gap)
+        grid = self._simulation.grid
+        if self._found is None:
+            film, dry, self._found = solved_from_dry(task, grid)
+            self._layer, self._table = task.layer(dry.peak), table_of(task.lubricant, dry.peak)
+            return film
+        solver = LevelSolver(task, grid, gap, self._table)
+        self._found = solver.solve(state_of(self._found), self._layer, task.order)
+        require_converged(self._found, task)
+        return solution_of(grid, gap, task, self._found, [solver.level(self._found)])
+
+
+def _residual(state: State) -> FloatArray:
+    """Residual displacement that opens the gap, of both bodies [m], shape (nx, ny)."""
+    total: FloatArray = np.zeros(state.grid.surface_shape)
+    for body, material in enumerate(state.setup.bodies, 1):
+        if material.is_plastic:
+            total = total + state.residual_displacement(body)
+    return total
