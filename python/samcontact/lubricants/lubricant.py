@@ -208,6 +208,11 @@ class Lubricant(HtmlTable):
         return self.law.pressure_viscosity
 
     @property
+    def is_newtonian(self) -> bool:
+        """Whether the shear stress is proportional to the shear rate, without a limit."""
+        return self.thinning == NEWTONIAN and self.limiting_coefficient is None
+
+    @property
     def max_pressure(self) -> float:
         """Largest pressure of a table [Pa]; infinite for a formula."""
         return self.law.max_pressure
