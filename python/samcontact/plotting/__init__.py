@@ -17,6 +17,7 @@ from .contact import (
     temperature_profile,
 )
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
+from .films import film_map, film_profile, interferogram, stribeck_curve, traction_curve
 from .interface import interface_profile
 from .maps import surface_map, track_map
 from .over_time import over_time
@@ -39,10 +40,13 @@ __all__ = [
     "fatigue_depth",
     "fatigue_map",
     "fatigue_section",
+    "film_map",
+    "film_profile",
     "fretting_loop",
     "friction_curve",
     "imprint_profile",
     "interface_profile",
+    "interferogram",
     "journal_column",
     "load_approach",
     "loaded_section",
@@ -59,12 +63,14 @@ __all__ = [
     "shakedown_map",
     "shear_profile",
     "strain_per_cycle",
+    "stribeck_curve",
     "summary_figures",
     "surface_map",
     "temperature_profile",
     "track_imprint",
     "track_map",
     "track_section",
+    "traction_curve",
     "view",
     "wear",
 ]
