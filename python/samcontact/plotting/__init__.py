@@ -17,7 +17,14 @@ from .contact import (
     temperature_profile,
 )
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
-from .films import film_map, film_profile, interferogram, stribeck_curve, traction_curve
+from .films import (
+    film_map,
+    film_profile,
+    interferogram,
+    regime_chart,
+    stribeck_curve,
+    traction_curve,
+)
 from .interface import interface_profile
 from .maps import surface_map, track_map
 from .over_time import over_time
@@ -55,6 +62,7 @@ __all__ = [
     "partial_slip_map",
     "pressure_profile",
     "pull_off_over_tabor",
+    "regime_chart",
     "rolling_animation",
     "rolling_force",
     "save_animation",

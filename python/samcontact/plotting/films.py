@@ -11,7 +11,10 @@ from matplotlib.axes import Axes
 from .._util.checks import FloatArray, finite, finite_array, positive, require_type
 from .._util.display import quantity
 from .._util.lazy_scipy import scipy
-from ..lubrication import FilmSolution, StribeckCurve, friction
+from ..lubricants import Lubricant
+from ..lubrication import FilmSolution, StribeckCurve, friction, regime
+from ..lubrication.formulas import regime_of
+from ..lubrication.groups import Contact, film_groups
 from .parts import add_to_title, axes_or_new, finish, prefixed
 
 if TYPE_CHECKING:
@@ -20,6 +23,10 @@ if TYPE_CHECKING:
 MAX_SHOWN_FILM = 3.0
 """Largest film of a map, in central films."""
 _POINTS_PER_CELL = 6
+_REGIMES = (
+    "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous", "elastic-piezoviscous",
+)  # fmt: skip
+_REGIME_COLOURS = ("#dfe8f2", "#f4e3d7", "#e2efdf", "#f1e6ef")
 WAVELENGTH, REFRACTIVE_INDEX = 600e-9, 1.5
 """Red light [m], and refractive index of oil under pressure [-], of an interferogram."""
 
@@ -185,6 +192,44 @@ def traction_curve(
     ax.plot(ratio.ravel()[order], values.ravel()[order], "C0o-", markersize=3)
     ax.set_xlabel("slide-to-roll ratio [-]")
     ax.set_ylabel("friction coefficient [-]")
+    return finish(ax)
+
+
+def regime_chart(
+    contact: Contact, speed: tuple[float, float], lubricant: Lubricant, ax: Axes | None = None
+) -> Axes:
+    """Draw the regimes of lubrication over Moes' numbers, with the place of a contact.
+
+    contact, speed, lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default
+    a new figure. The chart is that of the shape of the contact. Returns the axes. Raises TypeError
+    or ValueError as `samcontact.lubrication.regime`.
+    """
+    here = regime(contact, speed, lubricant)  # refuses other contacts
+    found = film_groups(contact, speed, lubricant)
+    M, L = found.moes
+    shape = found.approach / found.scale / M ** (2.0 / 3.0)  # Hertz: load^(2/3)
+    loads = np.geomspace(min(1e-2, 0.1 * M), max(1e5, 10.0 * M), 121)
+    oils = np.geomspace(min(1e-2, 0.1 * L) if L > 0.0 else 1e-2, max(1e2, 10.0 * L), 81)
+    kinds = np.array(
+        [
+            [_REGIMES.index(regime_of(m, n, found.D, shape * m ** (2.0 / 3.0))) for n in oils]
+            for m in loads
+        ]
+    )
+    ax = axes_or_new(ax)
+    for number, (name, colour) in enumerate(zip(_REGIMES, _REGIME_COLOURS, strict=True)):
+        inside = kinds == number
+        if inside.any():
+            ax.contourf(loads, oils, inside.T.astype(float), levels=[0.5, 1.5], colors=[colour])
+            i, j = inside.nonzero()
+            m, n = (float(np.exp(np.log(v).mean())) for v in (loads[i], oils[j]))
+            ax.text(m, n, name.replace("-", "\n"), ha="center", va="center", fontsize="small")
+    ax.plot([M], [max(L, oils[0])], "ko", markersize=5)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel("load M [-]")
+    ax.set_ylabel("lubricant L [-]")
+    ax.set_title(f"{here}, a_y/a_x = {found.k:.3g}", fontsize="medium")
     return finish(ax)
 
 

@@ -99,23 +99,12 @@ def test_the_rigid_film_is_between_two_boundary_conditions():
         (0.05, 0.01, "rigid-isoviscous"),
         (1e3, 0.01, "elastic-isoviscous"),
         (5.0, 20.0, "rigid-piezoviscous"),
+        (20.0, 10.0, "elastic-piezoviscous"),
         (1e3, 10.0, "elastic-piezoviscous"),
     ],
 )
 def test_regimes(M, L, regime):
     assert films.regime(*point(M, L)[:3]) == regime
-
-
-@pytest.mark.parametrize("D", [1.0, 0.3])
-def test_limits_of_the_regimes_belong_to_the_formulas(D):
-    """Hamrock & Dowson wrote the same fits over other groups: U and W to nearly equal powers."""
-    hard, soft = point(1e3, 10.0, D), point(1e3, 0.01, D)
-    for case, k, power in ((hard, 2, "hard"), (soft, 1, "soft")):
-        found = film_groups(*case[:3])
-        limit = sc.lubrication.formulas._hamrock_limits(found)[3 if k == 2 else 1]
-        film = R * limit * (found.U / found.W) ** 2
-        formula = films.hamrock_dowson(*case[:3], material=power).minimum
-        assert film == pytest.approx(formula, rel=0.15)
 
 
 def test_a_bearing_has_a_film():

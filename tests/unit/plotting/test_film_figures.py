@@ -70,6 +70,18 @@ def test_the_traction_curve_is_drawn_in_order():
     assert ax.lines[0].get_xdata() == pytest.approx([0.0, 0.1])
 
 
+@pytest.mark.parametrize(("load", "alpha"), [(20.0, 22e-9), (1e-3, 22e-9), (20.0, 0.0)])
+def test_the_regime_chart_marks_the_contact_in_its_regime(load, alpha):
+    contact, oil = sc.hertz.point(0.01, 1.1e11, load=load), sc.Lubricant.roelands(0.04, alpha)
+    ax = plotting.regime_chart(contact, (1.0, 1.0), oil)
+    (point,) = ax.lines
+    place = point.get_xdata()[0], point.get_ydata()[0]
+    regime = sc.lubrication.regime(contact, (1.0, 1.0), oil)
+    assert regime in {text.get_text().replace("\n", "-") for text in ax.texts}
+    low, high = ax.get_ylim()
+    assert low <= place[1] <= high
+
+
 def test_other_objects_are_refused():
     for draw in (plotting.film_map, plotting.film_profile, plotting.interferogram):
         with pytest.raises(TypeError, match="film must be a"):
