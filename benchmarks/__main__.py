@@ -19,6 +19,7 @@ PARTS = (
     "elastic_smooth",
     "elastic_rough",
     "slip",
+    "viscous",
     "plastic_smooth",
     "plastic_rough",
     "plastic_zones",

@@ -34,6 +34,19 @@ RELAXING = {
 }
 COATED = {"law": "elastic", "E": 210e9, "nu": 0.3, "layers": [LAYER, LAYER | {"E": 70e9}]}
 COLD = {name: value for name, value in SWIFT.items() if name not in ("thermal", "softening")}
+INCLUDED = {
+    "E": 390e9, "nu": 0.25, "center": [0.0, 1e-6, 35e-6], "radius": 25e-6, "misfit": -1e-3,
+}  # fmt: skip
+ELLIPSOID = {
+    "shape": "ellipsoid", "center": [3e-5, 0.0, 6e-5], "radii": [25e-6, 26e-6, 28e-6],
+    "axes": [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]],
+}  # fmt: skip
+DRAWN = {
+    "E": 390e9, "nu": 0.25, "fraction": 0.04, "radius": 25e-6, "spread": 0.1,
+    "radius_limits": [24.5e-6, 30e-6], "misfit": 1e-3, "seed": 1, "gap": 0.1, "cover": 1e-6,
+    "box": [[-1e-4, 1e-4], [-1e-4, 1e-4], [0.0, 1e-4]],
+    "cluster": {"members": 3.0, "distance": 6e-5},
+}  # fmt: skip
 HARDENED = {name: value for name, value in SWIFT.items() if name != "yield_profile"}
 GRID = {"nx": 16, "ny": 14, "dx": 5e-6, "dy": 6e-6, "nz": 4, "dz": 5e-6}
 ROUGH = {
@@ -159,6 +172,13 @@ KINDS = {
     | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
        "relief2": {"kind": "file", "periodic": True} | MEASURED},
     "coated": BASE | {"body1": COLD, "body2": COATED, "heat": None, "path": [{"load": 2.0}]},
+    "inclusions": BASE | {
+        "grid": {k: v for k, v in GRID.items() if k != "nz"}, "body1": COLD, "heat": None,
+        "body2": COLD | {"inclusions": [INCLUDED, ELLIPSOID | {"law": "void"}]},
+        "path": [{"load": 2.0}]},
+    "random inclusions": BASE | {
+        "grid": {k: v for k, v in GRID.items() if k != "nz"}, "body1": COLD, "heat": None,
+        "body2": COLD | {"random_inclusions": DRAWN}, "path": [{"load": 2.0}]},
     "coated by other laws": BASE | {"body1": COLD, "body2": SWIFT | {"layers": [
         SWIFT | {"thickness": 5e-6}, *(law | {"thickness": 10e-6} for law in (VOCE, TABULATED)),
     ]}, "heat": {"factor": [0.0, 2e-3], "time": 1e-3}, "path": [{"load": 2.0}]},

@@ -11,7 +11,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .contact import LOAD, SIZE, SPEED, Contact
+from .contact import LOAD, SIZE, SPEED, Contact, Law
 
 Change = Callable[[Contact], None]
 STEEL = sc.Material.linear_hardening(210e9, 0.3, 1e9, 20e9)
@@ -54,6 +54,10 @@ def _both_yield(contact: Contact) -> None:
     contact.body1 = sc.Material.swift(210e9, 0.3, 700e6, 20.0, 0.1)
 
 
+def _stiff_inclusion(contact: Contact) -> None:
+    contact.inclusion = sc.Material.elastic(400e9, 0.25)
+
+
 def _full_sliding(contact: Contact) -> None:
     if contact.law == 0.0:
         contact.law = 0.3
@@ -67,6 +71,19 @@ def _partial_slip(contact: Contact) -> None:
 def _no_slip(contact: Contact) -> None:
     contact.law = sc.Coulomb(math.inf)
     contact.pulls = 0.1
+
+
+def _with_law(law: Law) -> Change:
+    def change(contact: Contact) -> None:
+        contact.law = law
+        contact.pulls = 0.1
+
+    return change
+
+
+def _slips_by_temperature(contact: Contact) -> None:
+    contact.law = sc.ThermalCoulomb([0.0, 100.0], [0.3, 0.1])
+    _heated_by_slip(contact)
 
 
 def _shift(contact: Contact) -> None:
@@ -185,9 +202,19 @@ CAPABILITIES: dict[str, Change] = {
     "viscoelastic body": _relaxes,
     "elastic coating": _elastic_coating,
     "plastic coating and substrate": _yielding_coating,
+    "inclusion": _stiff_inclusion,
     "full sliding": _full_sliding,
     "partial slip": _partial_slip,
     "no slip": _no_slip,
+    "anisotropic friction": _with_law(sc.Anisotropic(0.3, 0.2, 0.5)),
+    "friction that depends on the place": _with_law(
+        sc.MappedCoulomb([0.2, 0.3], x=[-SIZE, SIZE], body=2)
+    ),
+    "friction that depends on the temperature": _slips_by_temperature,
+    "friction that falls with the slip rate": _with_law(
+        sc.FallingCoulomb(0.2, 0.1, 0.1, memory=1e-6)
+    ),
+    "layer of wear particles": _with_law(sc.ThirdBody(0.3, 1e9, 1e9, 1e-6)),
     "prescribed shift": _shift,
     "prescribed rotation": _twist,
     "tangential force": _pull,
@@ -215,8 +242,23 @@ CAPABILITIES: dict[str, Change] = {
 
 ALTERNATIVES = (
     {"elastic coating", "plastic coating and substrate"},
-    {"full sliding", "partial slip", "no slip"},
-    {"steady heat", "heat for a given time", "heat history", "heat of slip"},
+    {
+        "full sliding",
+        "partial slip",
+        "no slip",
+        "anisotropic friction",
+        "friction that depends on the place",
+        "friction that depends on the temperature",
+        "friction that falls with the slip rate",
+        "layer of wear particles",
+    },
+    {
+        "steady heat",
+        "heat for a given time",
+        "heat history",
+        "heat of slip",
+        "friction that depends on the temperature",
+    },
     {"periodic along x", "periodic along y", "periodic in both directions"},
     {"rolling", "sliding", "motion along y"},
 )

@@ -19,7 +19,11 @@ SPEED = 0.2
 TOL = 1e-5
 METHODS = ("residual_stress", "increment_tol")
 """Settings of the indentation, taken from those of the contact."""
-Body = sc.Material | sc.Layered
+Body = sc.Material | sc.Layered | sc.Heterogeneous
+Law = sc.Coulomb | sc.Anisotropic | sc.MappedCoulomb | sc.ThermalCoulomb | sc.FallingCoulomb
+Law |= sc.ThirdBody
+MU = 0.3
+"""Largest coefficient of all laws with a finite one."""
 
 
 @dataclass
@@ -34,6 +38,8 @@ class Contact:
     """Whether the upper body ends at a free face inside the contact."""
     relaxes: bool = False
     """Whether the upper body is viscoelastic."""
+    inclusion: sc.Material | None = None
+    """Material of a spherical inclusion in the lower body."""
     periodic: str = ""
     heights: np.ndarray | None = None
     """Measured heights, which are added to the gap [m]."""
@@ -41,7 +47,7 @@ class Contact:
     """Whether a hard particle has been pressed into the lower body before."""
     is_enlarged: bool = False
     """Whether the grid is enlarged when the contact reaches its edge."""
-    law: float | sc.Coulomb = 0.0
+    law: float | Law = 0.0
     heat: dict[str, Any] = field(default_factory=dict)
     travels: Sequence[Any] | None = None
     """Distances by which the surfaces travel in each of three increments [m]: along x, or pairs."""
@@ -57,7 +63,7 @@ class Contact:
     def slips_partially(self) -> None:
         """Use Coulomb friction with partial slip, unless a friction law is set."""
         if self.law == 0.0:
-            self.law = sc.Coulomb(0.3)
+            self.law = sc.Coulomb(MU)
 
     def bodies(self) -> tuple[Body, Body]:
         """Return both bodies, with thermal properties and coating."""
@@ -69,6 +75,9 @@ class Contact:
             body1 = body1.with_relaxation(times=[1e-4, 1e-2], shares=[0.2, 0.1])
         if self.ends:
             body1 = body1.with_free_faces(high=4 * SIZE)
+        if self.inclusion is not None:
+            sphere = sc.Inclusion.sphere((0.0, 0.0, 5 * SIZE), 4 * SIZE, self.inclusion)
+            body2 = sc.Heterogeneous(body2, [sphere])
         if coating is None:
             return body1, body2
         return body1, sc.Layered([(coating, SIZE)], body2)
@@ -141,7 +150,8 @@ class Contact:
 
     def lasts(self) -> bool:
         """Whether increments have a duration."""
-        return "history" in self.heat or "partition" in self.heat
+        needed = isinstance(self.law, sc.FallingCoulomb)
+        return needed or "history" in self.heat or "partition" in self.heat
 
 
 def faults(contact: Contact) -> list[str]:
@@ -167,8 +177,9 @@ def _faults_of(state: sc.State, step: dict[str, Any], contact: Contact) -> list[
     if highest > 0:
         closed = np.minimum(pressure / highest, gap / np.abs(gap[np.isfinite(gap)]).max())
         conditions["pressure or gap zero"] = bool(np.abs(closed).max() <= TOL)
-    if isinstance(contact.law, sc.Coulomb):
-        excess = slip_error(state, contact.law.coefficient)
+    if not isinstance(contact.law, float):
+        largest = contact.law.coefficient if isinstance(contact.law, sc.Coulomb) else MU
+        excess = slip_error(state, largest)
         conditions["shear below the friction limit"] = excess <= 1e-6
     for body in (1, 2):
         conditions |= _conditions_in(state, body)

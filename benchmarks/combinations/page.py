@@ -22,6 +22,10 @@ RETESTED = (
     ("no slip", "steady heat"),
     ("elastic coating", "adhesion"),
     ("rolling", "dent of a pressed particle"),
+    ("inclusion", "rolling"),
+    ("viscoelastic body", "friction that falls with the slip rate"),
+    ("plastic body", "friction that depends on the temperature"),
+    ("layer of wear particles", "rolling"),
 )
 """Pairs that the tests run again."""
 
@@ -87,6 +91,11 @@ REASONS = (
         "adhesion|attraction",
         "Adhesion of viscoelastic bodies, or with partial slip, heat, moments, or motion through "
         "the grid.",
+    ),
+    Reason(
+        "inclusions",
+        "Inclusions in layered bodies, in a body that a particle dents, and with the method "
+        '"exact", whose stress at the centres of cells makes soft inclusions unstable.',
     ),
     Reason(
         "viscoelastic",

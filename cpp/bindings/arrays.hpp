@@ -53,9 +53,11 @@ inline Values surface_array(Field field, const Grid& grid) {
 }
 
 /// [component][i][j] of a vector of the surface.
-inline Values vector_array(Field field, const Grid& grid) {
+template <int Components = 2>
+Values vector_array(Field field, const Grid& grid) {
   const auto plane = static_cast<py::ssize_t>(grid.surface_size());
-  return own(std::move(field), {py::ssize_t{2}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}},
+  return own(std::move(field),
+             {py::ssize_t{Components}, py::ssize_t{grid.nx}, py::ssize_t{grid.ny}},
              {item * plane, item * grid.ny, item});
 }
 

@@ -18,6 +18,7 @@
 #include "samcontact/contact/outline.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/medium/finite_body.hpp"
+#include "samcontact/operators/surface/creeping_tractions.hpp"
 #include "typed.hpp"
 
 namespace samcontact::bindings {
@@ -136,8 +137,9 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, const
              const std::array<bool, 3>& is_force, const std::array<double, 3>& tangential,
              const MaybeArray& pressure, const MaybeArray& shear,
              const std::array<double, 3>& creepage, double tol, int max_iterations,
-             bool error_on_border, bool accept_stall, double duration) {
-  const Field h = to_field(gap);
+             bool error_on_border, bool accept_stall, double duration,
+             const MaybeArray& displacement) {
+  const Field h = to_field(gap), moved = to_field_or_empty(displacement);
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
@@ -146,7 +148,7 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, const
   {
     const LongWork work;
     solution = contact.roll(h, drive, contact::tangential_drive(is_force, tangential), start,
-                            settings, conditions);
+                            settings, conditions, moved);
   }
   return to_python(std::move(solution), contact);
 }
@@ -201,6 +203,25 @@ void bind_creeping(py::module_& m) {
                  return MovingCreep{std::move(amounts), std::move(distances), towards_plus_x};
                }),
            py::arg("amounts"), py::arg("distances"), py::arg("towards_plus_x"));
+  using operators::CreepingTractions;
+  py::class_<CreepingTractions>(m, "CreepingTractions")
+      .def(py::init([](const Grid& grid, const plasticity::Body& body1,
+                       const plasticity::Body& body2, const MovingCreep& creep1,
+                       const MovingCreep& creep2) {
+             return std::make_unique<CreepingTractions>(
+                 grid,
+                 std::array<operators::CreepingBody, 2>{{{operators::medium_of(body1), creep1},
+                                                         {operators::medium_of(body2), creep2}}});
+           }),
+           py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("creep1"),
+           py::arg("creep2"))
+      .def(
+          "displacement",
+          [](const CreepingTractions& bodies, const Array& pressure, const Array& shear) {
+            return vector_array<3>(bodies.displacement(to_field(pressure), to_field(shear)),
+                                   bodies.grid());
+          },
+          py::arg("pressure"), py::arg("shear"));
   py::class_<contact::CreepingContact>(m, "CreepingContact")
       .def(py::init([](const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, const MovingCreep& creep1,
@@ -243,7 +264,8 @@ void bind_partial_slip(py::module_& m) {
       .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
            py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
            py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),
-           py::arg("error_on_border"), py::arg("accept_stall"), py::arg("duration") = 0.0);
+           py::arg("error_on_border"), py::arg("accept_stall"), py::arg("duration") = 0.0,
+           py::arg("displacement") = py::none());
 }
 
 }  // namespace

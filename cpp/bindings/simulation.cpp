@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "long_work.hpp"
@@ -38,6 +42,34 @@ simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& 
                   to_field_or_empty(worn)};
   }
   return reliefs;
+}
+
+/// Each None or (first cell, index of each cell among the mixed cells [k][i][j] or -1, constants of
+/// the mixed cells by row: bulk, shear, share, six misfit strains, index of the material;
+/// materials).
+using InclusionsTuple =
+    std::tuple<std::array<int, 3>, py::array_t<std::int32_t, py::array::c_style>, Array,
+               std::vector<plasticity::Material>>;
+simulation::InclusionsPair to_inclusions(
+    const std::array<std::optional<InclusionsTuple>, 2>& given) {
+  simulation::InclusionsPair inclusions;
+  for (int b = 0; b < 2; ++b) {
+    if (!given[b]) continue;
+    const auto& [first, number, constants, materials] = *given[b];
+    const Box box{first[0], first[1], static_cast<int>(number.shape(1)),
+                  static_cast<int>(number.shape(2)), static_cast<int>(number.shape(0))};
+    std::vector<plasticity::MixedCell> cells(constants.shape(0));
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      const double* row = constants.data(static_cast<py::ssize_t>(n), 0);
+      cells[n] = {
+          row[0], row[1], row[2], {}, static_cast<int>(row[9]), {row[10], row[11], row[12]}};
+      std::copy_n(row + 3, 6, cells[n].misfit.begin());
+    }
+    inclusions[b] = std::make_shared<const simulation::Inclusions>(
+        box, first[2], std::vector<std::int32_t>(number.data(), number.data() + number.size()),
+        std::move(cells), materials);
+  }
+  return inclusions;
 }
 
 State step(Simulation& simulation, const contact::Drive& drive, const MaybeArray& pressure,
@@ -118,7 +150,8 @@ void bind_simulation(py::module_& m) {
                        const std::array<double, 4>& march,
                        const std::array<std::optional<SofteningFunction>, 2>& softening,
                        const std::array<std::optional<ReliefTuple>, 2>& reliefs,
-                       const std::shared_ptr<contact::ContactLaw>& contact_law) {
+                       const std::shared_ptr<contact::ContactLaw>& contact_law,
+                       const std::array<std::optional<InclusionsTuple>, 2>& inclusions) {
              for (int b = 0; b < 2; ++b) {
                if (softening[b]) settings.softening[b] = softening_law(*softening[b], grid);
              }
@@ -126,11 +159,11 @@ void bind_simulation(py::module_& m) {
              return std::make_unique<Simulation>(
                  grid, body1, body2, to_field(gap), friction, settings,
                  simulation::TransientHeating{march[0], march[1], {march[2], march[3]}},
-                 to_reliefs(reliefs), contact_law);
+                 to_reliefs(reliefs), contact_law, to_inclusions(inclusions));
            }),
            py::kw_only(), py::arg("grid"), py::arg("body1"), py::arg("body2"), py::arg("gap"),
            py::arg("friction"), py::arg("settings"), py::arg("march"), py::arg("softening"),
-           py::arg("reliefs"), py::arg("contact_law"))
+           py::arg("reliefs"), py::arg("contact_law"), py::arg("inclusions"))
       .def("step", &step, py::arg("drive"), py::arg("pressure"), py::arg("shear_x"),
            py::arg("shear_y"), py::arg("heating"), py::arg("duration"), py::arg("advance"),
            py::arg("is_force"), py::arg("tangential"), py::arg("lasts"))

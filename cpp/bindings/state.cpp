@@ -182,6 +182,7 @@ void bind_fields(py::class_<State>& bound) {
   bind("residual_stress", volume_method<Rank::tensor>(&simulation::residual_stress));
   bind("initial_stress", volume_method<Rank::tensor>(&simulation::initial_stress));
   bind("backstress", volume_method<Rank::tensors>(&simulation::backstress));
+  bind("disturbance", volume_method<Rank::tensor>(&simulation::disturbance));
   bind("eigenstress", volume_method<Rank::tensor>(&simulation::eigenstress));
   bind("eigenstrain", volume_method<Rank::tensor>(&simulation::eigenstrain));
   bind("plastic_strain", volume_method<Rank::tensor>(&simulation::plastic_strain));

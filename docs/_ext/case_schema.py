@@ -135,7 +135,8 @@ def meanings() -> dict[type[BaseModel], dict[str, str]]:
     found: dict[type[BaseModel], dict[str, str]] = {}
     for model in titled():
         place = place_of(model)
-        above = place.removesuffix(".layers")  # a layer has the fields of a body
+        # layers and inclusions have the fields of a body
+        above = re.sub(r"\.(layers|inclusions|random_inclusions)$", "", place)
         known = tables["any"] | tables.get(above, {}) | tables.get(place, {})
         found[model] = {name: known[name] for name in model.model_fields}
     return found

@@ -100,7 +100,7 @@ APPLICATION = Application(
     guide=("fretting and wear", "fretting.md"),
     limits="The pad is a cylinder of 100 mm radius; the bulk stress of the blade is not included. "
     "The error of the stick fraction is one cell. Findley's stress is largest within two cells of "
-    "the edge, on coarser cells too.",
+    "the edge, also on coarser cells.",
     answers=answers,
     picture=picture,
     caption="Shear traction and stress along the surface at full force, and the fretting loop.",

@@ -63,11 +63,12 @@ APPLICATION = Application(
     name="case_depth",
     title="Case depth of a gear",
     kind="case_depth",
-    gains="Stress over local strength at each depth of a hardened flank, and the case depth from "
-    "which a deeper case gains nothing.",
-    text="With a case hardening depth of 0.3 mm, the orthogonal shear stress reaches {chd0} of the "
-    "local strength; with 0.5 mm {chd1}, with 0.7 mm {chd2} and with 1.1 mm {chd4}. A value of 1 "
-    "is the limit: the thinnest case is not deep enough, and the deepest ones gain little.",
+    gains="Stress divided by local strength at each depth of a hardened flank, and the case depth "
+    "beyond which a deeper case gains nothing.",
+    text="The exposure is the orthogonal shear stress divided by the local strength. It is {chd0} "
+    "with a case hardening depth of 0.3 mm, {chd1} with 0.5 mm, {chd2} with 0.7 mm and {chd4} with "
+    "1.1 mm. A value of 1 is the limit: the thinnest case is not deep enough, and the deepest "
+    "cases gain little.",
     commands=(
         "run case_depth.toml",
         "sweep case_depth.toml --set body2.hardness.depth=0.3e-3,0.5e-3,0.7e-3,0.9e-3,1.1e-3",

@@ -66,10 +66,10 @@ APPLICATION = Application(
     kind="dent",
     gains="The pressure peak and the fatigue stress at a dent of a hard particle when a ball rolls "
     "over it.",
-    text="The particle leaves a dent of {depth}. The ball then causes {peak} at the shoulder of "
-    "the dent instead of {away} before it. Dang Van's stress is largest at the shoulder, "
-    "{dang_van} at {place} from the middle of the dent; below the contact it reaches {deep}, "
-    "{below} deep. Cracks start at the shoulder.",
+    text="The particle leaves a dent of {depth}. The ball then causes a pressure of {peak} at the "
+    "shoulder of the dent; before the dent the pressure is {away}. Dang Van's stress is largest at "
+    "the shoulder: {dang_van} at {place} from the middle of the dent. Below the contact it reaches "
+    "{deep}, {below} deep. Cracks start at the shoulder.",
     commands=("run dent.toml",),
     shown=("Estimated grid errors", "Fatigue of body 2"),
     functions=(

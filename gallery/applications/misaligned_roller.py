@@ -83,9 +83,9 @@ APPLICATION = Application(
         ("sc.to_accuracy", "solution to a prescribed accuracy"),
     ),
     guide=("static overload of a bearing", "bearing.md#misalignment"),
-    limits="The error of the tilted roller is that of the prescribed accuracy, from three grids. "
-    "The half-spaces continue beyond the ends of the roller, which are therefore stiffer "
-    "than those of a real roller.",
+    limits="The error of the tilted roller is estimated by the run to a prescribed accuracy, from "
+    "three grids. The half-spaces continue beyond the ends of the roller. The ends are therefore "
+    "stiffer than the ends of a real roller.",
     answers=answers,
     picture=picture,
     caption="Pressure along the roller: maximum over the width of the contact, and map.",

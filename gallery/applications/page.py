@@ -69,7 +69,9 @@ def errors(application: Application) -> str:
     if not application.coarser:
         return text
     changed = ", ".join(f"`{new}`" for _, new in application.coarser)
-    other = "Errors of other answers are the differences\nfrom the same commands with"
+    other = (
+        "The errors of the other answers are the\ndifferences from a run of the same commands with"
+    )
     return f"{text} {other} {changed} in the case file."
 
 
@@ -139,10 +141,10 @@ def index(applications: list[Application], records: dict[str, Any]) -> str:
 <!-- Written by: python -m gallery.applications -->
 # Applications
 
-Each page answers one task of an engineer with a few commands and no Python: the case file, the
-answer with its estimated error, an independent check, and the processor time. The commands of all
-pages together take {total / 60:.0f} min on one core. To solve your own task, write the case file
-with `samcontact new KIND`, change its numbers, and repeat the commands.
+Each page answers one engineering task with a few commands and no Python. It shows the case file,
+the answer with its estimated error, an independent check, and the processor time. The commands of
+all pages together take {total / 60:.0f} min on one core. To solve your own task, write the case
+file with `samcontact new KIND`, change its numbers, and repeat the commands.
 
 <div class="gallery landing">
 

@@ -92,7 +92,8 @@ APPLICATION = Application(
     ),
     guide=("traction rolling of wheel and rail", "rail.md"),
     limits="The wheel is elastic. The friction coefficient does not fall with the sliding speed. "
-    "For repeated wheels use the fields passes and [shakedown](../case_files.md#shakedown).",
+    "For several wheels in succession use the fields passes and "
+    "[shakedown](../case_files.md#shakedown).",
     answers=answers,
     picture=picture,
     caption="Shear traction with the stick zone at the leading edge, and the plastic strain of the "

@@ -60,7 +60,7 @@ APPLICATION = Application(
     name="running_in",
     title="Rough contact after running-in",
     kind="rough",
-    gains="How much material the crests of a rough surface lose until wear ceases, and the "
+    gains="The material that the crests of a rough surface lose until wear ceases, and the "
     "pressure before and after.",
     text="Crests with a plastic strain above 0.2 % wear. After {cycles} cycles wear ceases. The "
     "maximum pressure falls from {first} to {last}, and {volume} are removed.",
@@ -72,7 +72,7 @@ APPLICATION = Application(
         ("sc.measured.read", "measured surface"),
     ),
     guide=("rough surfaces", "roughness.md"),
-    limits="The second command solves the case on these cells. Lubricant and debris are not "
+    limits="The sweep solves the case on these cells. Lubricant and debris are not "
     "modelled. The threshold is a constant of the material.",
     answers=answers,
     picture=picture,

@@ -23,6 +23,7 @@ from . import (
     heat,
     heat_kernels,
     hertz,
+    inclusions,
     kernels,
     lubricants,
     lubrication,
@@ -56,6 +57,8 @@ from ._util.errors import (
 from .accuracy import AccuracyResult, AccuracyWarning, to_accuracy
 from .accuracy.grid_errors import GridErrors, estimate_errors
 from .accuracy.load_search import FoundLoad, find_load
+from .bodies.heterogeneous import Heterogeneous
+from .bodies.inclusion import Inclusion
 from .bodies.layered import Layered
 from .bodies.material import Material
 from .contact.solver import ContactSolver
@@ -97,6 +100,8 @@ __all__ = [
     "GridTooSmallWarning",
     "HardContact",
     "Heat",
+    "Heterogeneous",
+    "Inclusion",
     "IncrementErrors",
     "IncrementWarning",
     "Layered",
@@ -133,6 +138,7 @@ __all__ = [
     "heat",
     "heat_kernels",
     "hertz",
+    "inclusions",
     "kernels",
     "lubricants",
     "lubrication",

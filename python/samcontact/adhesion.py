@@ -27,9 +27,9 @@ def tabor(R: float, w: float, E_star: float, range: float) -> float:
     """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) [-].
 
     R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: length z of the
-    attraction [m], which is w over its largest value. Above about 5 the contact is that of Johnson,
-    Kendall and Roberts (`jkr`), below 0.1 that of Derjaguin, Muller and Toporov (`dmt`). Tabor
-    (1977, doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
+    attraction [m], which is w over its largest value. Above about 5 the theory of Johnson, Kendall
+    and Roberts (`jkr`) applies, below 0.1 the theory of Derjaguin, Muller and Toporov (`dmt`).
+    Tabor (1977, doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
     """
     given = {"R": R, "w": w, "E_star": E_star, "range": range}
     R, w, E_star, range = (positive(name, value) for name, value in given.items())
@@ -217,7 +217,7 @@ class ProfileContact(ShortRepr):
 
     @property
     def pull_off(self) -> float:
-        """Largest tension of these radii [N]."""
+        """Largest tension at these radii [N]."""
         return float(max(-self.load.min(), 0.0))
 
 
@@ -326,9 +326,9 @@ class WaveContact:
 def wave(length: float, amplitude: float, w: float, E_star: float) -> WaveContact:
     """Return the line contact of a sinusoidal surface with adhesion of short range.
 
-    length: wavelength [m]; amplitude: of the cosine [m]; w: work of adhesion [J/m^2]; E_star:
-    contact modulus [Pa]. Johnson (1995, doi:10.1016/0020-7683(94)00111-9). Raises ValueError for
-    values that are not > 0.
+    length: wavelength [m]; amplitude: amplitude of the cosine [m]; w: work of adhesion [J/m^2];
+    E_star: contact modulus [Pa]. Johnson (1995, doi:10.1016/0020-7683(94)00111-9). Raises
+    ValueError for values that are not > 0.
     """
     given = {"length": length, "amplitude": amplitude, "w": w, "E_star": E_star}
     return WaveContact(*(positive(name, value) for name, value in given.items()))

@@ -15,6 +15,13 @@ from ._util.checks import FloatArray, exactly_one, require_type
 from ._util.short_text import in_short
 from .bodies.layered import Body, require_bodies
 from .bodies.viscoelastic import relaxes
+from .contact.creeping_rolling import (
+    CreepingRest,
+    Motion,
+    Tractions,
+    intermediate,
+    roll_creeping,
+)
 from .contact.moving import (
     UNSHEARED,
     MovingContactSolver,
@@ -75,8 +82,8 @@ def steady(
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
     friction : friction law, or 0.0
-        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0 with
-        viscoelastic bodies.
+        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0: bodies,
+        of which one is viscoelastic, roll without shear.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
         `None` for a component, or for both, leaves that direction to `tangential_load`.
@@ -100,13 +107,13 @@ def steady(
 
     Returns
     -------
-    RollingSolution, or FreeRollingSolution with viscoelastic bodies
+    RollingSolution, or FreeRollingSolution of viscoelastic bodies without friction
 
     Raises
     ------
     ValueError, TypeError
         Invalid arguments or forces above the friction limit, as for `ContactSolver.solve`. With
-        viscoelastic bodies: friction, creepage or tangential forces, a fluid, or free faces.
+        viscoelastic bodies: no speed, a fluid, or free faces.
     ConvergenceError
         No convergence; the error has the attributes `iterations` and `residual`.
 
@@ -119,7 +126,8 @@ def steady(
     -----
     J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
     long, so the error is proportional to the cell size. The page on rolling describes the
-    iteration.
+    iteration. The creep of viscoelastic bodies includes the whole track behind the contact; it is
+    computed from the last tractions until they no longer change.
     """
     require_type("grid", grid, Grid)
     require_bodies(body1, body2)
@@ -128,16 +136,15 @@ def steady(
     settings: dict[str, Any] = {
         "tol": tol, "on_border": on_border, "max_iterations": max_iterations
     }  # fmt: skip
-    if relaxes(body1, body2):
-        _require_free(
-            friction, creepage=creepage, spin=spin, tangential_load=tangential_load, torque=torque
-        )
+    creeps = relaxes(body1, body2)
+    if creeps and type(friction) in (int, float) and friction == 0:
+        _require_free(creepage=creepage, spin=spin, tangential_load=tangential_load, torque=torque)
         _require_rolling(grid, None, None)
-        free = _free_solver(grid, require_moving(body1, body2), speed, settings)
+        free = _free_solver(grid, require_moving(body1, body2), _rolls(speed), settings)
         pressed = None if start is None else pressure_of(start, FreeRollingSolution)
         return cast("FreeRollingSolution", solve_driven(free, gap, normal, UNSHEARED, pressed))
     law = sticking_law(friction)
-    pace = lasting(law, speed, "speed")
+    pace = _rolls(speed) if creeps else lasting(law, speed, "speed")
     if law.varies_along_x:
         raise ValueError(
             f"friction must not vary along x in steady rolling, got {in_short(law)}: such "
@@ -150,30 +157,32 @@ def steady(
         {"tangential_load": tangential_load, "torque": torque},
     )
     _require_rolling(grid, spin, torque)
-    solver = ContactSolver(grid, body1, body2, law, on_stall=on_stall, **settings)
-    solution = solve_driven(solver, gap, normal, _Rolling(given, law, start, pace))
+    elastic, creep = (body1, body2), None
+    if creeps:
+        bodies = require_moving(body1, body2)
+        elastic = intermediate(body1, pace, grid), intermediate(body2, pace, grid)
+
+        def creep(cells: Grid) -> CreepingRest:
+            return CreepingRest(cells, bodies, elastic, pace)
+
+    solver = ContactSolver(grid, *elastic, law, on_stall=on_stall, **settings)
+    solution = solve_driven(solver, gap, normal, _Rolling(given, law, start, pace, creep))
     assert isinstance(solution, RollingSolution)
     return solution
 
 
-def _require_free(friction: Any, **tangential: Any) -> None:
-    """Raise ValueError unless viscoelastic bodies roll without friction."""
-    if type(friction) not in (int, float) or friction != 0:
-        raise ValueError(
-            f"friction must be 0.0 with viscoelastic bodies, got {in_short(friction)}: their "
-            "rolling with friction is found by steps of a Simulation with advance and duration"
-        )
+def _require_free(**tangential: Any) -> None:
+    """Raise ValueError for tangential arguments of viscoelastic bodies without friction."""
     for name, value in tangential.items():
         if value is not None:
             raise ValueError(
-                f"{name} must be None with viscoelastic bodies, which roll without friction, got "
-                f"{in_short(value)}"
+                f"{name} must be None with friction = 0.0, got {in_short(value)}: give a friction "
+                "law, e.g. Coulomb(0.3)"
             )
 
 
-def _free_solver(
-    grid: Grid, bodies: tuple[Body, Body], speed: float | None, settings: dict[str, Any]
-) -> MovingContactSolver:
+def _rolls(speed: Any) -> float:
+    """Return the speed of viscoelastic bodies [m/s]."""
     if speed is None:
         raise ValueError(
             "speed must be given with viscoelastic bodies [m/s]: their contact depends on it"
@@ -181,7 +190,12 @@ def _free_solver(
     rolls = speed_of("speed", speed)
     if rolls < 0:
         raise ValueError(f"speed must be >= 0 [m/s], got {rolls!r}: the contact rolls towards +x")
+    return rolls
 
+
+def _free_solver(
+    grid: Grid, bodies: tuple[Body, Body], rolls: float, settings: dict[str, Any]
+) -> MovingContactSolver:
     def finish(cells: Grid, _: FloatArray, found: dict[str, Any]) -> FreeRollingSolution:
         return FreeRollingSolution(grid=cells, speed=rolls, **found)
 
@@ -212,6 +226,8 @@ class _Rolling:
     previous: RollingSolution | None
     speed: float = 0.0
     """Rolling speed [m/s]; 0 for friction that does not depend on the slip rate."""
+    creep: Callable[[Grid], CreepingRest] | None = None
+    """Displacement on a grid in addition to that of the elastic bodies of the solver."""
 
     def solved(
         self,
@@ -227,11 +243,21 @@ class _Rolling:
             start, shear, *_ = before_on(self.previous, grid, "start")
             creepage = (*self.previous.creepage, self.previous.spin)
         drive = self.given.is_force, self.given.values
-        tol, most, refuse, accept = settings
+        (gap, normal), (tol, most, refuse, accept) = contact, settings
         lasts = 1 / self.speed if self.speed else 0.0
-        found = core.roll(
-            *contact, *drive, start, shear, creepage, tol, most, refuse, accept, lasts
-        )
+
+        def roll(
+            gap: FloatArray, start: Tractions, motion: Motion, tol: float, moved: FloatArray | None
+        ) -> dict[str, Any]:
+            return core.roll(
+                gap, normal, *drive, *start, motion, tol, most, refuse, accept, lasts, moved
+            )
+
+        if self.creep is None:
+            found = roll(gap, (start, shear), creepage, tol, None)
+        else:
+            first = (start, shear), creepage
+            found = roll_creeping(self.creep(grid), roll, gap, tol, first)
         return self._solution(grid, found)
 
     def _solution(self, grid: Grid, found: dict[str, Any]) -> tuple[RollingSolution, str]:

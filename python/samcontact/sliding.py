@@ -81,9 +81,10 @@ def steady(
 
     Notes
     -----
-    In the steady state the displacement is the elastic one of the pressure that has crept with the
-    material since it entered the contact. The whole track behind the contact is included. Persson
-    (2001), J. Chem. Phys. 115, 3840, estimates the same friction of randomly rough surfaces.
+    The steady displacement is the elastic displacement due to an equivalent pressure, which depends
+    on the pressure that each material point has passed through since it entered the contact. The
+    whole track behind the contact is included. Persson (2001), J. Chem. Phys. 115, 3840, estimates
+    the same friction of randomly rough surfaces.
     """
     require_type("grid", grid, Grid)
     bodies = require_moving(body1, body2)

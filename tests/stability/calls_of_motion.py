@@ -29,4 +29,16 @@ CALLS = [
         sc.rolling.steady,
         {**BODIES, "load": LOAD, "friction": 0.0, "speed": 0.1, "start": ROLLED, **SETTINGS},
     ),
+    (
+        "rolling.steady",
+        sc.rolling.steady,
+        {
+            **BODIES,
+            "load": LOAD,
+            "friction": sc.Coulomb(0.3),
+            "creepage": (1e-3, 0.0),
+            "speed": 0.1,
+            **SETTINGS,
+        },
+    ),
 ]

@@ -7,6 +7,7 @@ from calls_of_adhesion import CALLS as OF_ADHESION
 from calls_of_bearings import CALLS as BEARINGS
 from calls_of_contact import CALLS as ON_GRIDS
 from calls_of_formulas import CALLS as FORMULAS
+from calls_of_inclusions import CALLS as OF_INCLUSIONS
 from calls_of_laws import CALLS as OF_LAWS
 from calls_of_lubrication import CALLS as OF_LUBRICATION
 from calls_of_materials import CALLS as OF_MATERIALS
@@ -19,7 +20,8 @@ from calls_of_wear import CALLS as OF_WEAR
 
 CALLS = [
     *FORMULAS, *BEARINGS, *ON_GRIDS, *OF_LAWS, *OF_LUBRICATION, *OF_MATERIALS, *OF_MOTION,
-    *OF_PARTS, *OF_ADHESION, *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY, *OF_WEAR,
+    *OF_PARTS, *OF_INCLUSIONS, *OF_ADHESION, *OF_PATHS, *OF_SHAKEDOWN, *OF_VISCOELASTICITY,
+    *OF_WEAR,
 ]  # fmt: skip
 PARTS = {
     "kinematic": {"modulus", "recovery"},

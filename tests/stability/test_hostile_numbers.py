@@ -28,6 +28,8 @@ MADE_BY_THE_PACKAGE = {
     "fatigue.Exposure", "fatigue.FatigueField", "fatigue.Life",
     "flattening.Flattening", "hertz.EllipticContact",
     "hertz.LineContact", "hertz.PointContact", "RollingSolution",
+    "inclusions.ButterflyMap", "inclusions.EshelbySphere", "inclusions.Interface",
+    "inclusions.MatrixStatistics", "inclusions.Peak", "inclusions.WeibullFit",
     "materials.MaterialData", "materials.SourcedValue",
     "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult",
     "parts.Cam", "parts.FlankContact", "parts.TappetContact", "overrolling.Overrolling",

@@ -214,7 +214,8 @@ def test_every_field_of_a_case_file_has_a_meaning_and_no_other(monkeypatch):
         for name, line in meaning.items():
             assert 8 < len(line) <= 100, (place, name)
             assert line[-1] != ".", (place, name)
-            places = [p for p in (place, place.removesuffix(".layers"), "any") if p in tables]
+            above = re.sub(r"\.(layers|inclusions|random_inclusions)$", "", place)
+            places = [p for p in (place, above, "any") if p in tables]
             unused.discard((next(p for p in places if name in tables[p]), name))
     assert unused == set()
 

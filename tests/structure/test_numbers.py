@@ -23,6 +23,8 @@ CELL = re.compile(rf"{NUMBER}(?:, {NUMBER})*(?: (?:[GMk]?Pa|[GMk]?B|N|[mµn]?[ms
 OTHERS = {
     ("docs/features.md", "quantity"): "tests/structure/test_validation_page.py",  # stored numbers
     ("docs/gallery.md", "page"): None,  # numbers of figures
+    ("docs/theory/inclusions.md", "sphere"): "tests/validation/test_inclusions.py",
+    ("docs/theory/inclusions.md", "ratio of Young's moduli"): "tests/validation/test_inclusions.py",
 }
 
 CODE = re.compile(r"^```.*?^```$|\$\$.*?\$\$|`[^`\n]+`", re.DOTALL | re.MULTILINE)

@@ -189,7 +189,8 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& driv
                                              const TangentialDrive& creepage,
                                              const PartialSlipStart& start,
                                              const ContactSettings& settings,
-                                             const FrictionConditions& conditions) const {
+                                             const FrictionConditions& conditions,
+                                             const Field& displacement) const {
   require_contact(gap, drive, {start.pressure, start.shear, {}});
   if (adhesive_) {
     throw std::invalid_argument(
@@ -201,7 +202,9 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& driv
   if (drive.normal.is_force()) {
     require_held(creepage, friction_, repelling.normal.value, rolling_motions);
   }
-  const ContactHistory none;
+  ContactHistory still;
+  still.free_slip = displacement;
+  for (double& slip : still.free_slip) slip = -slip;
   PartialSlipStart begin = start;
   begin.pressure = attraction.repulsion(std::move(begin.pressure));
   begin.pressure.resize(gap.size(), 0.0);
@@ -209,7 +212,7 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& driv
   if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
   const auto run = [&](Field pressure, const PartialSlipStart& from,
                        const FrictionConditions& local) {
-    Sweeps sweeps(*this, attraction.gap(), repelling, creepage, none, local, settings, true);
+    Sweeps sweeps(*this, attraction.gap(), repelling, creepage, still, local, settings, true);
     return finished(sweeps.run(std::move(pressure), from), drive, attraction, settings);
   };
   return with_conditions(run, begin.pressure, begin, conditions, {true, settings.tol});

@@ -126,8 +126,8 @@ void PartialSlipContact::Sweeps::solve_shear(double tol) {
     for (std::size_t i = 0; i < 2 * n_; ++i) {
       free_slip[i] += (displaced_before_.empty() ? 0.0 : displaced_before_[i]) - slid[i];
     }
-    if (rolls_) difference_per_distance(free_slip);
   }
+  if (rolls_ && !free_slip.empty()) difference_per_distance(free_slip);
   const Field touching = slip_part(p, normal.motion, normal.load);
   const bool first = s_.tangential.shear.empty();
   const Field start = first ? shear_before() : std::move(s_.tangential.shear);

@@ -173,10 +173,25 @@ Return isotropic_return(const Tensor& stress, const Tensor& guess, double g, dou
   return result;
 }
 
+/// Sum of the yield stresses of two phases. It has kinks if one of the curves has, where Newton's
+/// method still converges from one side, because the sum is concave.
+struct YieldSum {
+  const std::array<PhaseYield, 2>& phases;
+
+  Point at(double g) const {
+    Point sum{0.0, 0.0};
+    for (const auto& [material, factor] : phases) {
+      const Point point = material.hardening.at(g);
+      sum.yield_stress += factor * point.yield_stress;
+      sum.slope += factor * point.slope;
+    }
+    return sum;
+  }
+};
+
 template <class Law>
-Return kinematic_return(const Tensor& stress, const Tensor& guess, double g,
+Return kinematic_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
                         const Material& material, const Law& law, std::span<const Tensor> before) {
-  const double shear_modulus = material.elastic.shear_modulus();
   const Tensor s = deviator(stress), trial = plus(s, 2 * shear_modulus, guess);
   const double yield_before = law.at(g).yield_stress;
   const auto tensor = [&](int a) -> const Tensor& { return a == 0 ? trial : before[a - 1]; };
@@ -223,14 +238,25 @@ Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& i
 
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
                      std::span<const Tensor> before, double softening) {
+  return radial_return(stress, guess, g, material.elastic.shear_modulus(), material, before,
+                       softening);
+}
+
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
+                     const Material& material, std::span<const Tensor> before, double softening) {
   const auto with = [&](const auto& law) {
     return before.empty()
-               ? isotropic_return(stress, guess, g, material.elastic.shear_modulus(), law)
-               : kinematic_return(stress, guess, g, material, law, before);
+               ? isotropic_return(stress, guess, g, shear_modulus, law)
+               : kinematic_return(stress, guess, g, shear_modulus, material, law, before);
   };
   return material.hardening.visit([&]<class Law>(const Law& law) {
     return softening == 1 ? with(law) : with(Scaled<Law>{law, softening});
   });
+}
+
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
+                     const std::array<PhaseYield, 2>& phases) {
+  return isotropic_return(stress, guess, g, shear_modulus, YieldSum{phases});
 }
 
 std::vector<double> uniaxial_stress(const Material& material, std::span<const double> strain) {

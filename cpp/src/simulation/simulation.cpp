@@ -106,7 +106,7 @@ void require_free_to_advance_along_y(const State& state) {
   const char* reason = "";
   if (setup.friction.sticks()) {
     reason = "with partial slip: use full sliding";
-  } else if (setup.bodies[0].is_plastic() || setup.bodies[1].is_plastic()) {
+  } else if (setup.is_strained(0) || setup.is_strained(1)) {
     reason = "of elastic-plastic bodies, whose strain moves along x only: use elastic bodies";
   } else if (setup.is_viscoelastic()) {
     reason = "of viscoelastic bodies, whose track is kept along x only: use elastic bodies";
@@ -150,18 +150,40 @@ Simulation::Simulation(const Grid& grid, const plasticity::Body& body1,
                        const plasticity::Body& body2, Field initial_gap,
                        const contact::FrictionLaw& friction, const Settings& settings,
                        const TransientHeating& transient_heating, Reliefs reliefs,
-                       contact::SharedContactLaw contact_law)
+                       contact::SharedContactLaw contact_law, InclusionsPair inclusions)
     : setup_((contact::require_gap(initial_gap, grid, "gap"),
               std::make_shared<Setup>(grid, body1, body2, std::move(initial_gap), friction,
                                       settings.image_tol, transient_heating, settings.reach,
-                                      std::move(reliefs), settings.split, std::move(contact_law)))),
+                                      std::move(reliefs), settings.split, std::move(contact_law),
+                                      std::move(inclusions)))),
       settings_(settings),
       state_(setup_, settings.residual_stress) {
-  if (!grid.has_volume() && (body1.is_plastic() || body2.is_plastic())) {
+  if (!grid.has_volume() && (setup_->is_strained(0) || setup_->is_strained(1))) {
     throw std::invalid_argument(
         "dz is required for an elastic-plastic body; the number of layers is chosen automatically");
   }
+  setup_->require_solvable_inclusions(settings.residual_stress);
   scans({});
+  solve_start();
+}
+
+void Simulation::solve_start() {
+  bool strained = false;
+  for (int b = 0; b < 2; ++b) {
+    const auto& inclusions = setup_->inclusions[b];
+    if (!inclusions) continue;
+    strained |= inclusions->has_misfit() || setup_->bodies[b].has_initial_stress();
+  }
+  if (!strained) return;
+  Target none;
+  none.tractions.pressure.assign(setup_->grid.surface_size(), 0.0);
+  const State start = end_state(none);
+  state_.plastic = start.plastic;
+  state_.inclusions_flow = start.inclusions_flow;
+  state_.matrix_flow = start.matrix_flow;
+  state_.largest_mismatch = start.largest_mismatch;
+  state_.flow_boxes = start.flow_boxes;
+  state_.contact_gap.clear();
 }
 
 const Scans& Simulation::scans(const operators::HeatingPair& heating) {
@@ -265,6 +287,10 @@ const State& Simulation::step(const Target& target) {
 void Simulation::set_plastic_state(int body, const Box& whole, const Field& strain,
                                    const Field& equivalent, const Field& backstress) {
   const Grid grid = whole.grid(setup_->grid);
+  if (setup_->inclusions[body]) {
+    throw std::invalid_argument("body " + std::to_string(body + 1) +
+                                " has inclusions: its plastic strain cannot be set");
+  }
   if (!setup_->bodies[body].is_plastic()) {
     throw std::invalid_argument("body " + std::to_string(body + 1) +
                                 " is not elastic-plastic: its plastic strain cannot be set");

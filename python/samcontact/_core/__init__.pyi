@@ -20,6 +20,7 @@ __all__: list[str] = [
     "ContactSolver",
     "ConvergenceError",
     "CreepingContact",
+    "CreepingTractions",
     "Drive",
     "Elastic",
     "FilmSolver",
@@ -296,6 +297,16 @@ class MovingCreep:
         towards_plus_x: bool,
     ) -> None: ...
 
+class CreepingTractions:
+    def __init__(
+        self, grid: Grid, body1: Body, body2: Body, creep1: MovingCreep, creep2: MovingCreep
+    ) -> None: ...
+    def displacement(
+        self,
+        pressure: numpy.typing.NDArray[numpy.float64],
+        shear: numpy.typing.NDArray[numpy.float64],
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
+
 class CreepingContact:
     def __init__(
         self, grid: Grid, body1: Body, body2: Body, creep1: MovingCreep, creep2: MovingCreep
@@ -331,6 +342,7 @@ class PartialSlipContact:
         error_on_border: bool,
         accept_stall: bool,
         duration: float = 0.0,
+        displacement: numpy.typing.NDArray[numpy.float64] | None = None,
     ) -> dict[str, typing.Any]: ...
     def solve(
         self,
@@ -366,6 +378,7 @@ class State:
     def deviator_in_own_box(
         self, body: int, loaded: bool
     ) -> numpy.typing.NDArray[numpy.float64]: ...
+    def disturbance(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def eigenstrain(self, body: int, layers: int) -> numpy.typing.NDArray[numpy.float64]: ...
     def eigenstrain_in(
         self, body: int, box: typing.Annotated[collections.abc.Sequence[int], "FixedSize(5)"]
@@ -464,9 +477,15 @@ class State:
     @property
     def history2(self) -> dict[str, typing.Any] | None: ...
     @property
+    def inclusions_flow1(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def inclusions_flow2(self) -> dict[str, typing.Any] | None: ...
+    @property
     def iterations(self) -> int: ...
     @property
     def joint_steps(self) -> int: ...
+    @property
+    def largest_mismatch(self) -> numpy.typing.NDArray[numpy.float64] | None: ...
     @property
     def last_flow(self) -> dict[str, typing.Any] | None: ...
     @property
@@ -477,6 +496,10 @@ class State:
     def lateral_travel(self) -> typing.Annotated[list[float], "FixedSize(2)"]: ...
     @property
     def load(self) -> float: ...
+    @property
+    def matrix_flow1(self) -> dict[str, typing.Any] | None: ...
+    @property
+    def matrix_flow2(self) -> dict[str, typing.Any] | None: ...
     @property
     def motion(self) -> typing.Annotated[list[float], "FixedSize(3)"]: ...
     @property
@@ -578,6 +601,18 @@ class Simulation:
             "FixedSize(2)",
         ],
         contact_law: ContactLaw,
+        inclusions: typing.Annotated[
+            collections.abc.Sequence[
+                tuple[
+                    typing.Annotated[collections.abc.Sequence[int], "FixedSize(3)"],
+                    numpy.typing.NDArray[numpy.int32],
+                    numpy.typing.NDArray[numpy.float64],
+                    collections.abc.Sequence[Material],
+                ]
+                | None
+            ],
+            "FixedSize(2)",
+        ],
     ) -> None: ...
     def add_eigenstrain(
         self,

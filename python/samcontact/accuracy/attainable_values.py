@@ -7,6 +7,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from .._util.display import quantity
+from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import Layered
 from ..bodies.material import Material
 from ..problem.friction import friction_law
@@ -111,7 +112,9 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
         return None
     strengths = []
     for body in bodies:
-        if isinstance(body, Layered) or not body.is_plastic or body.kinematic or body.softening:
+        if isinstance(body, (Layered, Heterogeneous)) or not body.is_plastic:
+            return None
+        if body.kinematic or body.softening:
             return None
         factor = 1.0 if body.yield_profile is None else max(body.yield_profile[1])
         strengths.append(factor * float(body.yield_stress(1.0)))

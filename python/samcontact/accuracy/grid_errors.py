@@ -217,12 +217,12 @@ def estimated(
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
     """Estimate the grid errors of a run; `solve` returns the states of the coarser simulation."""
-    coarse = coarsened(run, states[0].heat)
-    _warn_of_depth(run.grid, coarse.grid)
     steps, which = coarsening.coarser_path(path, run.grid)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # these warnings concern the coarser grid
+        coarse = coarsened(run, states[0].heat)
         found = solve(coarse, steps)
+    _warn_of_depth(run.grid, coarse.grid)
     names = error_controlled_quantities.names((run.body1, run.body2), volume=run.grid.has_volume)
     marks = _marks(states, names)
     shape = len(states)

@@ -136,7 +136,7 @@ class Bearing:
         if self.clearance and self.kind == "angular_contact":
             raise ValueError(
                 'clearance does not apply to kind = "angular_contact", whose contact angle '
-                "contains it: omit it"
+                "includes its effect: omit it"
             )
         if self.clearance and self.clearance >= 0.1 * self.element_diameter:
             raise ValueError(
@@ -279,7 +279,7 @@ class Bearing:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
         The load follows from `element_loads`. If the clearance is unknown, the load is at least the
-        load by Stribeck's rule, which contains a usual clearance. Under a radial load alone, the
+        load by Stribeck's rule, which assumes a usual clearance. Under a radial load alone, the
         load by Stribeck's rule is returned.
         """
         least = 0.0

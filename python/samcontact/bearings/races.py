@@ -68,7 +68,7 @@ def angle_of(contact_angle: float) -> float:
 
 
 def _warn_of_size(name: str, diameter: float) -> None:
-    """Issue a `UnitWarning` for a rolling element that is larger than any [m]."""
+    """Issue a `UnitWarning` for a rolling element that is implausibly large [m]."""
     if diameter > MAX_DIAMETER:
         warnings.warn(
             f"likely unit error: {name} is {diameter!r} m (≤ {MAX_DIAMETER:g} m expected). Use m: "

@@ -21,6 +21,7 @@ from .._util.short_text import in_short
 from .depth_profiles import checked_depths
 from .display import material_in_short
 from .free_faces import require_endless
+from .heterogeneous import Heterogeneous
 from .material import Material
 
 
@@ -95,6 +96,11 @@ class Layered(HtmlTable):
 
     def __init__(self, layers: Sequence[tuple[Material, float]], substrate: Material) -> None:
         object.__setattr__(self, "layers", _checked_layers(layers))
+        if isinstance(substrate, Heterogeneous):
+            raise ValueError(
+                f"substrate must be a Material, got {in_short(substrate)}: inclusions in layered "
+                "bodies are not supported"
+            )
         require_type("substrate", substrate, Material)
         _require_endless("substrate", substrate)
         object.__setattr__(self, "substrate", substrate)
@@ -227,21 +233,37 @@ class Layered(HtmlTable):
         self.__dict__.update(state)
 
 
-Body = Material | Layered
+Body = Material | Layered | Heterogeneous
 
 
-def require_bodies(*bodies: Any) -> None:
-    """Raise TypeError for an object that is neither Material nor Layered."""
+def matrix_of(body: Body) -> Material | Layered:
+    """Return the matrix of a heterogeneous body, and any other body itself."""
+    return body.matrix if isinstance(body, Heterogeneous) else body
+
+
+def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
+    """Raise TypeError for an object that is no body.
+
+    inclusions: whether heterogeneous bodies are supported; otherwise they raise ValueError.
+    """
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
             raise TypeError(
-                f"body{n} must be a samcontact.Material or samcontact.Layered, got {in_short(body)}"
+                f"body{n} must be a samcontact.Material, samcontact.Layered or "
+                f"samcontact.Heterogeneous, got {in_short(body)}"
+            )
+        if isinstance(body, Heterogeneous) and not inclusions:
+            raise ValueError(
+                f"body{n} must be a Material or Layered, got a body with inclusions, which only "
+                "Simulation supports: use its matrix, or a Simulation"
             )
 
 
 def require_homogeneous(reason: str, *bodies: Any) -> None:
     """Raise ValueError for layered bodies, with the reason, or free faces; else TypeError."""
     for n, body in enumerate(bodies, 1):
+        if isinstance(body, Heterogeneous):
+            raise ValueError(f"body{n} must be a Material, got a body with inclusions: {reason}")
         if isinstance(body, Layered):
             raise ValueError(
                 f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
@@ -256,7 +278,8 @@ def top_thickness(body: Body) -> float:
 
 
 def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
-    """Return a homogeneous body as compliant as `body` under a wave of pressure [1/m]."""
+    """Return a homogeneous body as compliant as `body` for a pressure wave (wavenumber in 1/m)."""
+    body = matrix_of(body)
     if isinstance(body, Material):
         return body
     nu = body.layers[0][0].nu
@@ -266,6 +289,7 @@ def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
 
 def elastic(body: Body) -> Body:
     """Return an elastic body with the elastic constants of `body`."""
+    body = matrix_of(body)
     *layers, substrate = (
         material if material.is_rigid else Material.elastic(material.E, material.nu)
         for material in materials_of(body)
@@ -277,14 +301,18 @@ def elastic(body: Body) -> Body:
 
 
 def materials_of(body: Body) -> list[Material]:
-    """All materials of a body, from the surface down."""
+    """All materials of a body, from the surface down; of a heterogeneous body its matrix."""
     if isinstance(body, Material):
         return [body]
+    if isinstance(body, Heterogeneous):
+        return [body.matrix]
     return [material for _, material in body._named_materials()]
 
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
     """Return thermal constants of all materials from the surface down; None if any has none."""
+    if isinstance(body, Heterogeneous):
+        body = body.matrix
     if isinstance(body, Material):
         return None if body.thermal is None else (body.thermal,)
     constants = tuple(m.thermal for m in materials_of(body) if m.thermal is not None)
@@ -293,6 +321,9 @@ def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
 
 def without_softening(body: Body) -> Body:
     """Return a copy of a body whose materials have no softening law."""
+    if isinstance(body, Heterogeneous):
+        matrix = replace(body.matrix, softening=None)
+        return Heterogeneous(matrix, body.inclusions, body.measured)
     if isinstance(body, Material):
         return replace(body, softening=None)
     *layers, substrate = (replace(material, softening=None) for material in materials_of(body))
@@ -321,6 +352,7 @@ def backstresses_of(body: Body) -> int:
 
 def softest(body: Body) -> Material:
     """Most compliant material of a body, for order-of-magnitude estimates."""
+    body = matrix_of(body)
     if isinstance(body, Material):
         return body
     return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)

@@ -139,10 +139,10 @@ class HasRelaxation:
         """Return a copy that is linearly viscoelastic, by a generalised Maxwell model.
 
         The modulus after a step of strain is E(t) = E (1 - sum of shares + sum of shares
-        exp(-t/times)): E of this material is the instantaneous modulus, of fast loads. Poisson's
-        ratio is constant. Rubber and other polymers with a constant bulk modulus are described to
-        about 1e-3 by the long-time Poisson's ratio if the bulk modulus exceeds the instantaneous
-        shear modulus by a factor of 1000, and to 9 % (short times only) for a factor of 10.
+        exp(-t/times)): E of this material is the instantaneous modulus, under fast loads. Poisson's
+        ratio is constant. In rubber and other polymers the bulk modulus is constant instead: use
+        the long-time Poisson's ratio. The error is about 1e-3 if the bulk modulus is 1000 times the
+        instantaneous shear modulus, and 9 % (at short times) if it is 10 times this modulus.
 
         Parameters
         ----------
@@ -181,10 +181,10 @@ class HasRelaxation:
     ) -> Self:
         """Return a viscoelastic material fitted to the moduli of a dynamic test.
 
-        The relaxation times are spaced evenly in their logarithm, from 1/omega of the fastest to
-        that of the slowest oscillation. The modulus of each is found by non-negative least squares
-        of the differences relative to the magnitude of the measured modulus; times without a share
-        are omitted.
+        The relaxation times form a geometric sequence, from 1/omega of the fastest oscillation to
+        1/omega of the slowest. The modulus of each relaxation time is found by non-negative least
+        squares of the differences, relative to the magnitude of the measured modulus. Times without
+        a share are omitted.
 
         Parameters
         ----------

@@ -66,17 +66,16 @@ class FromTest:
         -------
         Material
             Material with the law "tabulated". True strain is ln(1 + e) and true stress s (1 + e)
-            for engineering values e and s; the plastic strain is true strain - true stress / E.
-            Where noise lets strain or stress decrease, they are replaced by the least-squares fit
+            for engineering values e and s; the plastic strain is true strain - true stress / E. If
+            strain or stress decreases because of noise, it is replaced by the least-squares fit
             that does not decrease.
 
         Raises
         ------
         ValueError
-            The curve is not one of a test: strain in percent, stress in MPa, necking, strain or
-            stress that decreases by more than the noise of the curve, or too few points for the
-            elastic line. E is
-            not in Pa, or below the slope of the curve.
+            The curve is not plausible: strain in percent, stress in MPa, necking, strain or stress
+            that decreases by more than the noise of the curve, or too few points for the elastic
+            line. E is not in Pa, or below the slope of the curve.
         TypeError
             An argument is not a number.
         """

@@ -25,7 +25,7 @@ def relaxes(*bodies: Body) -> bool:
 
 
 def instantaneous(body: Body) -> Body:
-    """Return the elastic body that a body is for fast loads."""
+    """Return an elastic body with the instantaneous moduli of a body."""
     return _changed(body, lambda material: replace(material, relaxation_terms=None))
 
 
@@ -55,6 +55,11 @@ def vibrating(body: Body, omega: float) -> Body:
             float(np.hypot(material.storage(omega), material.loss(omega))), material.nu
         ),
     )
+
+
+def softened(body: Body, share: float) -> Body:
+    """Return the elastic body with a share of the instantaneous moduli [-]."""
+    return _changed(body, lambda material: Material.elastic(share * material.E, material.nu))
 
 
 def _changed(body: Body, change: Callable[[Material], Material]) -> Body:

@@ -243,7 +243,7 @@ class Case(CaseFile):
             return None
         if self.relief1 is not None or self.relief2 is not None or periodic:
             return None
-        if self.dents is not None:
+        if self.dents is not None or self.body1.has_inclusions or self.body2.has_inclusions:
             return None
         if radii is None or self.surface.roughness is not None or not np.all(np.isfinite(radii)):
             return None

@@ -37,6 +37,7 @@ def require_all_used(case: Any) -> None:
     _require_free_along_y(case)
     _require_known_faces(case)
     _require_dentable(case)
+    _require_inclusions_in_volume(case)
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
@@ -48,6 +49,23 @@ def require_all_used(case: Any) -> None:
             f"output.volume = {case.output.volume!r} requires grid.dz: set grid.dz, or omit "
             "output.volume"
         )
+
+
+def _require_inclusions_in_volume(case: Any) -> None:
+    """Raise ValueError for inclusions without layers of cells, or with wear, dents or accuracy."""
+    for name, body in (("body1", case.body1), ("body2", case.body2)):
+        if not body.has_inclusions:
+            continue
+        for other in ("wear", "dents"):
+            if getattr(case, other) is not None:
+                raise ValueError(f"{other} cannot be combined with inclusions of {name}: omit one")
+        if case.accuracy is not None:
+            raise ValueError(
+                f"accuracy cannot be combined with inclusions of {name}: omit it, and choose cells "
+                "of an eighth to a quarter of the smallest radius"
+            )
+        if not case.has_volume:
+            raise ValueError(f"{name} has inclusions and requires a grid with layers: set grid.dz")
 
 
 def path_with_loads(case: Any) -> list[Segment]:

@@ -119,8 +119,8 @@ class Indentation:
         for one in self.particles:
             if abs(one.y) >= half:
                 raise ValueError(
-                    f"dents: the middle of each particle must lie on the grid along y, within "
-                    f"{half:.4g} m of its middle, got y = {one.y:.4g} m: change y (random: width), "
+                    f"dents: the centre of each particle must lie on the grid along y, within "
+                    f"{half:.4g} m of y = 0, got y = {one.y:.4g} m: change y (random: width), "
                     "or increase ny"
                 )
         places = [one.x for one in self.particles]

@@ -25,6 +25,7 @@ FIRST_CASES = {
     "dent": "r6_dented_raceway",
     "coating": "c1_coated_contact",
     "coating_wear": "w3_coated_wear",
+    "inclusion": "i1_oxide_below_raceway",
     "rough": "w2_running_in",
     "fretting": "s1_fretting_ball",
     "blade": "s5_blade_root",

@@ -10,7 +10,7 @@ from pydantic import Discriminator, Tag, create_model, model_validator
 
 from ..problem.friction import LAWS, FrictionLaw, law_of
 from .base import NonNegative, Section
-from .bodies import field_of
+from .solids import field_of
 
 
 class _FrictionLaw(Section):

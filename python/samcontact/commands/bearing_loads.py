@@ -73,7 +73,7 @@ def in_metres(target: str, case: Case) -> str:
 
 
 def largest_contact_load(case: Case, largest_load: float | None) -> float | None:
-    """Return the contact load [N] at an upper limit of the load [N], which is that of a bearing.
+    """Return the contact load [N] for an upper limit [N] of the load of a case.
 
     For a bearing, the limit is the radial load on it; the axial load if there is no radial load.
     """

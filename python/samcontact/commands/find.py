@@ -36,8 +36,8 @@ if TYPE_CHECKING:
 @click.option(
     "--largest-load",
     type=QuantityArgument("N"),
-    help="Upper limit of the load [N], on the bearing for a bearing; default: 100 times the load "
-    "of the case.",
+    help="Upper limit of the load [N]; for a bearing, the load on the bearing. Default: 100 times "
+    "the load of the case.",
 )
 @click.option("--quiet", is_flag=True, help="Print only the load [N].")
 def find(

@@ -35,7 +35,7 @@ _ENDINGS = (".html", ".vtr", ".pvd")
     help="Number of the increment; -1: last stored.",
 )
 @click.option(
-    "--all", "every", is_flag=True, help="Export all increments as VTK and a .pvd collection file."
+    "--all", "every", is_flag=True, help="Export all increments as VTK files and a .pvd collection."
 )
 @click.option(
     "--body",

@@ -106,7 +106,7 @@ class MovingContactSolver(ContactSolver):
         return pressure
 
     def _delayed(self, pressure: FloatArray) -> FloatArray:
-        """Half of the displacement less the displacement in reversed motion [m].
+        """Half of the difference from the displacement in reversed motion [m].
 
         The rest is due to a symmetric operator and has no force along x.
         """

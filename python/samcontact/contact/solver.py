@@ -228,9 +228,9 @@ class ContactSolver(ContactFields):
             Duration of the increment [s], with friction that depends on the slip rate
             (`FallingCoulomb`).
         slip_rate : float, optional
-            With `duration`: slip rate of all cells from which the iteration starts [m/s], >= 0,
-            which selects one of several solutions. Default: that of `previous`, or 0; an increment
-            that may have several solutions is then refused.
+            With `duration`: initial slip rate of all cells in the iteration [m/s], >= 0, which
+            selects one of several solutions. Default: the slip rate of `previous`, or 0. By
+            default, an increment that may have several solutions is refused.
 
         Returns
         -------
@@ -244,7 +244,7 @@ class ContactSolver(ContactFields):
             GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
             No convergence; the error has the attributes `iterations` and `residual`. PullOffError
-            for a tension larger than the adhesion bears on the branch of the initial pressure.
+            if the tension exceeds the maximum on the branch of the initial pressure.
 
         Warns
         -----

@@ -6,7 +6,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from .._util.display import quantity
@@ -16,6 +16,7 @@ from ..solutions.state import State
 from . import adhesion, resolution, sharp_edges
 from .hertz_estimate import ContactSetup
 from .plastic_patterns import warn_of_alternation, warn_of_limit
+from .relaxation_steps import RelaxationSteps
 
 MAX_SMALL_STRAIN = 0.05
 """Small-strain limit: plastic strain above which results are unreliable [-]."""
@@ -39,6 +40,7 @@ class Monitor:
     edge_warned: bool = False
     adhesion_warned: bool = False
     largest_load: float = 0.0
+    relaxation: RelaxationSteps = field(default_factory=RelaxationSteps)
 
     @contextmanager
     def deferred_resolution_checks(self) -> Iterator[None]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from .._util.check import Check
 from .._util.display import quantity
 from .._util.errors import UnitWarning, is_ignored
-from ..bodies.layered import Layered, materials_of, softest
+from ..bodies.layered import Layered, materials_of, matrix_of, softest
 from ..hertz import EllipticContact
 
 if TYPE_CHECKING:
@@ -212,6 +212,7 @@ def strength(name: str, value: float) -> PlausibilityCheck:
 
 
 def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
+    body = matrix_of(body)
     if not isinstance(body, Layered):
         yield from _material_checks(name, body)
         return

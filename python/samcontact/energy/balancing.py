@@ -43,7 +43,7 @@ class EnergyBalance(HtmlTable):
     net_external_work : float
         Net external work: work input minus the work recovered in increments with negative work [J].
     elastic_energy : float
-        Elastic energy due to the current tractions, and what viscoelastic bodies store [J].
+        Elastic energy due to the current tractions, including viscoelastic bodies [J].
     residual_energy : float
         Elastic energy of the residual stress [J].
     friction_work, plastic_work : float
@@ -92,14 +92,14 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
     The work of an increment is the mean force times the motion. The mean load is computed for a
     load proportional to the power 3/2 of the approach, which is exact for elastic balls under
-    normal load. `EnergyBalance.imbalance` is smaller with smaller increments. The energy of
-    the first state is part of the work input. The work of thermal expansion in an increment is the
-    mean pressure times the change of the thermal displacement, plus the mean thermal stress times
-    the plastic strain increment. If the surface of a body has a slope, the travel of the body does
-    work on the pressure, e.g. against rolling resistance. In full sliding, the bodies move
-    tangentially by their travel alone. The friction work follows from this motion and from the
-    tangential displacement of the surfaces. With thermal softening, the mean of the yield stresses
-    at the start and the end of an increment is used.
+    normal load. `EnergyBalance.imbalance` is smaller with smaller increments. The energy of the
+    first state is part of the work input. The work of thermal expansion in an increment is the mean
+    pressure times the change of the thermal displacement, plus the mean thermal stress times the
+    plastic strain increment. If the surface of a body has a slope, the pressure does work when the
+    body travels, e.g. the work of rolling resistance. In full sliding, the bodies move tangentially
+    by their travel alone. The friction work follows from this motion and from the tangential
+    displacement of the surfaces. With thermal softening, the mean of the yield stresses at the
+    start and the end of an increment is used.
 
     Parameters
     ----------

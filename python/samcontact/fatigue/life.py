@@ -53,8 +53,8 @@ class Life(ShortRepr, HtmlTable):
     log_integral : float
         Natural logarithm of the integral in SI units; -inf if no stress exceeds the limit.
     surface_share : float
-        Share of the uppermost layer of points in the integral [-]; depends on the size of the
-        cells if it is large.
+        Share of the uppermost layer of points in the integral [-]. If it is large, the integral
+        depends on the cell size.
     stressed_volume : float
         Volume in which the stress exceeds the limit [m^3]: area times length.
     """

@@ -9,13 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from .._util.checks import FloatArray
 from ..problem.grid import Grid
 from .film_solution import FilmLevel
 from .nested import DryContact, FilmTask, LevelSolver, dry_contact, state_of, table_of
 
-FILM_OF_DRY = 0.015
+FILM_OF_DRY = 0.06
 """Film that a formula predicts at the first speed, in thicknesses of the boundary layer."""
+LAYER_RATIO, LAYER_OF_APPROACH = 2.5, 1e-3
+"""Ratio of successive thicknesses of the layer at the start, and the largest one relative to the
+approach of the dry contact."""
 MAX_RATIO, MIN_RATIO = 3.0, 1.02
 """Largest and smallest factor between successive speeds."""
 FEW_ITERATIONS = 12
@@ -42,21 +44,41 @@ class MixedFilm:
         self.dry: DryContact = dry_contact(task, grid, self.gap)
         self.layer = task.layer(self.dry.peak)
         self._solver = LevelSolver(task, grid, self.gap, table_of(task.lubricant, self.dry.peak))
-        # the predicted film is nearly proportional to speed^(2/3)
-        self._first = (FILM_OF_DRY * self.layer[0] / self.dry.film) ** 1.5
         self._ratio = MAX_RATIO
         self._last: Step | None = None
 
-    def _start(self) -> dict[str, Any]:
-        if self._last is not None:
-            return state_of(self._last.found)
-        pressure: FloatArray = self.dry.pressure
-        return {
-            "fluid_pressure": _FLUID_OF_DRY * pressure,
-            "boundary_pressure": pressure,
-            "void_fraction": np.zeros_like(pressure),
-            "approach": self.dry.approach - 2.0 * self.layer[0],
+    def _first_factor(self, thickness: float) -> float:
+        """Return the speed at which a layer bears all; the film grows with speed^(2/3)."""
+        return (FILM_OF_DRY * thickness / self.dry.film) ** 1.5
+
+    def _begin(self) -> Any:
+        """Return the solution at a speed at which the layer bears all.
+
+        A thick layer is solved first: its film differs less from that of the dry contact.
+        """
+        thin, pressure = self.layer
+        depth = float(np.ptp(self.gap[self.dry.pressure > 0])) + abs(self.dry.approach)
+        layers = [thin]
+        while layers[0] * LAYER_RATIO < LAYER_OF_APPROACH * depth:
+            layers.insert(0, layers[0] * LAYER_RATIO)
+        state = {
+            "fluid_pressure": _FLUID_OF_DRY * self.dry.pressure,
+            "boundary_pressure": self.dry.pressure,
+            "void_fraction": np.zeros_like(self.dry.pressure),
+            "approach": self.dry.approach - 2.0 * layers[0],
         }
+        found: Any = None
+        for n, thickness in enumerate(layers):
+            if n > 0:
+                state = state_of(found)
+                state["approach"] += 2.0 * (layers[n - 1] - thickness)
+            factor = self._first_factor(thickness)
+            self._solver.task = replace(self.task_at(factor), tol=_TOL_ON_THE_WAY)
+            found = self._solver.solve(state, (thickness, pressure), self._task.order)
+            if not found["converged"]:
+                return found
+        self._last = Step(self._first_factor(thin), found)
+        return found
 
     def task_at(self, factor: float) -> FilmTask:
         """Return the task at a speed relative to its own."""
@@ -67,33 +89,30 @@ class MixedFilm:
         """Return what is stated about the grid of a solution."""
         return self._solver.level(found)
 
-    def _solved_at(self, factor: float, tol: float) -> Any:
-        self._solver.task = replace(self.task_at(factor), tol=tol)
-        return self._solver.solve(self._start(), self.layer, self._task.order)
-
     def at(self, factor: float) -> Any:
         """Return the solution at a speed relative to that of the task.
 
         The factors of successive calls must not decrease. The solution has not converged if even
         the smallest step fails.
         """
+        if self._last is None and not (found := self._begin())["converged"]:
+            return found
         while True:
-            last = 0.0 if self._last is None else self._last.factor
-            trial = min(self._first, factor) if self._last is None else last * self._ratio
-            trial = factor if trial > factor / math.sqrt(MIN_RATIO) else trial
+            assert self._last is not None
+            trial = self._last.factor * self._ratio
+            # A layer that bears all at a speed bears all at any lower one.
+            if trial > factor / math.sqrt(MIN_RATIO):
+                trial = factor
             tol = self._task.tol if trial == factor else max(self._task.tol, _TOL_ON_THE_WAY)
-            found = self._solved_at(trial, tol)
+            self._solver.task = replace(self.task_at(trial), tol=tol)
+            found = self._solver.solve(state_of(self._last.found), self.layer, self._task.order)
             if found["converged"]:
                 self._last = Step(trial, found)
                 if found["iterations"] < FEW_ITERATIONS:
                     self._ratio = min(self._ratio**GROWTH, MAX_RATIO)
                 if trial == factor:
                     return found
-            elif self._last is None:
-                self._first *= 10.0
-                if self._first > factor:
-                    return found
-            else:
-                self._ratio = math.sqrt(self._ratio)
-                if self._ratio < MIN_RATIO:
-                    return found
+                continue
+            self._ratio = math.sqrt(self._ratio)
+            if self._ratio < MIN_RATIO:
+                return found

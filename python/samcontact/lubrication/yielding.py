@@ -121,7 +121,8 @@ class _Coupling:
 
     def solve(self, tol: float) -> None:
         """Iterate until the residual displacement changes by less than `tol`."""
-        first = _residual(self._start)
+        # The pressure of the film is close to that of the dry contact.
+        first = _residual(self._simulation.step(load=self._task.target))
         change = self._change(first)
         size = self._size()
         if np.abs(change).max() <= tol * size:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes of machine parts and indenters, as gaps on a grid.
 
-Each function or method that takes a grid returns the gap of the undeformed bodies in its cells,
-with the contact at the origin, so that it can be the gap of a `ContactSolver` or, as a function of
-the grid, of a `Simulation`. Angles are in radians.
+Each function or method that takes a grid returns the gap of the undeformed bodies in the cells of
+the grid, with the contact at the origin. The result is a gap for a `ContactSolver`; the function of
+the grid is a gap for a `Simulation`. Angles are in radians.
 """
 
 from .cams import Cam, TappetContact

@@ -45,7 +45,7 @@ class GearPair:
     profile_shift : pair of float, optional
         Profile shift coefficients x1 and x2 [-].
     centre_distance : float, optional
-        Distance of the axes [m]; by default that without backlash.
+        Distance of the axes [m]; by default the distance without backlash.
     tip_diameter : pair of float, optional
         Tip diameters [m]; by default the module times (z + 2 + 2 x).
     crowning : float, optional

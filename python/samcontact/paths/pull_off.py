@@ -24,14 +24,14 @@ class PullOff(ShortRepr):
     Attributes
     ----------
     states : list of State
-        States of the retraction, the first before it.
+        States of the retraction; the first is the state before it.
     pull_off : float
         Largest tension [N], >= 0.
     approach : float
         Approach at the largest tension [m].
     work : float
-        Work of the external force on the bodies [J]: negative during retraction under load,
-        positive against tension. By the trapezoidal rule over the increments.
+        Work of the external force on the bodies [J], by the trapezoidal rule over the increments:
+        negative under a compressive load, positive under tension.
     is_apart : bool
         Whether the surfaces are separated at the end.
     """
@@ -58,11 +58,11 @@ def pull_off(
     simulation : Simulation
         Simulation with adhesion; it remains at the last state.
     step : float
-        Decrease of the approach in one increment [m], > 0. The largest tension is that of an
-        increment: its error decreases with the square of the step.
+        Decrease of the approach in one increment [m], > 0. The largest tension is taken from one
+        increment, so its error decreases with the square of the step.
     until : {"apart", "maximum"}, optional
         End of the retraction: when the surfaces are separated, or as soon as the tension is 2 %
-        below its maximum. Cells that open one after the other change it by less.
+        below its maximum (single cells that open reduce it by less).
     max_steps : int, optional
         Largest number of increments.
 

@@ -16,7 +16,7 @@ _MAX_DECADES = 40
 
 
 def creep(load: float, until: float, per_decade: int = 8, first: float | None = None) -> Path:
-    """Apply a load at once and hold it, in steps that grow with time.
+    """Apply a load at once and hold it, in steps of increasing duration.
 
     Parameters
     ----------
@@ -27,15 +27,15 @@ def creep(load: float, until: float, per_decade: int = 8, first: float | None = 
     per_decade : int
         Number of steps per decade of time.
     first : float, optional
-        Duration of the first step after loading [s], shorter than `until`; at most a tenth of the
-        shortest relaxation time leaves little error in the first steps. Default: 1e-6 until.
+        Duration of the first step after loading [s], shorter than `until`; a tenth of the shortest
+        relaxation time or less keeps the error of the first steps small. Default: 1e-6 until.
 
     Returns
     -------
     list of dict
         Steps for `Simulation.run`: an elastic one (duration 0), then steps whose times since
-        loading form a geometric sequence. The error over many decades is of first order in the
-        logarithm of time: with 8 steps per decade, below 1 % if 10 % of the modulus remain, and
+        loading form a geometric sequence. Over many decades, the error is of first order in the
+        logarithmic step. With 8 steps per decade it is below 1 % if 10 % of the modulus remain, and
         2.5 % if 0.1 % remain.
 
     Raises
@@ -49,7 +49,7 @@ def creep(load: float, until: float, per_decade: int = 8, first: float | None = 
 def stress_relaxation(
     approach: float, until: float, per_decade: int = 8, first: float | None = None
 ) -> Path:
-    """Apply an approach at once and hold it, in steps that grow with time.
+    """Apply an approach at once and hold it, in steps of increasing duration.
 
     approach: constant approach [m]. Other arguments, result and errors as for `creep`.
     """

@@ -25,6 +25,7 @@ from .films import (
     stribeck_curve,
     traction_curve,
 )
+from .inclusions import butterfly, inclusion_outlines, weibull
 from .interface import interface_profile
 from .maps import surface_map, track_map
 from .over_time import over_time
@@ -41,6 +42,7 @@ from .view import save_view, view
 __all__ = [
     "asperities",
     "axis_profile",
+    "butterfly",
     "cohesive_zone",
     "creep_curve",
     "exposure_depth",
@@ -52,6 +54,7 @@ __all__ = [
     "fretting_loop",
     "friction_curve",
     "imprint_profile",
+    "inclusion_outlines",
     "interface_profile",
     "interferogram",
     "journal_column",
@@ -81,4 +84,5 @@ __all__ = [
     "traction_curve",
     "view",
     "wear",
+    "weibull",
 ]

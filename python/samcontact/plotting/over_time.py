@@ -24,12 +24,12 @@ _MIN_DECADES = 1.5
 def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "approach") -> Axes:
     """Draw a quantity of a contact over time, on a logarithmic axis if it covers decades.
 
-    A dotted line continues the elastic value of steps of no duration at the start.
+    Steps of zero duration at the start are elastic; a dotted line continues their value.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results of `samcontact.results.to_dataset` with times: of viscoelastic bodies.
+        Results of `samcontact.results.to_dataset` with times, e.g. of viscoelastic bodies.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     quantity : {"approach", "contact_radius", "max_pressure", "load"}

@@ -22,6 +22,7 @@ from .contact import (
     temperature_profile,
 )
 from .contact_results import ContactResults
+from .inclusions import outline_in_section
 from .interface import interface_figure
 from .maps import peak_map, surface_map, track_map
 from .over_time import time_figure
@@ -174,6 +175,7 @@ def _sections(results: ContactResults, number: int) -> Figure:
             "contact": results.surface("repulsion", results.peak),
         }
         section(field, results.grid, ax, quantity=name, position=y, **lines)
+        outline_in_section(results, ax, y, number)
         add_to_title(ax, elsewhere("y", y, results.grid.dy))
     return figure
 
@@ -218,6 +220,7 @@ def _imprint_figures(results: ContactResults) -> dict[str, Figure]:
             position=y,
             interfaces=results.interfaces,
         )
+        outline_in_section(results, ax, y, number)
         add_to_title(ax, elsewhere("y", y, grid.dy))
     return figures
 

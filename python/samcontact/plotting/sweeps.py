@@ -32,7 +32,8 @@ def study_figure(
     """Return a figure with a panel for each quantity that varies; None if none does.
 
     The arguments are those of a sweep summary. The first parameter with several numbers is drawn
-    along x, or the first with several words; all others distinguish the curves.
+    along x; if there is none, the first parameter with several words. All other parameters
+    distinguish the curves.
     """
     shown = [name for name in quantities if _varies(values[name])][:MAX_PANELS]
     varied = [name for name, column in parameters.items() if len(set(map(str, column))) > 1]
@@ -111,7 +112,7 @@ def _varies(column: Sequence[Any]) -> bool:
 
 
 def _follows(first: Sequence[Any], second: Sequence[Any]) -> bool:
-    """Whether all cases with equal values of the first parameter have equal ones of the second."""
+    """Whether equal values of the first parameter always go with equal values of the second."""
     pairs = {(str(a), str(b)) for a, b in zip(first, second, strict=True)}
     return len(pairs) == len(set(map(str, first)))
 

@@ -30,14 +30,14 @@ class Adhesion(ContactLaw):
     """Adhesion, for `ContactSolver` and `Simulation`: attraction a(g) with a work of adhesion.
 
     The pressure is p = r - a(g) with a repulsion r >= 0 where the gap g is zero. The integral of a
-    over g is the work of adhesion w [J/m^2]. Several states may be in equilibrium; a solve follows
-    the branch of its start, and jumps where this branch ends (pull-in, pull-off). Use one of the
-    constructors `exponential`, `dugdale`, `lennard_jones`, `tabulated` and `jkr`.
+    over g is the work of adhesion w [J/m^2]. Several states may be in equilibrium; a solution
+    follows the branch of its initial state, and jumps where this branch ends (pull-in, pull-off).
+    Use one of the constructors `exponential`, `dugdale`, `lennard_jones`, `tabulated` and `jkr`.
 
     A law is resolved if kappa = K0 s <= 0.6, where K0 is the displacement of a cell due to a unit
-    pressure on it and s the steepest fall of the attraction with the gap: with larger cells, single
-    cells jump. Above 0.6 a ResolutionWarning is issued; above 1 the law is refused. With the range
-    None, the law is refined to the grid: the shortest range for which kappa = 0.5.
+    pressure on it and s the steepest fall of the attraction with the gap. For larger kappa, single
+    cells jump. Above 0.6 a ResolutionWarning is issued; above 1 the law is refused. If the range is
+    None, the range for which kappa = 0.5 is used: the shortest that the grid resolves.
     """
 
     @staticmethod
@@ -92,7 +92,7 @@ class Adhesion(ContactLaw):
         viscoelastic body without a long-time modulus.
         """
         require_type("grid", grid, Grid)
-        require_bodies(body1, body2)
+        require_bodies(body1, body2, inclusions=True)
         cores = relaxed(body1)._core, relaxed(body2)._core
         influence = _core.self_influence(grid._core, *cores)
         alone = Grid(1, 1, grid.dx, grid.dy)
@@ -251,7 +251,8 @@ class ResolvedAdhesion(HtmlTable):
     is_refined : bool
         Whether the range was chosen for the grid.
     modulus : float
-        Contact modulus E* that a cell experiences [Pa]; for layered bodies that near the surface.
+        Contact modulus E* at the scale of a cell [Pa]; for layered bodies, the modulus near the
+        surface.
     grid : Grid
     """
 
@@ -280,8 +281,8 @@ class ResolvedAdhesion(HtmlTable):
         """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) for a radius R of the surfaces [m].
 
         The length z is w over the peak of the attraction, which is the range of the exponential
-        law. The contact is that of Johnson, Kendall & Roberts above about 3, and that of Derjaguin,
-        Muller & Toporov below 0.1 (Tabor 1977, doi:10.1016/0021-9797(77)90366-6).
+        law. Above about 3 the theory of Johnson, Kendall & Roberts applies, below 0.1 the theory of
+        Derjaguin, Muller & Toporov (Tabor 1977, doi:10.1016/0021-9797(77)90366-6).
         """
         length = self.work / self.law.peak
         radius = positive("radius", radius)

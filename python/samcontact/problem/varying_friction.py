@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws whose bound depends on direction, place, temperature or slip rate, and a layer."""
+"""Friction laws that depend on direction, place, temperature or slip rate; third-body layer."""
 
 from __future__ import annotations
 

@@ -26,8 +26,8 @@ _MAX_ELLIPTICITY = 1.02
 def add_adhesion(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
     """Add repulsion, attraction, its energy and the work of the load; nothing without attraction.
 
-    The work is that of the load since the first increment, by the trapezoidal rule. After a cycle
-    of the approach it is the energy lost in jumps and in plastic flow.
+    The work of the load is summed from the first increment by the trapezoidal rule. After a closed
+    cycle of the approach it is the energy lost in jumps and in plastic flow.
     """
     if not simulation.adhesion.attracts:
         return

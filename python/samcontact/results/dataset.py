@@ -15,13 +15,14 @@ from .._util.quantities import CONTACT
 from .._util.tensors import COMPONENTS
 from .._util.version import version
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
-from ..bodies.layered import Body, Layered, materials_of, names_of_materials
+from ..bodies.layered import Body, Layered, materials_of, matrix_of, names_of_materials
 from ..problem.friction import attributes_of, friction_law
 from ..solutions.interface_stress import SIDES
 from ..solutions.peak import peak_of_dataset
 from ..solutions.state import on_common_grid
 from .adhesion import add_adhesion, adhesion_attributes
 from .convergence import add_convergence
+from .inclusions import add_inclusion_fields, add_inclusions
 from .motion import add, add_motion
 from .relaxing import add_relaxing, relaxation_attributes
 from .slipping import add_slipping
@@ -131,6 +132,7 @@ def to_dataset(
     if simulation.grid.has_volume:
         bodies = _stored_bodies(simulation, body)
         _add_maxima(dataset, states, bodies)
+        add_inclusions(dataset, simulation, states)
         chosen = _chosen(dataset, volume)
         states = _on_common_depths(states, [states[i] for i in chosen] or states[-1:])
         dataset.coords["z"] = CONTACT["z"].variable("z", np.asarray(states[-1].depths))
@@ -276,6 +278,7 @@ def _add_volume(
     for body in bodies:
         if body not in gathered:
             _add_interfaces(dataset, stored, body)
+            add_inclusion_fields(dataset, stored, body)
 
 
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
@@ -292,7 +295,11 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
 
 
 def _material_attributes(prefix: str, body: Body) -> dict[str, Any]:
-    """Return the material of a body as attributes; each name begins with the given prefix."""
+    """Return the material of a body as attributes; each name begins with the given prefix.
+
+    Of a heterogeneous body, the attributes are those of the matrix.
+    """
+    body = matrix_of(body)
     found: dict[str, Any] = {f"{prefix}law": body.law}
     if isinstance(body, Layered):
         found[f"{prefix}thickness"] = body.parameters["thickness"]

@@ -9,6 +9,7 @@ from dataclasses import asdict, astuple, fields
 from typing import TYPE_CHECKING, Any
 
 from .._util.short_text import in_short
+from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import Body, Layered
 from ..bodies.material import Material
 from ..heat import Heat
@@ -25,6 +26,7 @@ from ..restart.file import (
 )
 from ..restart.tree import Tree, array
 from ..softening import JohnsonCook
+from .inclusion_trees import body_of, is_heterogeneous, tree_of
 from .snapshot import Snapshot
 
 if TYPE_CHECKING:
@@ -77,6 +79,8 @@ def _setup_tree(given: Mapping[str, Any]) -> Tree:
 
 
 def _body_tree(body: Body) -> Tree:
+    if isinstance(body, Heterogeneous):
+        return tree_of(body, _body_tree)
     if isinstance(body, Layered):
         layers = {str(n): _body_tree(material) for n, (material, _) in enumerate(body.layers)}
         thickness = [h for _, h in body.layers]
@@ -122,6 +126,9 @@ def _arguments(setup: Tree, *laws: Any) -> dict[str, Any]:
 
 
 def _body(name: str, part: Tree, law: Any) -> Body:
+    if is_heterogeneous(part):
+        matrix = _material(name, part["matrix"], law)
+        return body_of(part, lambda tree: _material(name, tree, None), matrix)
     if part["law"] == Layered.law:
         parts = [part["layers"][n] for n in sorted(part["layers"], key=int)] + [part["substrate"]]
         laws = [None] * len(parts) if law is None else list(law)

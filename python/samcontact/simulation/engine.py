@@ -14,6 +14,8 @@ from .._core import ConvergenceError, GridTooSmallError
 from .._util import memory
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
+from ..bodies.layered import matrix_of
+from ..bodies.viscoelastic import relaxes
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -23,6 +25,7 @@ from ..heat import Heat
 from ..problem.domain import Domain, require_consistent_overlap
 from ..problem.grid import Grid
 from ..problem.heating import core_law, heating
+from ..problem.mixed_cells import mixed_cells
 from ..problem.moving_topography import relief_rows
 from ..problem.settings import memory_of_contact
 from ..problem.setup import SimulationSetup
@@ -73,7 +76,9 @@ class Engine:
         setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
         relieved = relieved or setup.adhesion.attracts
-        self.estimate = ContactSetup(grid, domain.initial_gap, setup.bodies, relieved)
+        # The estimate is that of the matrices.
+        bodies = matrix_of(setup.body1), matrix_of(setup.body2)
+        self.estimate = ContactSetup(grid, domain.initial_gap, bodies, relieved)
         self._arguments = StepArguments(grid, setup.bodies, setup.friction, setup.settings.spring)
         self.domain, self.core = domain, core
 
@@ -91,6 +96,7 @@ class Engine:
             softening=self._laws,
             reliefs=reliefs,
             contact_law=setup.resolved_adhesion(grid).to_core(),
+            inclusions=[mixed_cells(n, body, grid) for n, body in enumerate(setup.bodies, 1)],
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
@@ -149,6 +155,7 @@ class Engine:
     ) -> tuple[State, list[UserWarning]]:
         """Advance by one increment; return the new state, and the warnings of the core."""
         setup = self.setup
+        earlier = self.state if relaxes(*setup.bodies) else None
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
         if before is not None:
@@ -167,6 +174,8 @@ class Engine:
         found: list[UserWarning] = list(map(GridTooSmallWarning, complaints))
         if core.stall_warning:
             found.insert(0, ConvergenceWarning(core.stall_warning))
+        if earlier is not None:
+            found += monitor.relaxation.warnings(earlier, state)
         return state, found
 
     def make_room(self, load: float | None = None, approach: float | None = None) -> None:

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from .._util import memory
 from .._util.checks import FloatArray, axis_number
 from .._util.tensors import von_mises
-from ..bodies.layered import Body, materials_of
+from ..bodies.layered import Body, materials_of, matrix_of
 from ..bodies.material import Material
 
 if TYPE_CHECKING:
@@ -129,6 +129,7 @@ def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
 
 def _ranges(body: Body, grid: Grid) -> list[slice]:
     """Return the range of cell layers of each material; fields may jump between these ranges."""
+    body = matrix_of(body)
     if isinstance(body, Material) or grid.dz is None:
         return [slice(None)]
     cuts = np.rint(body.interfaces / grid.dz).astype(int).tolist()

@@ -33,8 +33,8 @@ def set_plastic_strain(
 ) -> None:
     """Set the plastic strain of a body, see `Simulation.set_plastic_strain`.
 
-    anywhere: for a preparation, which repetitions begin with too: the strain may lie entirely
-    outside the grid, into which it may move.
+    anywhere: whether the strain may lie entirely outside the grid, into which it may move later, as
+    in a preparation.
     """
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])

@@ -48,7 +48,7 @@ class Simulation(Configured, HtmlTable):
     ----------
     grid : Grid
         Must have layers (dz) if a body is elastic-plastic.
-    body1, body2 : Material or Layered
+    body1, body2 : Material, Layered or Heterogeneous
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
@@ -57,8 +57,8 @@ class Simulation(Configured, HtmlTable):
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
     tol : float, optional
-        Convergence tolerance of an increment [-], in [1e-11, 1): bound of the relative change of
-        the plastic strain increment and of the relative violation of the yield condition.
+        Tolerance of an increment [-], in [1e-11, 1): bound of the relative change of the plastic
+        strain increment and of the yield violation; with inclusions at least 1e-4 (voids: 1e-3).
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
         plastic strain relative to their maxima. Each is solved in one step and in two halves, then
@@ -134,7 +134,7 @@ class Simulation(Configured, HtmlTable):
         stiffness: float | None = Settings.stiffness,
     ) -> None:
         require_type("grid", grid, Grid)
-        require_bodies(body1, body2)
+        require_bodies(body1, body2, inclusions=True)
         layered = require_servable_flow(grid, residual_stress, body1, body2)
         self.body1, self.body2 = body1, body2
         settings = Settings(
@@ -214,7 +214,7 @@ class Simulation(Configured, HtmlTable):
         tangential_load : pair of floats, optional
             With `Coulomb`: final force on body 2 [N]. Without force and shift: no motion.
         twist : float, optional
-            With `Coulomb`: rotation of body 1 over body 2 about z in this increment [rad].
+            With `Coulomb`: rotation of body 1 relative to body 2 about z in this increment [rad].
         torque : float, optional
             Final moment on body 2 [N m]. Without twist and torque, no rotation.
         heat_factor : float or pair of floats, optional
@@ -307,8 +307,8 @@ class Simulation(Configured, HtmlTable):
     def relax(self, hold: str | None = None) -> State:
         """Advance viscoelastic bodies to their long-time state, at an unchanged time.
 
-        hold: "load" or "approach", kept constant; default: that of the last step. Raises ValueError
-        without a viscoelastic body, or for a fluid. `State.viscous_work` is that of slow change.
+        hold: "load" or "approach", kept constant; default: as in the last step. Raises ValueError
+        without a viscoelastic body, or for a fluid. `State.viscous_work`: work in a slow change.
         """
         return self.step(**relaxing_step(self.engine, hold))
 

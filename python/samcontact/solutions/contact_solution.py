@@ -205,7 +205,7 @@ class PartialSlipSolution(ShearedSolution):
         Computing work of all transforms for the shear, including transforms for the preconditioner
         and on coarser grids, in units of one evaluation of the shear displacement [-].
     slip_rate : ndarray, shape (nx, ny), or None
-        With `FallingCoulomb`: slip rate that the friction of each cell follows [m/s].
+        With `FallingCoulomb`: slip rate that determines the friction of each cell [m/s].
     falling_number : float
         With `FallingCoulomb`: largest -dmu/dv p C/t of a cell, with the displacement C of a cell
         under its own unit shear and the duration t. Solutions of an increment are unique for values
@@ -250,6 +250,14 @@ class RollingSolution(ShearedSolution):
     friction: FrictionLaw
     friction_work_per_distance: float
 
+    @property
+    def rolling_resistance(self) -> float:
+        """Moment that resists the rolling [N m], the integral of pressure times x.
+
+        It is zero if both bodies are elastic and the gap is symmetric; see `FreeRollingSolution`.
+        """
+        return -float(self.moment[1])
+
     def _motion(self) -> Rows:
         return [
             ("creepage", both(self.creepage, "")),
@@ -285,7 +293,8 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
     Raises ValueError for a grid with other cells; `name` is the argument named in the message."""
     if not fits(solution, grid):
         raise ValueError(
-            f"{name} must be a solution with equal cells, got one on {solution.grid!r} for {grid!r}"
+            f"{name} must be a solution on a grid with the same cells, got one on "
+            f"{solution.grid!r} for {grid!r}"
         )
     margins = [
         ((n - m) // 2, (n - m) // 2)

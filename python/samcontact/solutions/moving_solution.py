@@ -31,7 +31,7 @@ class SlidingSolution(ContactSolution):
 
     @property
     def friction(self) -> float:
-        """Hysteretic friction coefficient [-], the force against the velocity over the load."""
+        """Hysteretic friction coefficient [-]: force against the velocity, divided by the load."""
         along = float(np.sign(self.velocity) * self.tangential_load[0]) + 0.0  # -0.0 becomes 0.0
         return along / self.load if self.load > 0 else 0.0
 
@@ -65,8 +65,8 @@ class FreeRollingSolution(ContactSolution):
         """Moment that resists the rolling [N m], the integral of pressure times x.
 
         If it is positive, the pressure is ahead of the centre of the gap, and work has to be done.
-        Divided by the rolling radius R, it is the force that keeps a wheel rolling; for two
-        rollers, the work per distance rolled is the moment times 1/R1 + 1/R2.
+        For a wheel, the moment divided by the rolling radius R is the force that keeps it rolling.
+        For two rollers, the work per distance rolled is the moment times 1/R1 + 1/R2.
         """
         return -float(self.moment[1])
 
@@ -82,8 +82,8 @@ def slope_along_x(grid: Grid, displacement: FloatArray) -> FloatArray:
     """Return the slope along x [-] of a surface displacement [m].
 
     On a grid periodic along x it is the derivative of the Fourier series, without the shortest
-    wave; otherwise of polynomials through five cells (three next to the edge of the grid). Both are
-    antisymmetric, so that the slope of an elastic displacement leaves no force.
+    wave; otherwise the derivative of polynomials through five cells (three next to the edge of the
+    grid). Both operators are antisymmetric, so an elastic displacement causes no net force.
     """
     if grid.nx == 1:
         return np.zeros_like(displacement)

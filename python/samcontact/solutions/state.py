@@ -19,6 +19,7 @@ from ..heat import Heat
 from ..problem.domain import Domain
 from ..problem.heating import softening_of
 from ..problem.setup import SimulationSetup
+from .inclusion_state import InclusionState
 from .interface_stress import layered_body, stress_at_interfaces
 from .moving_state import MovingState, rows_of_travel
 from .surface_state import SurfaceState, rows_along_surface
@@ -27,6 +28,7 @@ from .zone import Zone, ZoneStress
 
 _VOLUME_FIELDS = (
     "stress", "residual_stress", "initial_stress", "eigenstress", "eigenstrain", "plastic_strain",
+    "disturbance",
     "equivalent_plastic_strain", "backstress", "temperature",
 )  # fmt: skip
 
@@ -39,7 +41,7 @@ def on_common_grid(states: Sequence[State]) -> list[State]:
     return [s if s.grid == largest.grid else s._padded_to(largest) for s in states]
 
 
-class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
+class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTable):
     """Fields and scalars at the end of one increment, in SI units.
 
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
@@ -222,7 +224,9 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
     def eigenstrain(self, body: int = 2) -> FloatArray:
         """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
-        Tensor components; this strain is not part of `plastic_strain`.
+        Tensor components; this strain is not part of `plastic_strain`. For a `Heterogeneous` body
+        plus the strain with which its matrix, filling the body, has the same stress: plastic
+        strain, misfit, and mismatch under the present load. In a void this strain is not unique.
         """
         return self._field("eigenstrain", body)
 
@@ -307,9 +311,9 @@ class State(SurfaceState, MovingState, FixedAttributes, HtmlTable):
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to plastic strain, `eigenstrain`, and what viscoelastic bodies still recover; on a
-        periodic grid, relative to great depth. axis="x" or "y": the tangential displacement, along
-        axes that both bodies share.
+        It is due to plastic strain and `eigenstrain`; viscoelastic bodies: the part not yet
+        recovered. On a periodic grid it is relative to great depth. axis="x" or "y": the tangential
+        displacement, along axes that both bodies share.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1

@@ -55,7 +55,7 @@ class SlipRateState(RigidMotionState):
 
     @property
     def slip_rate(self) -> FloatArray:
-        """Slip rate that the friction of each cell follows [m/s], shape (nx, ny).
+        """Slip rate that determines the friction of each cell [m/s], shape (nx, ny).
 
         It is zero with friction that does not depend on the slip rate.
         """

@@ -14,12 +14,12 @@ class ViscousState:
     _core: Any
 
     def equivalent_pressure(self, body: int = 2) -> FloatArray:
-        """Pressure that displaces an elastic body as this body is displaced [Pa], shape (nx, ny).
+        """Pressure that would cause the displacement of this body elastically [Pa], shape (nx, ny).
 
-        The displacement of a viscoelastic body depends on the history of the pressure; that of an
-        elastic body with its instantaneous modulus is the same under the equivalent pressure. It
-        is the pressure itself for a body that does not relax. Where the contact has been, it
-        exceeds the pressure and decreases with time.
+        The displacement of a viscoelastic body depends on the history of the pressure. An elastic
+        body with the instantaneous modulus has an equal displacement under the equivalent pressure.
+        For a body that does not relax, the equivalent pressure is the pressure. Where the contact
+        has been before, the equivalent pressure exceeds the pressure and decreases with time.
         """
         field: FloatArray = self._core.equivalent_pressure(choice("body", body, (1, 2)) - 1)
         field.flags.writeable = False
@@ -28,9 +28,9 @@ class ViscousState:
     def viscous_work(self, body: int = 2) -> float:
         """Energy dissipated by the viscosity of a body since the start [J]; 0 if it is elastic.
 
-        It is the work of the tractions on the surface of the body less its elastic energy; exact
-        for equivalent tractions linear in each step. The energy requires one convolution for each
-        relaxation time and is computed on access.
+        It is the work of the tractions on the surface of the body minus the elastic energy of the
+        body. It is exact if the equivalent tractions are linear in each step. The elastic energy
+        requires one convolution for each relaxation time and is computed on access.
         """
         return max(self._viscous_work(choice("body", body, (1, 2))), 0.0)
 

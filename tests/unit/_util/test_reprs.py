@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from objects_of_inclusions import inclusions_and_lives
 
 import samcontact as sc
 from samcontact import accuracy, results
@@ -318,8 +319,8 @@ def public_objects():
         *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
-        parse_case(CASE.format(asperities=CONTACT, **fields)),
-        parse_case(CASE.format(asperities=ASPERITIES, **fields)), *viscoelastic_motion(),
+        *(parse_case(CASE.format(asperities=kind, **fields)) for kind in (CONTACT, ASPERITIES)),
+        *viscoelastic_motion(), *inclusions_and_lives(),
     ]  # fmt: skip
 
 

@@ -90,7 +90,7 @@ def test_every_law_and_shape_is_accepted(write):
         (
             "C = 20",
             "C = 20\nK = 1",
-            r"body2\.K: unknown field; allowed here: layers, material, hardness, residual_stress, ",
+            r"body2\.K: unknown field; allowed here: layers, inclusions, random_inclusions, mater",
         ),
         (
             '"swift"',

@@ -16,8 +16,10 @@ from case_kinds import (
     COLD,
     CONTACT,
     DENT,
+    DRAWN,
     GRID,
     HEAT,
+    INCLUDED,
     KINDS,
     LAYER,
     ROLL,
@@ -62,6 +64,9 @@ OTHER = {
     "wheel": ["other.npy"], "smoothing": [0.0],
     "designation": ["6209"], "profile_y": [[0.0, 5e-5]], "profile_drop": [[0.0, 2e-8]],
     "times": [[1e-3, 0.2]], "shares": [[0.3, 0.1]],
+    "axes": [[[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]],
+    "radius_limits": [[24.9e-6, 3e-5]],
+    "box": [[[-1e-4, 1e-4], [-1e-4, 1e-4], [0.0, 1.1e-4]]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -82,6 +87,7 @@ UNSET = {
     "free_faces": {"low": -18e-6}, "relaxation": {"times": [1.0], "shares": [0.5]},
     "first_duration": 1e-5,
     "yield_profile": SWIFT["yield_profile"], "residual_stress": SWIFT["residual_stress"],
+    "inclusions": [INCLUDED], "random_inclusions": DRAWN,
     "layers": [LAYER], "wear": WEAR, "relief1": DENT, "relief2": DENT, "roughness": ROUGH,
     "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
     "eccentricity": 3e-3, "max_lift": 5e-3, "event_angle": 2.2,
@@ -234,7 +240,9 @@ def test_every_field_of_every_section_is_tried():
             place[-1] for place, field, value in leaves(model) if others(place[-1], field, value)
         }
     bodies = {"RigidBody", "ElasticBody", "PerfectPlasticBody", "LinearHardeningBody"}  # a law each
-    bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer"}
+    bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer", "VoidRandomInclusions"}
+    laws = ("PerfectPlastic", "LinearHardening", "Swift", "Voce", "Tabulated")
+    bodies |= {f"{law}{part}" for law in laws for part in ("Inclusion", "RandomInclusions")}
     missing = {model.__name__ for model in all_models(Case, AsperityCase)} - bodies
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
@@ -242,7 +250,7 @@ def test_every_field_of_every_section_is_tried():
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
         "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
         "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
-        "dents particles random"
+        "dents particles random inclusions random_inclusions cluster"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -127,7 +127,7 @@ def test_refused(change, message):
 def test_a_particle_beyond_the_sides_of_the_grid_is_refused():
     case = Case.model_validate(changed(dents={"particles": [PARTICLE | {"y": 30 * CELL}]}))
     with pytest.raises(
-        ValueError, match=r"dents: the middle of each particle must lie on the grid along y"
+        ValueError, match=r"dents: the centre of each particle must lie on the grid along y"
     ):
         case.build()
 

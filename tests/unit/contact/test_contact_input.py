@@ -137,12 +137,14 @@ class TestBadInput:
             (
                 {"body1": "steel"},
                 TypeError,
-                "body1 must be a samcontact.Material or samcontact.Layered, got 'steel'",
+                "body1 must be a samcontact.Material, samcontact.Layered or "
+                "samcontact.Heterogeneous, got 'steel'",
             ),
             (
                 {"body2": None},
                 TypeError,
-                "body2 must be a samcontact.Material or samcontact.Layered, got None",
+                "body2 must be a samcontact.Material, samcontact.Layered or "
+                "samcontact.Heterogeneous, got None",
             ),
             ({"body2": RIGID}, ValueError, "body1 and body2 are both rigid"),
             ({"friction": -0.1}, ValueError, "friction must be a finite number >= 0, got -0.1"),

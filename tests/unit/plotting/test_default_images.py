@@ -197,6 +197,39 @@ increments = 18
 approach = -12e-9
 increments = 18
 """
+CASES["included"] = """title = "inclusion and void"
+[grid]
+nx = 30
+ny = 30
+dx = 6e-6
+dy = 6e-6
+dz = 6e-6
+nz = 16
+[body1]
+law = "rigid"
+[body2]
+law = "swift"
+material = "52100"
+[[body2.inclusions]]
+center = [-27e-6, 0.0, 48e-6]
+radius = 24e-6
+E = 390e9
+nu = 0.25
+[[body2.inclusions]]
+law = "void"
+shape = "ellipsoid"
+center = [33e-6, 0.0, 42e-6]
+radii = [25e-6, 24e-6, 30e-6]
+[surface]
+shape = "paraboloid"
+Rx = 3e-3
+[[path]]
+load = 20.0
+increments = 2
+[[path]]
+load = 0.0
+increments = 1
+"""
 EQUAL_IMAGES = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {
@@ -205,6 +238,10 @@ FIRST_IN_OTHERS = {
     "adhering": ("gap_map", "pressure", "pressure_map"),
     "creeping": (
         "gap_map", "pressure", "pressure_map", "load_approach", "imprint", "imprint_map",
+    ),
+    "included": (
+        "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
+        "imprint_map",
     ),
     "fatigue": (
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",

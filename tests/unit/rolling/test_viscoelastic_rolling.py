@@ -81,7 +81,6 @@ def test_equal_bodies_share_the_displacement():
     [
         ({"speed": None}, ValueError, "speed must be given"),
         ({"speed": -1.0}, ValueError, "speed must be >= 0"),
-        ({"friction": sc.Coulomb(0.3)}, ValueError, "friction must be 0.0"),
         ({"creepage": (1e-3, 0.0)}, ValueError, "creepage must be None"),
         (
             {"body2": GLASS, "body1": GLASS, "friction": sc.Coulomb(0.3)},

@@ -214,12 +214,14 @@ class TestBadInput:
             (
                 {"body1": 210e9},
                 TypeError,
-                "body1 must be a samcontact.Material or samcontact.Layered, got 2",
+                "body1 must be a samcontact.Material, samcontact.Layered or "
+                "samcontact.Heterogeneous, got 2",
             ),
             (
                 {"body2": None},
                 TypeError,
-                "body2 must be a samcontact.Material or samcontact.Layered, got None",
+                "body2 must be a samcontact.Material, samcontact.Layered or "
+                "samcontact.Heterogeneous, got None",
             ),
             ({"body1": RIGID, "body2": RIGID}, ValueError, "body1 and body2 are both rigid"),
             ({"gap": BALL[1:]}, ValueError, "gap must have shape (19, 21), got (18, 21)"),

@@ -161,6 +161,11 @@ def test_creepage_is_the_slip_of_the_crept_shear():
     np.testing.assert_allclose(slip, state.slip[0][:-1, 0][loaded], atol=4e-3 * shift)
     sticking = np.count_nonzero(state.slip[0][:-1, 0][loaded] == 0)
     assert 3 < sticking < len(slip) - 3
+    steady = sc.rolling.steady(
+        grid, body, body, gap, load=0.05, creepage=(8e-3, 0.0), speed=speed, **given
+    )
+    for one, other in ((state.pressure, steady.pressure), (state.shear, steady.shear)):
+        np.testing.assert_allclose(one, other, atol=5e-3 * np.abs(other).max())
 
 
 def test_march_of_a_coated_body():

@@ -199,6 +199,7 @@ NUMBERS = {
     *("HV", "surface", "core", "limit", "slope", "weibull", "depth_exponent"),
     *("inner_conformity", "outer_conformity", "profile_shift", "relief_exponent", "load_factor"),
     *("mu_x", "mu_y", "body", "kinetic", "drop"),
+    *("misfit", "axes", "fraction", "gap", "members"),
 }
 
 

@@ -93,10 +93,12 @@ class PartialSlipContact {
 
   /// Solves steady rolling towards +x with creepages along x and y and a spin, per distance rolled
   /// [-, -, 1/m], or with the corresponding forces. Slip [-] and friction work [N] of the solution
-  /// are per distance rolled as well. Throws as solve() does.
+  /// are per distance rolled as well. displacement: additional tangential displacement of body 2
+  /// less that of body 1 [2][i][j] [m]; empty: zero. Throws as solve() does.
   PartialSlipSolution roll(const Field& gap, const Drive& drive, const TangentialDrive& creepage,
                            const PartialSlipStart& start, const ContactSettings& settings,
-                           const FrictionConditions& conditions = {}) const;
+                           const FrictionConditions& conditions = {},
+                           const Field& displacement = {}) const;
 
   const Grid& grid() const { return grid_; }
   const FrictionLaw& friction() const { return friction_; }

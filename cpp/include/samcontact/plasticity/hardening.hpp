@@ -206,9 +206,10 @@ class Hardening {
     return std::visit(std::forward<Function>(function), law_);
   }
   bool yields() const { return !std::holds_alternative<NoYield>(law_); }
-  double yield_stress(double g) const {
-    return visit([g](const auto& law) { return law.at(g).yield_stress; });
+  Point at(double g) const {
+    return visit([g](const auto& law) { return law.at(g); });
   }
+  double yield_stress(double g) const { return at(g).yield_stress; }
   /// Integral of the yield stress from 0 to g [J/m^3]; 0 for an elastic law.
   double work(double g) const {
     return visit([g](const auto& law) { return law.work(g); });

@@ -39,6 +39,19 @@ struct Return {
 Return radial_return(const Tensor& stress, const Tensor& guess, double g, const Material& material,
                      std::span<const Tensor> before = {}, double softening = 1.0);
 
+/// Counterpart with another shear modulus G than that of the material.
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
+                     const Material& material, std::span<const Tensor> before, double softening);
+
+/// Counterpart for two phases with equal plastic strain, without backstresses: the yield stress is
+/// the sum of those of both materials, each multiplied by its factor.
+struct PhaseYield {
+  const Material& material;
+  double factor;
+};
+Return radial_return(const Tensor& stress, const Tensor& guess, double g, double shear_modulus,
+                     const std::array<PhaseYield, 2>& phases);
+
 /// Backstress after a plastic strain increment with the given equivalent increment.
 Tensor advanced(const Tensor& backstress, const Backstress& law, const Tensor& increment,
                 double equivalent);

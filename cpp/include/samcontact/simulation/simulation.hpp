@@ -24,7 +24,8 @@ class Simulation {
   Simulation(const Grid& grid, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap, const contact::FrictionLaw& friction, const Settings& settings,
              const TransientHeating& transient_heating = {}, Reliefs reliefs = {},
-             contact::SharedContactLaw contact_law = contact::hard_contact());
+             contact::SharedContactLaw contact_law = contact::hard_contact(),
+             InclusionsPair inclusions = {});
 
   /// Solves one increment; halves it if the fixed-point iteration does not converge. The current
   /// state changes only on success. Throws std::invalid_argument, GridTooSmallError,
@@ -53,6 +54,8 @@ class Simulation {
 
  private:
   void check(const Target& target) const;
+  /// Strain before any load of bodies with inclusions, due to their misfit and to initial stress.
+  void solve_start();
   /// Yield scans of both bodies with the heating of a target.
   const Scans& scans(const operators::HeatingPair& heating);
   /// State at the end of an increment to a target.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "samcontact/fft/parity_spectrum.hpp"
 #include "samcontact/fft/periodic_transform.hpp"
@@ -59,10 +60,20 @@ void SurfaceConvolution::apply(std::span<const ParityKernel> kernels, const doub
 
 void SurfaceConvolution::apply(std::span<const MatrixKernel> kernels, int inputs, const double* in,
                                int outputs, double* out, ComplexField& work) const {
+  std::vector<MatrixKernelRef> refs;
+  for (const MatrixKernel& own : kernels) refs.push_back({own.out, own.in, &own.kernel});
+  apply(refs, inputs, in, outputs, out, work);
+}
+
+void SurfaceConvolution::apply(std::span<const MatrixKernelRef> kernels, int inputs,
+                               const double* in, int outputs, double* out,
+                               ComplexField& work) const {
   const std::ptrdiff_t mx = transform_.mx();
   const auto product = [&](int ky, const Complex* from, Complex* to) {
     std::fill_n(to, outputs * mx, Complex{});
-    for (const auto& [at, of, kernel] : kernels) multiply(kernel, ky, from + of * mx, to + at * mx);
+    for (const auto& [at, of, kernel] : kernels) {
+      multiply(*kernel, ky, from + of * mx, to + at * mx);
+    }
   };
   transform_.filter(in, inputs, product, outputs, out, work);
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "samcontact/operators/surface/track_sum.hpp"
 
@@ -62,28 +63,35 @@ struct CellWeights {
   }
 };
 
-/// Adds a term to the tables of even and odd parts [j][i]; kernel: [j][i] at offsets i < nx,
+/// Tables [j][i] of the parts of a kernel that are even and odd in x.
+struct Parts {
+  Field even, odd;
+};
+
+/// Adds a term to both parts. kernel: [j][i] at offsets i < nx, with this sign at offsets -i;
 /// beyond: [j] sums over the track from offset nx on.
 void add_term(const Term& term, const CellWeights& weights, const Field& kernel,
-              const Field& beyond, std::size_t nx, Field& even, Field& odd) {
+              const Field& beyond, std::size_t nx, double sign, Parts& parts) {
+  Field &even = parts.even, &odd = parts.odd;
   const double first = weights.decay * weights.own + weights.ahead;
-  const double half = 0.5 * term.amount, half_odd = term.towards_plus_x ? -half : half;
+  const double all = term.towards_plus_x ? sign * term.amount : term.amount;
+  const double half = 0.5 * all, half_odd = term.towards_plus_x ? -half : half;
   for (std::size_t j = 0; j < beyond.size(); ++j) {
     const double* k = kernel.data() + j * nx;
     double track = beyond[j];
-    const auto response = [&](std::size_t i) {
-      const double own = weights.own * k[i] + first * track;
-      track = k[i] + weights.decay * track;
+    const auto response = [&](double here) {
+      const double own = weights.own * here + first * track;
+      track = here + weights.decay * track;
       return own;
     };
     for (std::size_t i = nx - 1; i > 0; --i) {
-      const double ahead = response(i);
+      const double ahead = response(k[i]);
       even[j * nx + i] += half * ahead;
       odd[j * nx + i] += half_odd * ahead;
     }
-    even[j * nx] += term.amount * response(0);
+    even[j * nx] += all * response(k[0]);
     for (std::size_t i = 1; i < nx; ++i) {
-      const double behind = response(i);
+      const double behind = response(sign * k[i]);
       even[j * nx + i] += half * behind;
       odd[j * nx + i] -= half_odd * behind;
     }
@@ -91,21 +99,36 @@ void add_term(const Term& term, const CellWeights& weights, const Field& kernel,
 }
 
 /// Kernels of a grid that is not periodic along x, from the response of one cell and its track.
-void add_tracks(const Grid& grid, const std::vector<Group>& groups, const KernelOffsets& offsets,
-                Field& even, Field& odd) {
-  const std::size_t nx = offsets.nx;
+Parts with_tracks(const Grid& grid, const std::vector<Group>& groups, const KernelOffsets& offsets,
+                  Traction kind, Axis axis) {
+  const std::size_t nx = offsets.nx, size = nx * offsets.ny;
+  Parts parts{Field(size, 0.0), Field(size, 0.0)};
+  const bool is_odd = compliance_parity(kind, axis).odd_x;
+  Field& elastic = is_odd ? parts.odd : parts.even;
   for (const Group& group : groups) {
-    const Field kernel = group.medium->compliance(Traction::pressure, Axis::z, grid,
-                                                  CellOffsets::lattice(offsets.nx, offsets.ny));
-    for (std::size_t n = 0; n < kernel.size(); ++n) even[n] += group.elastic * kernel[n];
+    const Field kernel =
+        group.medium->compliance(kind, axis, grid, CellOffsets::lattice(offsets.nx, offsets.ny));
+    for (std::size_t n = 0; n < kernel.size(); ++n) elastic[n] += group.elastic * kernel[n];
     std::vector<double> decays;
     decays.reserve(group.terms.size());
     for (const Term& term : group.terms) decays.push_back(grid.dx / term.distance);
-    const std::vector<Field> beyond = track_sums(*group.medium, grid, offsets, decays);
+    const std::vector<Field> beyond = track_sums(*group.medium, kind, axis, grid, offsets, decays);
     for (std::size_t t = 0; t < group.terms.size(); ++t) {
-      add_term(group.terms[t], CellWeights(decays[t]), kernel, beyond[t], nx, even, odd);
+      add_term(group.terms[t], CellWeights(decays[t]), kernel, beyond[t], nx, is_odd ? -1.0 : 1.0,
+               parts);
     }
   }
+  return parts;
+}
+
+/// Spectra of both parts.
+std::vector<ParityKernel> spectra(Parts parts, const SurfaceConvolution& convolution, Traction kind,
+                                  Axis axis) {
+  const kernels::Parity own = compliance_parity(kind, axis);
+  std::vector<ParityKernel> kernels{{{false, own.odd_y, own.odd_z}, std::move(parts.even)},
+                                    {{true, own.odd_y, own.odd_z}, std::move(parts.odd)}};
+  for (ParityKernel& kernel : kernels) convolution.transform(kernel);
+  return kernels;
 }
 
 /// Factor of the displacement of a Fourier mode exp(i q x): real part, and part along i q.
@@ -133,13 +156,11 @@ std::vector<ParityKernel> creep_kernels(const Grid& grid, const std::vector<Cree
   const std::vector<Group> groups = grouped(bodies);
   const kernels::Parity even = compliance_parity(Traction::pressure, Axis::z);
   const kernels::Parity odd{!even.odd_x, even.odd_y, even.odd_z};
-  const std::size_t size = static_cast<std::size_t>(offsets.nx) * offsets.ny;
-  std::vector<ParityKernel> kernels{{even, Field(size, 0.0)}, {odd, Field(size, 0.0)}};
   if (grid.period.x == 0) {
-    add_tracks(grid, groups, offsets, kernels[0].quarter, kernels[1].quarter);
-    for (ParityKernel& kernel : kernels) convolution.transform(kernel);
-    return kernels;
+    return spectra(with_tracks(grid, groups, offsets, Traction::pressure, Axis::z), convolution,
+                   Traction::pressure, Axis::z);
   }
+  std::vector<ParityKernel> kernels{{even, {}}, {odd, {}}};
   const std::size_t width = convolution.mx() / 2 + 1;
   for (const Group& group : groups) {
     ParityKernel elastic{even,
@@ -162,6 +183,24 @@ std::vector<ParityKernel> creep_kernels(const Grid& grid, const std::vector<Cree
     }
   }
   return kernels;
+}
+
+std::vector<ParityKernel> creep_kernels(const Grid& grid, const std::vector<CreepingBody>& bodies,
+                                        const SurfaceConvolution& convolution, Traction kind,
+                                        Axis axis) {
+  std::vector<Group> groups;
+  for (const CreepingBody& body : bodies) {
+    if (body.medium->is_rigid()) continue;
+    groups.push_back(Group{body.medium.get(), body.factor, {}});
+    const MovingCreep& creep = body.creep;
+    for (std::size_t n = 0; n < creep.amounts.size(); ++n) {
+      groups.back().terms.push_back(
+          {body.factor * creep.amounts[n], creep.distances[n], creep.towards_plus_x});
+    }
+  }
+  if (groups.empty()) return {};
+  return spectra(with_tracks(grid, groups, convolution.offsets(), kind, axis), convolution, kind,
+                 axis);
 }
 
 }  // namespace samcontact::operators

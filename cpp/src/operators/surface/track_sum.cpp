@@ -97,8 +97,8 @@ std::vector<Panel> panels_of(double first, const std::vector<double>& decays) {
 /// K at any distance along x.
 class FarKernel {
  public:
-  FarKernel(const Medium& medium, const Grid& grid, int ny, const std::vector<Panel>& panels,
-            int first)
+  FarKernel(const Medium& medium, Traction kind, Axis axis, const Grid& grid, int ny,
+            const std::vector<Panel>& panels, int first)
       : in_rows_(grid.period.y > 0), ny_(ny) {
     const double rows = uniform_from * grid.period.y * grid.dy / grid.dx;
     limit_ = in_rows_ ? std::max({8.0 * first, 1.0 * furthest_in_rows, std::ceil(rows)}) : furthest;
@@ -113,7 +113,7 @@ class FarKernel {
     offsets.x.push_back(static_cast<int>(limit_));
     for (int j = 0; j < ny; ++j) offsets.y.push_back(j);
     columns_ = offsets.x.size();
-    table_ = medium.compliance(Traction::pressure, Axis::z, grid, offsets);
+    table_ = medium.compliance(kind, axis, grid, offsets);
   }
 
   /// Value at a node, which is the n-th of all nodes.
@@ -137,12 +137,12 @@ class FarKernel {
 
 }  // namespace
 
-std::vector<Field> track_sums(const Medium& medium, const Grid& grid, const KernelOffsets& offsets,
-                              const std::vector<double>& decays) {
+std::vector<Field> track_sums(const Medium& medium, Traction kind, Axis axis, const Grid& grid,
+                              const KernelOffsets& offsets, const std::vector<double>& decays) {
   std::vector<Field> sums(decays.size(), Field(offsets.ny, 0.0));
   if (decays.empty()) return sums;
   const std::vector<Panel> panels = panels_of(offsets.nx, decays);
-  const FarKernel kernel(medium, grid, offsets.ny, panels, offsets.nx);
+  const FarKernel kernel(medium, kind, axis, grid, offsets.ny, panels, offsets.nx);
   for (std::size_t t = 0; t < decays.size(); ++t) {
     std::size_t node = 0;
     for (const Panel& panel : panels) {

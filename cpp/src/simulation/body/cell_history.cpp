@@ -12,6 +12,7 @@ using operators::Tensor;
 void CellHistory::take(const Zones& zones, Field equivalent, Field backstress,
                        const Strength& strength) {
   zones_ = zones;
+  mixed_.take(zones);
   equivalent_ = std::move(equivalent);
   backstress_ = std::move(backstress);
   factor_.clear();

@@ -54,6 +54,19 @@ double bytes_of(const Zones& zones, bool split, const Grid& grid, fft::Symmetry 
          whole * planes * (table_bytes + (exact ? exact_bytes : 0.0));
 }
 
+/// Stress of layer k of a box [component][i][j] plus given stress [component][k][i][j]; empty if
+/// nothing is given.
+Field with_given_stress(const Field& given, const Box& box, int k, const double* layer) {
+  if (given.empty()) return {};
+  const std::size_t plane = box.surface_size(), parts = given.size() / box.volume_size();
+  Field sum(layer, layer + parts * plane);
+  for (std::size_t c = 0; c < parts; ++c) {
+    const double* more = given.data() + (c * box.nz + k) * plane;
+    for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += more[i];
+  }
+  return sum;
+}
+
 }  // namespace
 
 PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
@@ -68,9 +81,13 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       history_(unfolded(from.plastic[index], setup_.grid, symmetry)),
       met_(from.met[index] ? unfolded(from.met[index], setup_.grid, symmetry) : history_),
       offset_(from.placement().offset[index]),
-      cells_(setup_.bodies[index]),
+      cells_(setup_.bodies[index],
+             MixedCells(setup_, index, from.placement().first[index], symmetry,
+                        {from.inclusions_flow[index], from.matrix_flow[index]})),
       search_(setup_, index, heating, strength_),
       surface_(setup_, index, copies, symmetry, offset_) {
+  // Mismatch of bulk moduli has a trace.
+  if (cells_.mixed().is_on()) tensor_ = Tensor::full;
   if (!history_) return;
   tensor_ = history_->tensor();
   strained_ = true;
@@ -103,6 +120,12 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
   }
   cells_.take(zones, std::move(fields.equivalent), std::move(fields.backstress), strength_);
+  // Cells with inclusions always have unknowns.
+  for (const std::uint32_t cell : cells_.mixed().numbers()) {
+    if (active_number(cell) >= 0) continue;
+    active.mixed.push_back(active.size());
+    activate(cell, {}, active);
+  }
   split_ = split;
   const auto tables = split ? setup_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
@@ -164,7 +187,7 @@ double PlasticBody::find_stress(ActiveCells& active) {
   std::vector<std::vector<LayerCheck>> checked;  // by zone and layer
   for (const Box& box : zones().boxes()) checked.emplace_back(box.nz);
   const auto check = [&](std::size_t zone, int k, const double* layer) {
-    const Field sum = with_given_stress(zone, k, layer);
+    const Field sum = with_given_stress(given_stress_[zone], zones().boxes()[zone], k, layer);
     const std::size_t plane = zones().boxes()[zone].surface_size();
     checked[zone][k] = check_layer(zones().first(zone) + k * plane, plane,
                                    sum.empty() ? layer : sum.data(), limits, active);
@@ -180,19 +203,6 @@ double PlasticBody::find_stress(ActiveCells& active) {
   return 1 - std::sqrt(largest);
 }
 
-Field PlasticBody::with_given_stress(std::size_t zone, int k, const double* layer) const {
-  const Field& given = given_stress_[zone];
-  if (given.empty()) return {};
-  const Box& box = zones().boxes()[zone];
-  const std::size_t parts = operators::count(tensor_), plane = box.surface_size();
-  Field sum(layer, layer + parts * plane);
-  for (std::size_t c = 0; c < parts; ++c) {
-    const double* more = given.data() + (c * box.nz + k) * plane;
-    for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += more[i];
-  }
-  return sum;
-}
-
 PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t plane,
                                                  const double* layer,
                                                  const CellHistory::Limits& limits,
@@ -204,9 +214,9 @@ PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t 
   double highest = 0.0;
   for (std::size_t i = 0; i < plane; ++i) {
     const std::size_t cell = first + i;
-    double xx = s[0][i], yy = s[1][i];
+    double xx = s[0][i], yy = s[1][i], mean = 0.0;
     if (!deviator) {
-      const double mean = (xx + yy + s[2][i]) / 3;
+      mean = (xx + yy + s[2][i]) / 3;
       xx -= mean;
       yy -= mean;
     }
@@ -223,7 +233,8 @@ PlasticBody::LayerCheck PlasticBody::check_layer(std::size_t first, std::size_t 
       highest = std::max(highest, second / limit);
       if (second <= limit) continue;
     }
-    const plasticity::Tensor t{xx, yy, -(xx + yy), s[3][i], s[4][i], s[5][i]};
+    if (number < 0 || cells_.mixed().at(cell) == nullptr) mean = 0.0;
+    const plasticity::Tensor t{xx + mean, yy + mean, mean - (xx + yy), s[3][i], s[4][i], s[5][i]};
     if (number >= 0) {
       active.stress[number] = t;
     } else {

@@ -59,6 +59,8 @@ State extrapolated(const State& start, const State& once, const State& twice) {
         b == 1 && once.plastic[0] == once.plastic[1] && twice.plastic[0] == twice.plastic[1];
     if (shared) state.plastic[1] = state.plastic[0], state.met[1] = state.met[0];
     if (shared || !once.flowed[b] || !twice.flowed[b]) continue;
+    // The strain of inclusions follows from their stress.
+    if (start.setup().inclusions[b]) continue;
     const Grid& grid = start.setup().grid;
     const PlasticState& last = *twice.plastic[b];
     const Box whole = around(once.flow_boxes[b]).united(around(twice.flow_boxes[b]));

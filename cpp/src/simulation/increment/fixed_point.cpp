@@ -29,6 +29,9 @@ constexpr double loosest = 1e-6, tightest = 1e-12;
 /// Plastic strain increments below this fraction of the strain at yield are not resolved further:
 /// the relative change refers to the larger of the two.
 constexpr double negligible = 1e-2;
+/// Error of the stress of a single mixed cell relative to that of all of them.
+constexpr double local_ratio = 10.0;
+constexpr double smallest_strain = 1e-300;
 /// If the stress is below yield by this fraction everywhere, the loosest contact tolerance suffices
 /// for an elastic increment.
 constexpr double safe_headroom = 1e-3;
@@ -48,6 +51,7 @@ class FixedPoint {
         settings_(task.settings),
         counters_(task.counters),
         problem_(task),
+        tol_(std::max(settings_.tol, problem_.mismatch_tol())),
         elastic_tol_(std::max(contact_tol_ratio * settings_.tol, tightest)),
         contact_tol_(problem_.has_plastic_body() ? loosest : elastic_tol_) {}
 
@@ -88,9 +92,9 @@ class FixedPoint {
       check_interrupt();
       if (!std::exchange(restarted, false)) advance();
       result_.grown = problem_.zones().grow_when_settled(residual_) || result_.grown;
-      const double finest = contact_tolerance(settings_.tol);
+      const double finest = contact_tolerance(tol_);
       // Cells outside a box that has grown may flow too: check them before accepting.
-      if (!result_.grown && residual_ <= settings_.tol && result_.excess <= settings_.tol) {
+      if (!result_.grown && residual_ <= tol_ && yields_within_tolerance()) {
         // The required tolerance changes slightly with every iterate: twice its value is close
         // enough.
         if (contact_tol_ > 2 * finest) {
@@ -115,7 +119,7 @@ class FixedPoint {
     return {"plastic strain did not converge at " + describe(target_) + ": relative change " +
                 to_short_text(residual_) + ", yield violation " + to_short_text(result_.excess) +
                 " after " + std::to_string(settings_.max_iterations) + " iterations, tol " +
-                to_text(settings_.tol) +
+                to_text(tol_) +
                 ": use smaller increments, residual_stress = \"fast\", or a larger max_iterations "
                 "or tol",
             settings_.max_iterations, residual_};
@@ -125,7 +129,9 @@ class FixedPoint {
   /// over the yield stress, which drives plastic flow: the smaller the excess, the smaller the
   /// contact tolerance must be.
   double contact_tolerance(double residual) const {
-    const double share = std::clamp(result_.overshoot, negligible, 1.0);
+    // Mismatch of elastic cells is driven by the whole stress.
+    const bool elastic = result_.mismatch_norm > 0 && result_.overshoot == 0;
+    const double share = elastic ? 1.0 : std::clamp(result_.overshoot, negligible, 1.0);
     return std::clamp(contact_tol_ratio * share * residual, tightest, loosest);
   }
 
@@ -137,8 +143,21 @@ class FixedPoint {
       for (std::size_t i = begin; i < end; ++i) f[i - begin] = mapped_[i] - x_[i];
       return ordered_dot(f.data(), f.data(), end - begin);
     }));
-    const double scale = std::max(norm(mapped_), negligible * result_.yield_strain_norm);
-    residual_ = scale > 0 ? change_ / scale : (change_ > 0 ? 1.0 : 0.0);
+    const double mixed = result_.mixed_change;
+    const double change = mixed > 0 ? result_.plastic_change : change_;
+    const double increment = mixed > 0 ? result_.increment_norm : norm(mapped_);
+    const double scale = std::max(increment, negligible * result_.yield_strain_norm);
+    residual_ = scale > 0 ? change / scale : (change > 0 ? 1.0 : 0.0);
+    if (mixed > 0) residual_ = std::max(residual_, mixed_residual());
+  }
+
+  bool yields_within_tolerance() const {
+    return result_.excess <= tol_ && result_.mixed_excess <= local_ratio * tol_;
+  }
+
+  /// Change of the strain of mixed cells relative to its norm.
+  double mixed_residual() const {
+    return result_.mixed_change / std::max(result_.mismatch_norm, smallest_strain);
   }
 
   void advance() {
@@ -201,6 +220,7 @@ class FixedPoint {
   Anderson anderson_{anderson_depth};
   Field x_, mapped_, best_x_, best_f_;
   PlasticIncrement::Result result_;
+  const double tol_;          // with inclusions larger than that of the settings
   const double elastic_tol_;  // of the contact in an elastic increment
   double contact_tol_, change_ = 0.0, residual_ = 1.0, best_ = INFINITY;
   bool is_best_ = false;  // whether the best point is the last one, which the acceleration stores

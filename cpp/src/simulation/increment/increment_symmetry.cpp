@@ -22,14 +22,18 @@ fft::Symmetry symmetry_of(const IncrementTask& task, const operators::Tractions&
   symmetry = common(symmetry, sources.symmetry());
   symmetry = common(symmetry, symmetry_of(task.target.heating));
   symmetry = common(symmetry, task.target.past_symmetry);
-  for (const auto& history : task.from.plastic) {
-    if (history) symmetry = common(symmetry, history->symmetry());
+  for (const auto* histories :
+       {&task.from.plastic, &task.from.inclusions_flow, &task.from.matrix_flow}) {
+    for (const auto& history : *histories) {
+      if (history) symmetry = common(symmetry, history->symmetry());
+    }
   }
   return symmetry;
 }
 
 bool bodies_are_mirror_images(const IncrementTask& task, const Sources& sources) {
   const auto& [upper, lower] = task.setup().bodies;
+  if (task.setup().inclusions[0] || task.setup().inclusions[1]) return false;
   if (!upper.is_plastic() || upper != lower || task.setup().friction.slides() ||
       !is_free_of_shear(task))
     return false;

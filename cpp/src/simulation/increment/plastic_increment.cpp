@@ -14,6 +14,17 @@ namespace samcontact::simulation {
 
 using operators::Tensor;
 
+namespace {
+
+/// Mismatch below this fraction of its largest value so far is not resolved further.
+constexpr double negligible_mismatch = 1e-2;
+/// Finest relative tolerance with inclusions, far below the error due to the size of cells; also if
+/// moduli differ by a large factor, where convergence is slow: the strain in a void is not unique,
+/// while its surroundings hardly change any more.
+constexpr double moderate_tol = 1e-4, strong_tol = 1e-3;
+
+}  // namespace
+
 PlasticIncrement::PlasticIncrement(const IncrementTask& task)
     : task_(task),
       tractions_(task.target.is_prescribed()
@@ -37,12 +48,27 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
 void PlasticIncrement::make_bodies() {
   bodies_.reserve(2);
   for (int b = mirror_images_ ? 1 : 0; b < 2; ++b) {
-    if (!task_.setup().bodies[b].is_plastic()) continue;
+    if (!task_.setup().is_strained(b)) continue;
     const auto number = static_cast<std::uint8_t>(bodies_.size());
     const PlasticBody& body = bodies_.emplace_back(task_.from, b, number, mirror_images_ ? 2 : 1,
                                                    symmetry_, task_.target.heating[b]);
     if (body.tensor() == Tensor::full) active_.keep_trace();
   }
+}
+
+Field PlasticIncrement::first_guess() {
+  Field guess = guess_.find(bodies_, active_);
+  guess.resize(active_.size() * active_.components(), 0.0);
+  return guess;
+}
+
+double PlasticIncrement::mismatch_tol() const {
+  double tol = 0.0;
+  for (const PlasticBody& body : bodies_) {
+    const MixedCells& mixed = body.cells().mixed();
+    if (mixed.is_on()) tol = std::max(tol, mixed.are_strong() ? strong_tol : moderate_tol);
+  }
+  return tol;
 }
 
 void PlasticIncrement::scatter(const Field& guess) {
@@ -95,6 +121,10 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
   for (std::ptrdiff_t n = 0; n < count; ++n) {
     const auto [b, cell] = active_.cells[n];
     const PlasticBody& body = bodies_[b];
+    if (body.cells().mixed().at(cell) != nullptr) {
+      active_.put(active_.get(guess, n), mapped, n);
+      continue;
+    }
     const auto present = active_.get(guess, n);
     const auto r = body.cells().return_map(cell, active_.stress[n], present);
     active_.put(r.increment, mapped, n);
@@ -108,6 +138,58 @@ void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& res
   result.overshoot = overshoot;
   result.yield_strain_norm =
       std::sqrt(ordered_dot(yield_strains.data(), yield_strains.data(), yield_strains.size()));
+  step_mixed(guess, mapped, result);
+}
+
+void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& result) {
+  const std::ptrdiff_t count = active_.mixed.size();
+  if (count == 0) return;
+  active_.mixed_steps.resize(count);
+  double excess = 0.0, overshoot = result.overshoot;
+  // So far only the other cells have changed.
+  result.plastic_change = std::sqrt(ordered_sum(mapped.size(), [&](std::size_t i) {
+    return (mapped[i] - guess[i]) * (mapped[i] - guess[i]);
+  }));
+  Field squares(count), changes(count);
+  std::vector<plasticity::Tensor> changes_of_mixed(count);
+#pragma omp parallel for schedule(static) \
+    reduction(max : excess, overshoot) if (400.0 * count > min_parallel_operations)
+  for (std::ptrdiff_t m = 0; m < count; ++m) {
+    const std::size_t n = active_.mixed[m];
+    const auto [b, cell] = active_.cells[n];
+    const PlasticBody& body = bodies_[b];
+    plasticity::Tensors place;
+    const auto r = body.cells().mixed().step(cell, active_.stress[n], active_.strain(guess, n),
+                                             body.cells().before(cell, place));
+    plasticity::Tensor change = r.eigenstrain;
+    const plasticity::Tensor before = active_.before(n), present = active_.strain(guess, n);
+    for (int c = 0; c < 6; ++c) {
+      change[c] -= before[c];
+      const double last = r.eigenstrain[c] - present[c];
+      squares[m] += r.eigenstrain[c] * r.eigenstrain[c];
+      changes[m] += last * last;
+    }
+    active_.put({}, mapped, n);
+    changes_of_mixed[m] = change;
+    active_.equivalent[n] = r.equivalent + r.inclusion_equivalent;
+    active_.mixed_steps[m] = r;
+    excess = std::max(excess, r.excess);
+    overshoot = std::max(overshoot, r.overshoot);
+  }
+  result.increment_norm =
+      std::sqrt(ordered_sum(mapped.size(), [&](std::size_t i) { return mapped[i] * mapped[i]; }));
+  for (std::ptrdiff_t m = 0; m < count; ++m) {
+    active_.put(changes_of_mixed[m], mapped, active_.mixed[m]);
+  }
+  result.mixed_excess = excess;
+  result.overshoot = overshoot;
+  const double size = ordered_sum(count, [&](std::size_t m) { return squares[m]; });
+  result.mixed_change = std::sqrt(ordered_sum(count, [&](std::size_t m) { return changes[m]; }));
+  const double largest = task_.from.largest_mismatch.empty() ? 0.0 : task_.from.largest_mismatch[0];
+  const auto cells = static_cast<double>(count);
+  largest_mismatch_ = std::max(largest, std::sqrt(size / cells));
+  result.mismatch_norm =
+      std::max(std::sqrt(size), negligible_mismatch * largest * std::sqrt(cells));
 }
 
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
@@ -158,10 +240,23 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   for_own_cells([&](std::size_t n) {
     const std::uint32_t cell = active_.cells[n].cell;
     state.flowed[i] = true;
+    if (body.cells().mixed().at(cell) != nullptr) return;
     body.cells().flow(cell, active_.get(mapped, n), active_.equivalent[n]);
   });
+  for (std::size_t m = 0; m < active_.mixed.size(); ++m) {
+    const auto [own, cell] = active_.cells[active_.mixed[m]];
+    const plasticity::MixedReturn& step = active_.mixed_steps[m];
+    if (own != b || (step.equivalent == 0 && step.inclusion_equivalent == 0)) continue;
+    body.cells().flow(cell, step.flow, step.equivalent);
+    body.cells().mixed().flow(cell, step);
+  }
   state.softening[i] = body.cells().softening();
-  if (state.flowed[i]) {
+  if (body.cells().mixed().is_on()) {
+    const MixedCells::Flows flows = body.cells().mixed().finish();
+    state.inclusions_flow[i] = flows.own;
+    state.matrix_flow[i] = flows.of_matrix;
+  }
+  if (state.flowed[i] || body.cells().mixed().is_on()) {
     state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.setup().grid, symmetry_);
     state.plastic[i] = body.finish();
   }
@@ -191,6 +286,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.flowed = {};
   state.advance = {};
   state.met = {};
+  if (!active_.mixed.empty()) state.largest_mismatch = {largest_mismatch_};
   guess_.remember(bodies_, active_, mapped, state);
   scatter(mapped);
   active_.stress = {};

@@ -49,16 +49,24 @@ Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) co
   // Motion in the same direction, with increments that may be longer or shorter.
   const double ratio = std::max(part_of_last_motion(), part_of_last_load());
   if (ratio == 0) return {};
-  Field guess;
   const std::size_t parts = active.components();
+  Field guess(active.size() * parts, 0.0);
   for (PlasticBody& body : bodies) {
     const auto& flow = task_.from.last_flow->bodies[body.index()];
     if (flow.strain.size() != parts * flow.cells.size()) return {};
     for (std::size_t n = 0; n < flow.cells.size(); ++n) {
       const std::ptrdiff_t cell = body.zones().number(flow.cells[n]);
       if (cell < 0) continue;
-      body.activate(static_cast<std::uint32_t>(cell), {}, active);
-      for (std::size_t c = 0; c < parts; ++c) guess.push_back(ratio * flow.strain[n * parts + c]);
+      const auto number = static_cast<std::uint32_t>(cell);
+      const bool mixed = body.cells().mixed().at(number) != nullptr;
+      // In a motion other inclusions may be there now.
+      if (mixed && task_.from.advance != Travel{}) continue;
+      if (!mixed) {
+        body.activate(number, {}, active);
+        guess.resize(guess.size() + parts);
+      }
+      const std::size_t at = mixed ? parts * body.active_number(number) : guess.size() - parts;
+      for (std::size_t c = 0; c < parts; ++c) guess[at + c] = ratio * flow.strain[n * parts + c];
     }
   }
   return guess;
@@ -78,9 +86,12 @@ void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCe
   if (std::isfinite(approach)) flow->approach = approach;
   const std::size_t parts = active.components();
   for (std::size_t n = 0; n < active.size(); ++n) {
-    if (active.equivalent[n] == 0) continue;
     const PlasticBody& body = bodies[active.cells[n].body];
-    if (stands && !body.is_split()) continue;
+    const bool mixed = body.cells().mixed().at(active.cells[n].cell) != nullptr;
+    if (active.equivalent[n] == 0 && !mixed) continue;
+    if (stands && !body.is_split() && !body.cells().mixed().is_on()) continue;
+    // Strain of inclusions moves with them.
+    if (mixed && !stands) continue;
     auto& kept = flow->bodies[body.index()];
     kept.cells.push_back(body.zones().cell(active.cells[n].cell));
     for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(increment[n * parts + c]);

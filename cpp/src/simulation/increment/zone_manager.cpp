@@ -48,6 +48,7 @@ ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, cons
 void ZoneManager::begin() {
   for (PlasticBody& body : bodies_) {
     if (body.history()) take_up_zones(body);
+    take_up_inclusions(body);
   }
 }
 
@@ -94,7 +95,8 @@ bool ZoneManager::fit(const Field& gap) {
     const Box window = window_of(body.tractions(), grid);
     const Box now = whole_or_none(body);
     Box needed = now;
-    if (!scanned_) {
+    // A body without scan flows in its inclusions only.
+    if (!scanned_ && task_.scans[body.index()]) {
       const YieldScan& scan = *task_.scans[body.index()];
       // Under approach control the load is a result.
       if (!task_.target.is_approach() && body.search().yields_everywhere(body.tractions(), scan))
@@ -152,6 +154,7 @@ bool ZoneManager::grow_beyond() {
       grown = grow_for_yield(body) || grown;
       continue;
     }
+    if (!task_.scans[body.index()]) continue;
     const YieldScan& scan = *task_.scans[body.index()];
     if (body.search().yields_everywhere(body.tractions(), scan)) throw unbounded_zone_error(body);
     const Box box = body.zones().around();
@@ -175,8 +178,16 @@ bool ZoneManager::grow_beyond() {
   return grown;
 }
 
+void ZoneManager::take_up_inclusions(PlasticBody& body) {
+  const Box mixed = body.cells().mixed().box();
+  if (mixed.empty()) return;
+  const Box now = whole_or_none(body), needed = now.united(choice_.with_margin(mixed));
+  if (body.zones().count() == 1 && now.contains(needed)) return;
+  set_box(body, choice_.fitted(needed, body.zones().around()));
+}
+
 void ZoneManager::take_up_zones(PlasticBody& body) {
-  if (split_.is_allowed()) {
+  if (may_split(body)) {
     std::vector<Box> boxes = split_.zones_to_begin_with(body);
     if (split_.is_worthwhile(body, boxes)) return set_zones(body, Zones(std::move(boxes)), true);
   }
@@ -186,7 +197,7 @@ void ZoneManager::take_up_zones(PlasticBody& body) {
 
 bool ZoneManager::fit_zones(PlasticBody& body) {
   const bool first = body.zones().empty();
-  if (scanned_ || !(body.is_split() || (first && split_.is_allowed()))) return false;
+  if (scanned_ || !(body.is_split() || (first && may_split(body)))) return false;
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(
       body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_));

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "samcontact/base/memory.hpp"
 #include "samcontact/operators/medium/finite_body.hpp"
 #include "samcontact/operators/medium/scaled_medium.hpp"
 #include "samcontact/simulation/setup/yield_scan.hpp"
@@ -18,6 +19,9 @@ namespace {
 constexpr std::size_t max_kept = 6;
 /// Number of cells above which the operators of a box that has become too small are released.
 constexpr std::size_t large_box = 1'000'000;
+/// Memory of the displacement due to the tractions of a track: kernels, spectra and fields of all
+/// tractions and axes [bytes per cell].
+constexpr double track_bytes = 350;
 
 }  // namespace
 
@@ -103,6 +107,10 @@ std::shared_ptr<const operators::BodyDisplacement> OperatorCache::displacement(i
   if (fits(own)) return own;
   if (fits(other) && media_[0] == media_[1]) return own = other;
   const Grid part = Box{0, 0, nx, ny, 0}.grid(grid_);
+  if (nx > grid_.nx) {
+    require_memory(track_bytes * static_cast<double>(part.surface_size()),
+                   "the track of a viscoelastic body");
+  }
   own = std::make_shared<const operators::BodyDisplacement>(part, media_[body]);
   return own;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "samcontact/base/cells_over.hpp"
@@ -60,7 +62,8 @@ fft::Symmetry symmetry_of_faces(const std::array<plasticity::Body, 2>& bodies) {
 Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity::Body& body2,
              Field initial_gap_, contact::FrictionLaw friction_, double image_tol,
              const TransientHeating& transient_heating_, int reach_, Reliefs reliefs_,
-             const operators::BandSplit& split_, contact::SharedContactLaw contact_law_)
+             const operators::BandSplit& split_, contact::SharedContactLaw contact_law_,
+             InclusionsPair inclusions_)
     : grid(grid_),
       bodies{body1, body2},
       media(media_of(body1, body2)),
@@ -74,18 +77,22 @@ Setup::Setup(const Grid& grid_, const plasticity::Body& body1, const plasticity:
       reach(reach_),
       split((require_valid(split_), split_)),
       reliefs(std::move(reliefs_)),
+      inclusions(std::move(inclusions_)),
       cache(grid, media, friction, contact_law, image_tol, split),
       symmetry_(symmetry_of(initial_gap, grid_)) {
   // Throws for bodies without a contact solution.
   if (!friction.sticks()) cache.solver({});
   symmetry_ = common(symmetry_, friction.symmetry());
   symmetry_ = common(symmetry_, symmetry_of_faces(bodies));
+  for (const auto& own : inclusions) {
+    if (own) symmetry_ = common(symmetry_, own->symmetry(grid));
+  }
 }
 
 int Setup::followed() const {
   // Without plastic strain or relief all positions on a body are equivalent.
   const auto has_history = [this](int body) {
-    return bodies[body].is_plastic() || !reliefs[body].heights.empty() || friction_moves_with(body);
+    return is_strained(body) || !reliefs[body].heights.empty() || friction_moves_with(body);
   };
   return has_history(1) ? 1 : has_history(0) ? 0 : -1;
 }
@@ -181,5 +188,22 @@ Box Setup::volume_below(const Field& repulsion) const {
 }
 
 void Setup::require_volume(int body) const { simulation::require_volume(grid, media, body); }
+
+void Setup::require_solvable_inclusions(operators::ResidualMethod method) const {
+  for (int b = 0; b < 2; ++b) {
+    if (!inclusions[b]) continue;
+    const auto refuse = [b](const std::string& why) {
+      throw std::invalid_argument("body " + std::to_string(b + 1) + " has inclusions: " + why);
+    };
+    if (method == operators::ResidualMethod::exact) {
+      refuse(
+          "residual_stress = \"exact\" is not supported with them, because its stress at the "
+          "centres of cells makes soft inclusions unstable: use \"fast\"");
+    }
+    if (bodies[b].is_layered()) refuse("they are not supported in layered bodies");
+    if (bodies[b].is_viscoelastic()) refuse("they are not supported in viscoelastic bodies");
+    if (!reliefs[b].worn.empty()) refuse("wear of this body is not supported");
+  }
+}
 
 }  // namespace samcontact::simulation

@@ -62,7 +62,7 @@ class Remembered : public Source {
     if (!acts_on(body)) return;
     Field& own = displacement_[body];
     if (own.empty()) {
-      own = displacement(tractions_[body], RelaxingBody(setup_, body), operators::Axis::z);
+      own = displacement(tractions_[body], RelaxingBody(setup_, body), operators::normal_axis);
     }
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own[i];
   }

@@ -273,13 +273,17 @@ void TrackTractions::add(double factor, const Tractions& of_grid, const Grid& gr
   }
 }
 
-Field displacement(const TrackTractions& cause, const RelaxingBody& body, operators::Axis axis) {
+Field displacement(const TrackTractions& cause, const RelaxingBody& body,
+                   std::span<const operators::Axis> axes) {
   const auto of_box = body.cache.displacement(body.body, cause.box.nx, cause.box.ny);
-  Field u = (*of_box)(cause.tractions, operators::shear_sign(body.body), axis);
+  Field u = (*of_box)(cause.tractions, operators::shear_sign(body.body), axes);
   const Box surface = Box::surface(body.grid);
   if (cause.box == surface) return u;
-  Field out(surface.surface_size());
-  extract(u.data(), cause.box, out.data(), surface);
+  const std::size_t wide = cause.box.surface_size(), cells = surface.surface_size();
+  Field out(axes.size() * cells);
+  for (std::size_t n = 0; n < axes.size(); ++n) {
+    extract(u.data() + n * wide, cause.box, out.data() + n * cells, surface);
+  }
   return out;
 }
 

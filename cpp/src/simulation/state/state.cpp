@@ -115,6 +115,11 @@ State State::moved(const Travel& to) const {
     const int by = from.first[b] - place.first[b];
     state.memory[b] = simulation::moved(memory[b], grid, by);
     if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, 0);
+    for (auto* flow : {&state.inclusions_flow[b], &state.matrix_flow[b]}) {
+      if (!*flow) continue;
+      const auto own = common((*flow)->symmetry(), fft::Symmetry::y);
+      *flow = unfolded(*flow, grid, own)->moved(by, 0);
+    }
     if (!plastic[b]) continue;
     if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
       state.plastic[1] = state.plastic[0];

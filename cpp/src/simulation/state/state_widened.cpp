@@ -41,6 +41,9 @@ State State::widened(std::shared_ptr<const Setup> to) const {
   for (int b = 0; b < 2; ++b) {
     const bool shared = b == 1 && plastic[0] == plastic[1];
     if (plastic[b]) state.plastic[b] = shared ? state.plastic[0] : plastic[b]->moved(i, j);
+    for (auto* flow : {&state.inclusions_flow[b], &state.matrix_flow[b]}) {
+      if (*flow) *flow = (*flow)->moved(i, j);
+    }
     if (memory[b]) {
       TractionMemory wider = *memory[b];
       wider.box = wider.box.moved(i, j);

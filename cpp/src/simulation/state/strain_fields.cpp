@@ -3,7 +3,60 @@
 
 #include "samcontact/simulation/cells/tensor_fields.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace samcontact::simulation {
+namespace {
+
+/// Calls use(index, mixed cell) for all cells of zones that inclusions fill, completely or partly.
+template <class Use>
+void for_mixed_cells(const State& state, int body, const Zones& zones, const Use& use) {
+  const auto& inclusions = state.setup().inclusions[body];
+  if (!inclusions) return;
+  const int first = state.placement().first[body];
+  for (std::size_t n = 0; n < zones.cells(); ++n) {
+    const auto [i, j, k] = zones.cell(n);
+    const auto* mixed = inclusions->at(i, j, k, first, state.setup().grid.period);
+    if (mixed != nullptr) use(n, *mixed);
+  }
+}
+
+/// Largest sqrt(2/3 e:e) of a strain [6][cell].
+double largest_magnitude(const Field& strain) {
+  const std::size_t cells = strain.size() / 6;
+  double largest = 0.0;
+  for (std::size_t n = 0; n < cells; ++n) {
+    double square = 0.0;
+    for (std::size_t c = 0; c < 6; ++c) {
+      const double e = strain[c * cells + n];
+      square += (c < 3 ? 1.0 : 2.0) * e * e;
+    }
+    largest = std::max(largest, square);
+  }
+  return std::sqrt(2.0 / 3 * largest);
+}
+
+/// Plastic strain in zones of the stored part of a history, six components.
+Field plastic_strain_of(const State& state, int body, const PlasticState& history,
+                        const Zones& zones) {
+  Field strain = six_components(history.strain(zones), history.tensor());
+  const std::size_t cells = zones.cells();
+  const auto field = [&](const std::shared_ptr<const PlasticState>& flow) {
+    const auto own = unfolded(flow, state.setup().grid, history.symmetry());
+    return own ? six_components(own->strain(zones), own->tensor()) : Field(6 * cells, 0.0);
+  };
+  const Field flow = field(state.inclusions_flow[body]), rest = field(state.matrix_flow[body]);
+  for_mixed_cells(state, body, zones, [&](std::size_t n, const plasticity::MixedCell& mixed) {
+    const double share = mixed.has_two_phases() ? mixed.share : 1.0;
+    for (std::size_t at = n; at < 6 * cells; at += cells) {
+      strain[at] = share * flow[at] + (1 - share) * rest[at];
+    }
+  });
+  return strain;
+}
+
+}  // namespace
 
 Field plastic_strain(const State& state, int body, Layers layers) {
   return plastic_strain(state, body, state.below(layers));
@@ -13,7 +66,7 @@ Field plastic_strain(const State& state, int body, const Box& region) {
   state.setup().require_volume(body);
   if (!state.plastic[body]) return Field(6 * region.volume_size(), 0.0);
   const auto history = unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none);
-  return six_components(history->strain(region), history->tensor());
+  return plastic_strain_of(state, body, *history, Zones({region}));
 }
 
 Field equivalent_plastic_strain(const State& state, int body, Layers layers) {
@@ -33,7 +86,12 @@ Field eigenstrain(const State& state, int body, Layers layers) {
 Field eigenstrain(const State& state, int body, const Box& region) {
   state.setup().require_volume(body);
   const auto& strain = state.eigenstrain[body];
-  return strain ? strain->strain(region) : Field(6 * region.volume_size(), 0.0);
+  Field sum = strain ? strain->strain(region) : Field(6 * region.volume_size(), 0.0);
+  if (!state.setup().inclusions[body] || !state.plastic[body]) return sum;
+  const auto history = unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none);
+  const Field own = six_components(history->strain(region), history->tensor());
+  for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += own[n];
+  return sum;
 }
 
 Box strain_beyond(const State& state, int body) {
@@ -58,11 +116,23 @@ std::size_t plastic_cells(const State& state, int body) {
 }
 
 double max_equivalent_plastic_strain(const State& state, int body) {
-  return state.plastic[body] ? state.plastic[body]->tiles().max_equivalent() : 0.0;
+  if (!state.plastic[body]) return 0.0;
+  const PlasticState& history = *state.plastic[body];
+  if (!state.setup().inclusions[body]) return history.tiles().max_equivalent();
+  const Zones zones = history.zones();
+  Field equivalent = history.equivalent(zones);
+  for_mixed_cells(state, body, zones, [&](std::size_t n, const plasticity::MixedCell& mixed) {
+    if (mixed.share < 1) equivalent[n] = 0.0;
+  });
+  return equivalent.empty() ? 0.0 : *std::max_element(equivalent.begin(), equivalent.end());
 }
 
 double max_plastic_strain_magnitude(const State& state, int body) {
-  return state.plastic[body] ? state.plastic[body]->tiles().max_strain() : 0.0;
+  if (!state.plastic[body]) return 0.0;
+  const PlasticState& history = *state.plastic[body];
+  if (!state.setup().inclusions[body]) return history.tiles().max_strain();
+  const Zones zones = history.zones();
+  return largest_magnitude(plastic_strain_of(state, body, history, zones));
 }
 
 Field backstress(const State& state, int body, Layers layers) {

@@ -87,6 +87,10 @@ Field residual_stress(const State& state, int body, Layers layers) {
   return stress;
 }
 
+Field disturbance(const State& state, int body, Layers layers) {
+  return total_stress(state, body, false, state.below(layers));
+}
+
 Field residual_stress(const State& state, int body, const Box& region) {
   Field stress = stress_of_strain(state, body, region);
   state.sources().residual_stress(body, region, Tensor::full, stress);

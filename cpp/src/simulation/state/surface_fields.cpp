@@ -81,7 +81,7 @@ Field recovering_displacement(const State& state, int body, operators::Axis axis
   surface.nz = 1;
   Field u;
   if (whole.contains(surface)) {
-    u = displacement(delayed, RelaxingBody(state.setup(), body), axis);
+    u = displacement(delayed, RelaxingBody(state.setup(), body), {&axis, 1});
   } else {
     whole = delayed.box.united(surface);
     Grid wide = grid;

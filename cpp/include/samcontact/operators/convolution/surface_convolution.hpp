@@ -31,6 +31,12 @@ struct MatrixKernel {
   ParityKernel kernel;
 };
 
+/// The same with a kernel that is kept elsewhere.
+struct MatrixKernelRef {
+  int out, in;
+  const ParityKernel* kernel;
+};
+
 class SurfaceConvolution {
  public:
   explicit SurfaceConvolution(const Grid& grid);
@@ -52,6 +58,8 @@ class SurfaceConvolution {
              ComplexField& work) const;
   /// Convolution of `inputs` consecutive fields to `outputs` fields.
   void apply(std::span<const MatrixKernel> kernels, int inputs, const double* in, int outputs,
+             double* out, ComplexField& work) const;
+  void apply(std::span<const MatrixKernelRef> kernels, int inputs, const double* in, int outputs,
              double* out, ComplexField& work) const;
 
   /// Operations of one application from one input to one output field, in units of

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <map>
 #include <mutex>
+#include <span>
 #include <utility>
 
 #include "samcontact/operators/medium/medium.hpp"
@@ -16,9 +17,9 @@ class BodyDisplacement {
  public:
   BodyDisplacement(const Grid& grid, SharedMedium medium);
 
-  /// Displacement along an axis [i][j] [m] due to tractions [i][j] in the frame of the grid, whose
-  /// shear acts on the body with a sign.
-  Field operator()(const Tractions& tractions, double shear_sign, Axis axis) const;
+  /// Displacement along axes [axis][i][j] [m] due to tractions [i][j] in the frame of the grid,
+  /// whose shear acts on the body with a sign. One transform for each traction and axis.
+  Field operator()(const Tractions& tractions, double shear_sign, std::span<const Axis> axes) const;
 
   /// Work of tractions [J], one half of which is elastic energy if both are equal: tractions
   /// `force` on the displacement due to tractions `cause`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steady motion of viscoelastic bodies through a contact: influence of pressure on the gap, with
-// the creep of the material that has passed.
+// Steady motion of viscoelastic bodies through a contact: influence of tractions on the relative
+// displacement, with the creep of the material that has passed.
 #pragma once
 
 #include <vector>
@@ -24,6 +24,7 @@ struct MovingCreep {
 struct CreepingBody {
   SharedMedium medium;  // with the instantaneous elastic constants
   MovingCreep creep;
+  double factor = 1.0;  // on its displacement
 };
 
 /// Influence of pressure on the gap in the steady state: spectra of its even and its odd part in x,
@@ -32,5 +33,11 @@ struct CreepingBody {
 /// track of the contact is included; along a periodic x, the factor of each Fourier mode is exact.
 std::vector<ParityKernel> creep_kernels(const Grid& grid, const std::vector<CreepingBody>& bodies,
                                         const SurfaceConvolution& convolution);
+
+/// The same for the displacement along an axis due to a traction, on a grid that is not periodic
+/// along x; empty: all bodies are rigid.
+std::vector<ParityKernel> creep_kernels(const Grid& grid, const std::vector<CreepingBody>& bodies,
+                                        const SurfaceConvolution& convolution, Traction kind,
+                                        Axis axis);
 
 }  // namespace samcontact::operators

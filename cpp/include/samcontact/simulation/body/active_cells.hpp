@@ -8,7 +8,7 @@
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/operators/convolution/volume_spectrum.hpp"
-#include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/plasticity/mixed_cell.hpp"
 #include "samcontact/simulation/cells/zones.hpp"
 
 namespace samcontact::simulation {
@@ -21,8 +21,13 @@ class ActiveCells {
     std::uint32_t cell;  // index in the zones of that body
   };
   std::vector<Cell> cells;
-  std::vector<plasticity::Tensor> stress;  // deviator, from the last evaluation
-  Field equivalent;                        // increment from the last evaluation
+  /// Deviator from the last evaluation; of mixed cells the whole stress.
+  std::vector<plasticity::Tensor> stress;
+  Field equivalent;  // increment from the last evaluation
+  /// Indices of the cells that inclusions fill, completely or partly.
+  std::vector<std::size_t> mixed;
+  /// Steps of these cells from the last evaluation.
+  std::vector<plasticity::MixedReturn> mixed_steps;
 
   std::size_t size() const { return cells.size(); }
   /// Components of the strain of a cell in fields of unknowns [cell][component].
@@ -35,6 +40,8 @@ class ActiveCells {
   /// Moves to other zones of a body, which contain all its unknowns.
   void move(std::uint8_t body, const Zones& from, const Zones& to);
 
+  /// Strain before the increment.
+  plasticity::Tensor before(std::size_t n) const { return get(before_, n); }
   /// All six components of unknown n.
   plasticity::Tensor get(const Field& unknown, std::size_t n) const;
   void put(const plasticity::Tensor& t, Field& unknown, std::size_t n) const;

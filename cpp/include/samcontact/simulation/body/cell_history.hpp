@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "samcontact/plasticity/return_mapping.hpp"
+#include "samcontact/plasticity/mixed_cell.hpp"
+#include "samcontact/simulation/body/mixed_cells.hpp"
 #include "samcontact/simulation/cells/box_field.hpp"
 #include "samcontact/simulation/setup/strength.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
@@ -18,11 +20,14 @@ namespace samcontact::simulation {
 /// For the numbered cells of disjoint zones.
 class CellHistory {
  public:
-  explicit CellHistory(const plasticity::Body& body) : body_(body) {}
+  CellHistory(const plasticity::Body& body, MixedCells mixed)
+      : body_(body), mixed_(std::move(mixed)) {}
 
   /// Sets zones, hardening and backstress before the increment, and the strength of the cells.
   void take(const Zones& zones, Field equivalent, Field backstress, const Strength& strength);
   const Zones& zones() const { return zones_; }
+  const MixedCells& mixed() const { return mixed_; }
+  MixedCells& mixed() { return mixed_; }
 
   /// Sets the factor on the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
@@ -58,6 +63,15 @@ class CellHistory {
   /// Radial return of a cell with an estimated plastic strain increment.
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
+  /// Equivalent strain, backstresses (stored in `place`) and strength of a cell before the
+  /// increment.
+  plasticity::MixedHistory before(std::uint32_t cell, plasticity::Tensors& place) const {
+    plasticity::MixedHistory before;
+    before.equivalent = equivalent_[cell];
+    before.backstresses = backstresses(cell, place);
+    before.strength = strength_of(cell);
+    return before;
+  }
   /// Updates the history of a cell for a plastic strain increment.
   void flow(std::uint32_t cell, const plasticity::Tensor& increment, double equivalent);
   /// Complete history, with the strain; this object must not be used afterwards.
@@ -76,6 +90,7 @@ class CellHistory {
                                                    plasticity::Tensors& place) const;
 
   const plasticity::Body& body_;
+  MixedCells mixed_;
   Zones zones_;
   Field equivalent_;                     // before the increment
   Field backstress_;                     // before the increment, [term][component][cell]

@@ -60,6 +60,8 @@ class PlasticBody {
   /// minimum of (yield stress - von Mises stress)/yield stress over the inactive cells.
   double find_stress(ActiveCells& active);
   void activate(std::uint32_t cell, const plasticity::Tensor& deviator, ActiveCells& active);
+  /// Index of a cell among the active cells; -1 if it is inactive.
+  int active_number(std::uint32_t cell) const { return active_[cell]; }
   /// History after the increment; this object must not be used afterwards.
   std::shared_ptr<const PlasticState> finish();
 
@@ -73,8 +75,6 @@ class PlasticBody {
   /// first: index of its first cell; plane: its number of cells.
   LayerCheck check_layer(std::size_t first, std::size_t plane, const double* layer,
                          const CellHistory::Limits& limits, ActiveCells& active) const;
-  /// Adds all other stress of a layer.
-  Field with_given_stress(std::size_t zone, int k, const double* layer) const;
 
   const Setup& setup_;
   int index_;

@@ -37,11 +37,18 @@ class PlasticIncrement {
     double yield_strain_norm = 0.0;
     /// Minimum of (yield stress - von Mises stress)/yield stress over the inactive cells.
     double headroom = 1.0;
+    /// Euclidean norm of the eigenstrain of mixed cells, or of a fraction of its largest value so
+    /// far; 0 without such cells.
+    double mismatch_norm = 0.0;
+    double mixed_excess = 0.0;  // counterpart of `excess` of mixed cells
+    double mixed_change = 0.0;  // norm of its change in this evaluation
+    /// Norm of the plastic strain increment of all other cells, and of its change.
+    double increment_norm = 0.0, plastic_change = 0.0;
     bool grown = false;  // a zone was too small: evaluate again before accepting the result
   };
 
   /// Estimate to start from; may be empty.
-  Field first_guess() { return guess_.find(bodies_, active_); }
+  Field first_guess();
 
   /// mapped = G(guess). Newly active cells are appended to both. contact_tol applies to load and
   /// approach.
@@ -54,6 +61,8 @@ class PlasticIncrement {
   /// unchanged.
   void refine_contact(double contact_tol, Result& result);
 
+  /// Relative error that need not be reduced further with inclusions; 0 without inclusions.
+  double mismatch_tol() const;
   bool has_plastic_body() const { return !bodies_.empty(); }
 
   /// State after the increment `mapped` of the last evaluation; this object must not be used
@@ -65,6 +74,7 @@ class PlasticIncrement {
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   void return_map(const Field& guess, Field& mapped, Result& result);
+  void step_mixed(const Field& guess, Field& mapped, Result& result);
   /// Stores the state of elastic-plastic body number b.
   void finish(std::size_t b, const Field& mapped, State& state);
 
@@ -79,7 +89,8 @@ class PlasticIncrement {
   std::vector<PlasticBody> bodies_;  // elastic-plastic bodies
   ActiveCells active_;
   ZoneManager zones_;
-  Field gap_;  // without the elastic displacement, from the last evaluation
+  double largest_mismatch_ = 0.0;  // see State
+  Field gap_;                      // without the elastic displacement, from the last evaluation
 };
 
 }  // namespace samcontact::simulation

@@ -17,7 +17,7 @@ class RelaxingBodies {
   /// Factors on the elastic compliances of the bodies.
   const Compliances& compliances() const { return compliances_; }
   /// Tractions whose elastic displacement the bodies remember; empty: none.
-  std::array<TrackTractions, 2> remembered() const;
+  const std::array<TrackTractions, 2>& remembered() const { return remembered_; }
   /// Slip of body 1 relative to body 2 in the increment that is due to memory [2][i][j]: the
   /// tangential displacement that it causes now, less the part of the previous displacement that
   /// tractions do not cause with the present compliances. before: tractions at the start of the
@@ -30,6 +30,7 @@ class RelaxingBodies {
   const State& from_;
   std::array<std::optional<RelaxationStep>, 2> steps_;  // none: elastic
   Compliances compliances_ = elastic_compliances;
+  std::array<TrackTractions, 2> remembered_;
 };
 
 }  // namespace samcontact::simulation

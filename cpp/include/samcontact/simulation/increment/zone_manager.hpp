@@ -46,6 +46,12 @@ class ZoneManager {
   /// Uses a single stored box.
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
   void take_up_zones(PlasticBody& body);
+  /// Makes the box contain all inclusions of a body.
+  void take_up_inclusions(PlasticBody& body);
+  /// Whether a body may have several zones: inclusions are solved for in one box.
+  bool may_split(const PlasticBody& body) const {
+    return !body.cells().mixed().is_on() && split_.is_allowed();
+  }
   /// Whether zones had to grow for the first elastic stress; there may be none before.
   bool fit_zones(PlasticBody& body);
   bool grow_zones(PlasticBody& body, std::vector<Box> more);

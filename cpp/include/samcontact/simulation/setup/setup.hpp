@@ -8,6 +8,7 @@
 #include "samcontact/base/box.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/plasticity/body.hpp"
+#include "samcontact/simulation/cells/inclusions.hpp"
 #include "samcontact/simulation/cells/mirror.hpp"
 #include "samcontact/simulation/cells/motion.hpp"
 #include "samcontact/simulation/setup/operator_cache.hpp"
@@ -24,7 +25,8 @@ class Setup {
         Field initial_gap, contact::FrictionLaw friction, double image_tol,
         const TransientHeating& transient_heating, int reach, Reliefs reliefs,
         const operators::BandSplit& split = {},
-        contact::SharedContactLaw contact_law = contact::hard_contact());
+        contact::SharedContactLaw contact_law = contact::hard_contact(),
+        InclusionsPair inclusions = {});
 
   const Grid grid;
   const std::array<plasticity::Body, 2> bodies;
@@ -39,6 +41,9 @@ class Setup {
   /// Whether the grid permits small zones.
   bool may_split() const { return operators::can_be_split(grid, split); }
   const Reliefs reliefs;
+  const InclusionsPair inclusions;
+  /// Whether a body has strain that follows from its stress: plastic strain, or that of inclusions.
+  bool is_strained(int body) const { return bodies[body].is_plastic() || inclusions[body]; }
   const OperatorCache cache;
 
   /// Contact in partial slip of bodies whose compliances are multiplied by factors.
@@ -73,6 +78,9 @@ class Setup {
   Box volume_below(const Field& repulsion) const;
   /// Throws std::invalid_argument for a grid without layers or a rigid body.
   void require_volume(int body) const;
+
+  /// Throws std::invalid_argument for a body with inclusions that is not supported.
+  void require_solvable_inclusions(operators::ResidualMethod method) const;
 
   /// Mirror planes that gap, full sliding and grid permit for all fields.
   fft::Symmetry symmetry(const Travel& travel) const;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
@@ -70,8 +71,9 @@ struct TrackTractions {
   /// Adds tractions [i][j] of the grid times a factor, of the kinds that this has or `all`.
   void add(double factor, const operators::Tractions& of_grid, const Grid& grid, bool all);
 };
-/// Elastic displacement of a body along an axis [i][j] of the grid [m].
-Field displacement(const TrackTractions& cause, const RelaxingBody& body, operators::Axis axis);
+/// Elastic displacement of a body along axes [axis][i][j] of the grid [m].
+Field displacement(const TrackTractions& cause, const RelaxingBody& body,
+                   std::span<const operators::Axis> axes);
 
 /// Equivalent tractions [Pa].
 TrackTractions equivalent(const TractionMemory& memory, const RelaxingBody& body);

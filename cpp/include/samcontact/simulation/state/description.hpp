@@ -137,6 +137,10 @@ void describe(S& s, Visitor& visit) {
     visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
       return from_record(plain, s.setup().grid, s.setup().bodies[b].backstresses());
     });
+    visit.made("inclusions_flow" + number, s.inclusions_flow[b], record,
+               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+    visit.made("matrix_flow" + number, s.matrix_flow[b], record,
+               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
     visit.made("traction_memory" + number, s.memory[b], as_it_is, copied);
@@ -148,6 +152,7 @@ void describe(S& s, Visitor& visit) {
           return std::make_shared<const operators::HeatHistory>(std::move(heat));
         });
   }
+  visit("largest_mismatch", s.largest_mismatch);
   visit.made("last_flow", s.last_flow, as_it_is, copied);
 }
 

@@ -68,6 +68,12 @@ class State {
   // Mirror planes of all tangential motion so far.
   fft::Symmetry shear_symmetry = fft::Symmetry::xy;
   std::array<std::shared_ptr<const PlasticState>, 2> plastic;  // null: no plastic strain yet
+  /// Plastic strain of cells that inclusions fill, completely or partly, where `plastic` has the
+  /// whole eigenstrain; with two phases that of the inclusion, and that of the matrix with the
+  /// equivalent strain of the inclusion. Null: none.
+  std::array<std::shared_ptr<const PlasticState>, 2> inclusions_flow, matrix_flow;
+  /// Largest root mean square so far of the eigenstrain of these cells [-]; empty: none.
+  Field largest_mismatch;
   Eigenstrains eigenstrain;  // prescribed, at its present position
   TractionMemories memory;   // of viscoelastic bodies; null: no step yet
   operators::ResidualMethod method{};

@@ -14,7 +14,8 @@ Field plastic_strain(const State& state, int body, Layers layers = {});
 Field plastic_strain(const State& state, int body, const Box& region);
 Field equivalent_plastic_strain(const State& state, int body, Layers layers = {});
 Field equivalent_plastic_strain(const State& state, int body, const Box& region);
-/// Prescribed eigenstrain [-].
+/// Prescribed eigenstrain [-]; of a body with inclusions in addition the strain that its matrix,
+/// filling the whole body, needs to have the same stress: plastic strain, misfit and mismatch.
 Field eigenstrain(const State& state, int body, Layers layers = {});
 Field eigenstrain(const State& state, int body, const Box& region);
 /// [term][component][k][i][j] [Pa], one term for each backstress of the material.
@@ -29,7 +30,8 @@ Field yield_factor(const State& state, int body, const Box& region);
 Box strain_beyond(const State& state, int body);
 /// Number of cells that have yielded, inside and outside the grid.
 std::size_t plastic_cells(const State& state, int body);
-/// Maximum accumulated equivalent plastic strain [-]; 0 for an elastic body.
+/// Maximum accumulated equivalent plastic strain [-], without cells that inclusions fill partly; 0
+/// for an elastic body.
 double max_equivalent_plastic_strain(const State& state, int body);
 /// Maximum sqrt(2/3 e:e) of the plastic strain [-], non-cumulative: alternating plastic flow does
 /// not increase it.

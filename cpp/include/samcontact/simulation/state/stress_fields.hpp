@@ -16,6 +16,8 @@ Field stress(const State& state, int body, Layers layers = {});
 Field residual_stress(const State& state, int body, Layers layers = {});
 /// Residual stress over cells of the body inside or outside the grid.
 Field residual_stress(const State& state, int body, const Box& region);
+/// Stress due to plastic strain and to the mismatch of inclusions alone.
+Field disturbance(const State& state, int body, Layers layers = {});
 /// Initial stress.
 Field initial_stress(const State& state, int body, Layers layers = {});
 Field initial_stress(const State& state, int body, const Box& region);

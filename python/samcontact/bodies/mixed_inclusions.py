@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cells of a grid with the mixed properties of a matrix and its inclusions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from .._util import memory
+from .inclusion import NO_MISFIT, Inclusion
+from .inclusion_cells import InclusionCells, VolumeGrid, blocks_on, box_of, voxels_on
+from .material import Material
+from .phase_mixing import Mixture, relative_phase
+from .voxels import VoxelBlock
+
+_BYTES_PER_CELL = 400.0  # of the box of all inclusions, while its cells are mixed
+
+
+def mixed_cells(
+    grid: VolumeGrid,
+    matrix: Material,
+    inclusions: Sequence[Inclusion],
+    measured: VoxelBlock | None,
+) -> InclusionCells:
+    """Return the cells of the smallest box of a grid that contains all inclusions."""
+    box = box_of(grid, inclusions, measured)
+    memory.require(
+        f"a box of {' x '.join(map(str, box.shape))} cells around the inclusions",
+        _BYTES_PER_CELL * math.prod(box.shape),
+        "use larger cells or fewer inclusions",
+    )
+    mixture = Mixture(box.shape)
+    phases = [inclusion.material for inclusion in inclusions]
+    if measured is not None:
+        phases += measured.materials
+        for number, where, share in voxels_on(grid, box, measured):
+            phase = relative_phase(matrix, measured.materials[number], NO_MISFIT)
+            mixture.add(len(inclusions) + number, where, share, phase)
+    for number, where, share in blocks_on(grid, box, inclusions):
+        inclusion = inclusions[number]
+        phase = relative_phase(matrix, inclusion.material, inclusion.misfit)
+        mixture.add(number, where, share, phase)
+    return _cells(box.first, mixture, phases)
+
+
+def _cells(
+    first: tuple[int, int, int], mixture: Mixture, phases: Sequence[Material | None]
+) -> InclusionCells:
+    """Return the mixed cells, with the distinct materials of the inclusions."""
+    laws = tuple(dict.fromkeys(phases))
+    of_phase = np.array([*(laws.index(material) for material in phases), -1], dtype=np.int32)
+    law = of_phase[mixture.phase]  # phase -1 is the last entry
+    fields = (mixture.bulk.mixed(), mixture.shear.mixed(), mixture.misfit())
+    for field in (mixture.share, mixture.phase, *fields, law):
+        field.flags.writeable = False
+    return InclusionCells(first, laws, mixture.share, mixture.phase, *fields, law)

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Moduli and misfit of cells that inclusions fill partly.
+
+A softer inclusion is mixed with the matrix in parallel (Voigt), a stiffer one in series (Reuss);
+bulk and shear modulus each by its own ratio. With the filled share f and the relative modulus a:
+A = f a + 1 - f (softer), 1/A = f/a + 1 - f (stiffer). The misfit eps_0 is weighted f a/A and f. If
+a cell contains several inclusions, both sums extend over them, and A is the product.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._util.checks import FloatArray
+from .material import Material
+
+RIGID_RATIO = 1e3
+"""Moduli of a rigid inclusion, relative to the matrix: larger ones change nothing but the cost."""
+Index = tuple[NDArray[np.intp], ...]
+"""Indices of cells along x, y and z, as `numpy.ix_` returns them."""
+
+
+class Phase(NamedTuple):
+    """Material of inclusions, relative to the matrix."""
+
+    bulk: float
+    """Bulk modulus, relative to the matrix."""
+    shear: float
+    """Shear modulus, relative to the matrix."""
+    misfit: tuple[float, ...]
+    """Misfit strain, six components."""
+
+
+def relative_phase(matrix: Material, material: Material | None, misfit: tuple[float, ...]) -> Phase:
+    """Return a material relative to the matrix: 0 for a void (None)."""
+    if material is None:
+        return Phase(0.0, 0.0, misfit)
+    if material.is_rigid:
+        return Phase(RIGID_RATIO, RIGID_RATIO, misfit)
+    if material.E == matrix.E and material.nu == matrix.nu:
+        return Phase(1.0, 1.0, misfit)
+    bulk, shear = (material.E / matrix.E * ratio for ratio in (
+        (1 - 2 * matrix.nu) / (1 - 2 * material.nu), (1 + matrix.nu) / (1 + material.nu)
+    ))  # fmt: skip
+    return Phase(bulk, shear, misfit)
+
+
+def _components_at(where: Index) -> tuple[Any, ...]:
+    """Index of all components of a field in some cells."""
+    return (slice(None), *where)
+
+
+class Modulus:
+    """Relative modulus of the cells of a box, and the part of the misfit that belongs to it."""
+
+    def __init__(self, shape: tuple[int, int, int], components: int) -> None:
+        self.softer, self.stiffer = np.zeros(shape), np.zeros(shape)
+        self.soft_misfit = np.zeros((components, *shape))
+        self.stiff_misfit = np.zeros((components, *shape))
+
+    def shrink(self, where: Index, factor: FloatArray) -> None:
+        """Multiply the shares of all inclusions so far by a factor in some cells."""
+        self.softer[where] *= factor
+        self.stiffer[where] *= factor
+        self.soft_misfit[_components_at(where)] *= factor
+        self.stiff_misfit[_components_at(where)] *= factor
+
+    def add(self, where: Index, share: FloatArray, ratio: float, misfit: FloatArray) -> None:
+        """Add the share of an inclusion of this relative modulus and misfit (components,)."""
+        weighted = np.multiply.outer(misfit, share) if misfit.any() else None
+        if ratio < 1.0:
+            self.softer[where] += share * (ratio - 1.0)
+            if weighted is not None:
+                self.soft_misfit[_components_at(where)] += ratio * weighted
+        else:
+            self.stiffer[where] += share * (1.0 / ratio - 1.0)
+            if weighted is not None:
+                self.stiff_misfit[_components_at(where)] += weighted
+
+    def mixed(self) -> FloatArray:
+        """Return the relative modulus of all cells."""
+        return np.asarray(np.maximum(1.0 + self.softer, 0.0) / (1.0 + self.stiffer))
+
+    def mixed_misfit(self) -> FloatArray:
+        """Return the weighted misfit of all cells, shape (components, ...)."""
+        whole = np.maximum(1.0 + self.softer, np.finfo(float).tiny)
+        soft = np.where(self.soft_misfit == 0.0, 0.0, self.soft_misfit / whole)
+        return np.asarray(soft + self.stiff_misfit)
+
+
+class Mixture:
+    """Shares, moduli and misfit of the cells of a box, to which inclusions are added in order."""
+
+    def __init__(self, shape: tuple[int, int, int]) -> None:
+        self.share, self.largest = np.zeros(shape), np.zeros(shape)
+        self.phase = np.full(shape, -1, dtype=np.int32)
+        self.bulk, self.shear = Modulus(shape, 1), Modulus(shape, 6)
+        self.has_misfit = False
+
+    def add(self, number: int, where: Index, share: FloatArray, phase: Phase) -> None:
+        """Add an inclusion; where it overlaps earlier ones, it replaces them."""
+        before = self.share[where]
+        room = 1.0 - share
+        if (before > room).any():
+            factor = np.divide(room, before, out=np.ones_like(room), where=before > room)
+            self.share[where] *= factor
+            self.largest[where] *= factor
+            self.bulk.shrink(where, factor)
+            self.shear.shrink(where, factor)
+        self.share[where] = np.minimum(self.share[where] + share, 1.0)
+        wins = (share > 0.0) & (share >= self.largest[where])
+        self.phase[where] = np.where(wins, number, self.phase[where])
+        self.largest[where] = np.maximum(self.largest[where], share)
+        six = np.array(phase.misfit)
+        self.has_misfit |= bool(six.any())
+        mean = six[:3].mean()
+        deviator = six - mean * np.array([1, 1, 1, 0, 0, 0])
+        self.bulk.add(where, share, phase.bulk, np.array([mean]))
+        self.shear.add(where, share, phase.shear, deviator)
+
+    def misfit(self) -> FloatArray:
+        """Weighted misfit strain, shape (6, ...)."""
+        if not self.has_misfit:
+            return np.zeros((6, *self.share.shape))
+        total = self.shear.mixed_misfit()
+        total[:3] += self.bulk.mixed_misfit()
+        return total

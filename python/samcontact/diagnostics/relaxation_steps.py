@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Warnings of increments that do not resolve the relaxation or the creep of viscoelastic bodies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from .._util.display import quantity
+from .._util.errors import IncrementWarning, ResolutionWarning
+from ..bodies.relaxation import creep_terms
+from ..bodies.viscoelastic import relaxation_of
+from ..solutions.state import State
+
+MIN_JUMP, MAX_HOLD = 0.5, 0.01
+"""Change of the load in an increment, relative to the larger load, that is a jump or a hold."""
+MIN_SHARE = 0.01
+"""Share of the modulus from which a relaxation time counts."""
+MAX_TIMES = 3.0
+"""Duration of an increment over a relaxation time up to which the time is resolved."""
+
+
+CREEP_CELLS = 0.02, 1.0
+"""Distances over which a moving material creeps that the cells do not resolve [cells]; over shorter
+ones it has its long-time modulus everywhere."""
+
+
+@dataclass
+class RelaxationSteps:
+    """Observer of increments: a jump of the load in a long increment, then a constant load.
+
+    Remembered tractions change linearly with time in an increment. If the load was applied at its
+    start, the relaxation since then is missing; a load that continues to rise is a ramp.
+    """
+
+    jump: str = ""
+    """Text about the last increment if the load jumped in it."""
+    warned: bool = False
+    coarse: bool = False
+    """Whether the warning of cells that do not resolve the creep was issued."""
+
+    def warnings(self, before: State, after: State) -> list[UserWarning]:
+        """Return the warnings after an increment; each is issued once."""
+        found: list[UserWarning] = []
+        if text := self._jump_text(before, after):
+            found.append(IncrementWarning(text))
+        if text := self._coarse_text(before, after):
+            found.append(ResolutionWarning(text))
+        return found
+
+    def _coarse_text(self, before: State, after: State) -> str:
+        """Text of the warning if material creeps within a cell as it moves, "" for none."""
+        duration = after.time - before.time
+        if self.coarse or not 0 < duration < math.inf or after.load == 0:
+            return ""
+        cell = after.grid.dx
+        moved = zip(after.travel, before.travel, strict=True)
+        for number, (body, (now, then)) in enumerate(
+            zip(after.setup.bodies, moved, strict=True), 1
+        ):
+            terms = relaxation_of(body)
+            if terms is None or now == then:
+                continue
+            shares, times, _ = creep_terms(terms)
+            if not (counts := shares >= MIN_SHARE * shares.sum()).any():
+                continue
+            reach = abs(now - then) / duration * float(times[counts].max())
+            if CREEP_CELLS[0] * cell < reach < CREEP_CELLS[1] * cell:
+                self.coarse = True
+                return (
+                    f"the material of body {number} creeps within {quantity(reach, 'm')} as it "
+                    f"moves through the contact, less than a cell of {quantity(cell, 'm')}: the "
+                    "resistance to its motion is not resolved; use smaller cells, or the "
+                    "long-time modulus if the resistance is negligible"
+                )
+        return ""
+
+    def _jump_text(self, before: State, after: State) -> str:
+        """Text of the warning if the load has jumped and is now constant, "" for none."""
+        if self.warned:
+            return ""
+        duration, largest = after.time - before.time, max(after.load, before.load)
+        change = abs(after.load - before.load)
+        if self.jump and change <= MAX_HOLD * largest and duration > 0:
+            self.warned = True
+            return self.jump
+        jumps = change >= MIN_JUMP * largest > 0 and 0 < duration < math.inf
+        self.jump = self._text(before, after, duration) if jumps else ""
+        return ""
+
+    def _text(self, before: State, after: State, duration: float) -> str:
+        for number, body in enumerate(after.setup.bodies, 1):
+            terms = relaxation_of(body)
+            if terms is None:
+                continue
+            fast = [tau for tau, share in zip(*terms, strict=True) if share >= MIN_SHARE]
+            if fast and duration > MAX_TIMES * min(fast):
+                return (
+                    f"the load changes from {quantity(before.load, 'N')} to "
+                    f"{quantity(after.load, 'N')} in an increment of {quantity(duration, 's')} and "
+                    f"is then constant, but body {number} relaxes with the time "
+                    f"{quantity(min(fast), 's')}: the change counts as steady during the "
+                    "increment; apply it with duration = 0, then short increments (paths.creep), "
+                    "or in several increments if it is slow"
+                )
+        return ""

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Butterfly maps: directions around inclusions in which a criterion is largest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._util.checks import BoolArray, FloatArray, integer
+from .._util.display import HtmlTable, Rows, ShortRepr
+from ..bodies.heterogeneous import Heterogeneous
+from ..fatigue.field import FatigueField
+from .surroundings import checked_field, checked_within, names_near, surroundings
+
+MAX_SECTORS = 360
+_SLICE = 0.5  # half thickness of the section through an inclusion, in radii
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class ButterflyMap(ShortRepr, HtmlTable):
+    """Criterion around inclusions in sections along the rolling direction, from `butterflies`.
+
+    Attributes
+    ----------
+    angle : ndarray, shape (sectors,)
+        Middle of each sector [rad], from -pi to pi: 0 along x, pi/2 towards the surface.
+    count : ndarray of int, shape (sectors,)
+        Number of inclusions that have their largest value in the sector.
+    relative : ndarray, shape (sectors,)
+        Largest value of the sector, relative to the largest value around the inclusion: mean over
+        all inclusions; 0 in a sector without cells.
+    numbers : tuple of int
+        Numbers of the inclusions.
+    """
+
+    angle: FloatArray
+    count: NDArray[np.intp]
+    relative: FloatArray
+    numbers: tuple[int, ...]
+
+    @property
+    def wings(self) -> FloatArray:
+        """Angles of sectors that exceed both neighbours and 90 % of the maximum [rad]."""
+        r = self.relative
+        above = (r >= np.roll(r, 1)) & (r >= np.roll(r, -1)) & (r > 0.9 * r.max())
+        return np.asarray(self.angle[above])
+
+    def _rows(self) -> Rows:
+        wings = ", ".join(f"{np.degrees(value):.0f}°" for value in self.wings)
+        return [("inclusions", str(len(self.numbers))), ("wings", wings or "none")]
+
+
+def butterflies(
+    field: FatigueField, body: Heterogeneous, within: float = 1.5, sectors: int = 36
+) -> ButterflyMap:
+    """Directions around inclusions in which a criterion is largest.
+
+    Butterflies are wings of altered steel at non-metallic inclusions below a raceway. The map uses
+    the cells of the matrix in a section through each inclusion along x and z, half a radius thick
+    on each side.
+
+    Parameters
+    ----------
+    field : FatigueField
+        Criterion over a rolling pass along x, e.g. from `samcontact.fatigue.dang_van`.
+    body : Heterogeneous
+        Body of the field.
+    within : float, optional
+        Distance from the centre of an inclusion up to which cells count, in radii. Default: 1.5.
+    sectors : int, optional
+        Number of sectors, from 4 to 360. Default: 36.
+
+    Returns
+    -------
+    ButterflyMap
+
+    Raises
+    ------
+    ValueError
+        The field has other axes, no inclusion is inside the field, or an argument is outside its
+        range.
+    TypeError
+        An argument has the wrong type.
+    """
+    ratio = checked_within(within)
+    number = integer("sectors", sectors, 4)
+    if number > MAX_SECTORS:
+        raise ValueError(f"sectors must be at most {MAX_SECTORS}, got {number}")
+    axes = checked_field(field, body)
+    around = surroundings(axes, body, ratio)
+    sums, counts = np.zeros(number), np.zeros(number, dtype=int)
+    used = []
+    for n in names_near(around):
+        found = _of_one(n, field, body, axes, around.is_matrix & (around.number == n), number)
+        if found.max(initial=0.0) <= 0.0:
+            continue
+        used.append(n)
+        sums += found / found.max()
+        counts[found.argmax()] += 1
+    if not used:
+        raise ValueError("field must contain cells of the matrix around inclusions, got none")
+    middle = -np.pi + 2 * np.pi * (np.arange(number) + 0.5) / number
+    return ButterflyMap(middle, counts, sums / len(used), tuple(used))
+
+
+def _of_one(
+    number: int,
+    field: FatigueField,
+    body: Heterogeneous,
+    axes: list[FloatArray],
+    where: BoolArray,
+    sectors: int,
+) -> FloatArray:
+    """Largest value of each sector around one inclusion."""
+    inclusion = body.inclusions[number]
+    i, j, k = np.nonzero(where)
+    dx, dy, dz = (
+        axis[at] - c for axis, at, c in zip(axes, (i, j, k), inclusion.center, strict=True)
+    )
+    size = float(axes[1][1] - axes[1][0])
+    inside = np.abs(dy) <= max(_SLICE * inclusion.extent[1], size / 2 * (1 + 1e-9))
+    sector = _sector(np.arctan2(-dz[inside], dx[inside]), sectors)
+    largest = np.zeros(sectors)
+    np.maximum.at(largest, sector, field.values[i[inside], j[inside], k[inside]])
+    return largest
+
+
+def _sector(angle: FloatArray, sectors: int) -> NDArray[np.intp]:
+    return np.asarray(((angle + np.pi) / (2 * np.pi) * sectors).astype(int) % sectors)

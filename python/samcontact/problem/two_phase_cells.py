@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Partly filled cells in which matrix and inclusion flow plastically each by its own law."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from .._util.checks import BoolArray, FloatArray
+from ..bodies.heterogeneous import Heterogeneous
+from ..bodies.inclusion_cells import InclusionCells
+from ..bodies.phase_mixing import relative_phase
+from .grid import Grid
+
+_MAX_MODULUS_RATIO = 20.0
+"""Ratio of moduli up to which a laminate is more accurate than mixed moduli."""
+
+
+def set_two_phases(
+    body: Heterogeneous, cells: InclusionCells, grid: Grid, fields: Sequence[FloatArray]
+) -> None:
+    """Set the constants of cells of two phases in place.
+
+    fields: bulk and shear modulus, share, six misfit strains, index of the material, and three
+    components of the normal of each cell. Cells of two phases get the constants of the inclusion
+    and the normal of its surface: partly filled cells, unless nothing yields, the matrix has
+    backstresses, or the moduli differ by a large factor, as in a void.
+    """
+    if not body.is_plastic or body.matrix.kinematic:
+        return
+    misfits = [inclusion.misfit for inclusion in body.inclusions]
+    misfits += [(0.0,) * 6] * (len(body.phases) - len(misfits))
+    normal: FloatArray | None = None
+    for number in np.unique(cells.phase[cells.is_cut]):
+        phase = relative_phase(body.matrix, body.phases[number], misfits[number])
+        ratios = phase.bulk, phase.shear
+        if min(ratios) < 1 / _MAX_MODULUS_RATIO or max(ratios) > _MAX_MODULUS_RATIO:
+            continue
+        normal = normals(cells, grid) if normal is None else normal
+        own: BoolArray = cells.is_cut & (cells.phase == number) & normal.any(axis=0)
+        for field, value in zip(fields, (*ratios, None, *phase.misfit), strict=False):
+            if value is not None:
+                field[own] = value
+        for field, component in zip(fields[-3:], normal, strict=True):
+            field[own] = component[own]
+
+
+def normals(cells: InclusionCells, grid: Grid) -> FloatArray:
+    """Unit normals of the surface of the inclusions in the cells of a box, shape (3, n, m, l).
+
+    They follow from the gradient of the share of the cells around (Youngs 1982); 0 without one.
+    """
+    share = np.pad(cells.share, ((1, 1), (1, 1), (0, 1)))
+    # Beyond the surface of the body the share continues.
+    top = share[:, :, :1] if cells.first[2] == 0 else np.zeros_like(share[:, :, :1])
+    share = np.concatenate([top, share], axis=2)
+    assert grid.dz is not None
+    gradient = []
+    for axis, step in enumerate((grid.dx, grid.dy, grid.dz)):
+        part = share
+        for other in range(3):
+            low, middle, high = (
+                np.take(part, range(first, part.shape[other] - 2 + first), axis=other)
+                for first in range(3)
+            )
+            part = (high - low) / step if other == axis else low + 2 * middle + high
+        gradient.append(part)
+    found = np.array(gradient)
+    length = np.linalg.norm(found, axis=0)
+    return np.asarray(-found / np.where(length > 0.0, length, 1.0))

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fields of heterogeneous bodies."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._util.checks import FloatArray, choice
+from ..bodies.heterogeneous import Heterogeneous
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+    from ..problem.grid import Grid
+    from ..problem.setup import SimulationSetup
+
+
+class InclusionState:
+    """Fields of the inclusions of a state, at its position."""
+
+    if TYPE_CHECKING:
+        setup: SimulationSetup
+        grid: Grid
+        layers: int
+        _core: Any
+
+        def _field(
+            self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
+        ) -> FloatArray: ...
+
+    def share(self, body: int = 2) -> FloatArray:
+        """Share of each cell that inclusions fill, 0 to 1, shape (nx, ny, nz); 0 without them."""
+        return self._field("share", body, lambda: self._of_cells("share", 0.0, body))
+
+    def phase(self, body: int = 2) -> NDArray[Any]:
+        """Number of the inclusion that fills most of a cell, shape (nx, ny, nz).
+
+        It counts the `inclusions` of the `Heterogeneous` body from 0; -1 in the matrix.
+        """
+        return self._field("phase", body, lambda: self._of_cells("phase", -1, body))
+
+    def disturbance(self, body: int = 2) -> FloatArray:
+        """Stress due to plastic strain and inclusions [Pa], shape (6, nx, ny, nz).
+
+        It is the stress minus that which tractions, heat and initial stress cause in the
+        homogeneous matrix. Under load the part of elastic inclusions vanishes on unloading; without
+        load it is the residual stress.
+        """
+        return self._field("disturbance", body)
+
+    def _of_cells(self, name: str, outside: float, body: int) -> FloatArray:
+        index = choice("body", body, (1, 2)) - 1
+        own = self.setup.bodies[index]
+        shape = (*self.grid.surface_shape, self.layers)
+        if not isinstance(own, Heterogeneous):
+            return np.full(shape, outside)
+        cells, first = own.cells_on(self.grid, check=False), self._core.first_cell[index]
+        if "x" in self.grid.periodic:
+            whole = cells.over_grid(getattr(cells, name), shape, outside)
+            return np.roll(whole, -first, axis=0)
+        moved = replace(cells, first=(cells.first[0] - first, *cells.first[1:]))
+        return moved.over_grid(getattr(cells, name), shape, outside)
