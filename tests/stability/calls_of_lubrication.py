@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A valid call of all that concerns lubricants and films, with all arguments."""
 
+import numpy as np
+
 import samcontact as sc
 
 OIL = sc.Lubricant.roelands(0.04, 22e-9).with_thermal(0.14, 1.7e6, 0.04)
@@ -11,6 +13,12 @@ BALL = sc.hertz.point(0.01, 1.1e11, load=20.0)
 ROLLER = sc.hertz.line(0.01, 1.1e11, load_per_length=1e5)
 CASE = {"contact": BALL, "speed": (1.0, 0.8), "lubricant": OIL}
 FILM = sc.lubrication.estimate(**CASE)
+SQUARE = sc.Grid(16, 16, 2.5e-5, 2.5e-5)
+STEEL = sc.Material.elastic(210e9, 0.3)
+SOLVED = sc.lubrication.FilmSolution(
+    SQUARE, OIL, np.array([[1.1, 0.0], [0.9, 0.0]]), np.zeros((16, 16)), np.full((16, 16), 1e7),
+    np.zeros((16, 16)), np.full((16, 16), 1e-6), np.ones((16, 16)), 0.0, 1.6, 0.0, (),
+)  # fmt: skip
 
 CALLS = [
     ("Lubricant", sc.Lubricant,
@@ -44,6 +52,14 @@ CALLS = [
         )
         for method in ("ratio", "slope")
     ),
+    ("lubricants.iso_vg", sc.lubricants.iso_vg, {"grade": "ISO VG 68"}),
+    ("lubricants.oil", sc.lubricants.oil, {"nu40": 68e-6, "nu100": 8.5e-6, "density": 880.0}),
+    ("lubricants.Oil", sc.lubricants.Oil,
+     {"name": "a", "nu40": 68e-6, "nu100": 8.5e-6, "density": 880.0, "source": "b"}),
+    *(
+        (f"lubricants.Oil.{name}", getattr(sc.lubricants.iso_vg(68), name), {"T": 320.0})
+        for name in ("beta", "kinematic_viscosity", "lubricant", "pressure_viscosity", "viscosity")
+    ),
     *(
         (f"lubrication.{name}", getattr(sc.lubrication, name), CASE)
         for name in ("estimate", "moes", "nijenbanning", "regime", "rigid_isoviscous")
@@ -54,6 +70,9 @@ CALLS = [
      {"film": 1e-6, "roughness1": 1e-7, "roughness2": 2e-7}),
     ("lubrication.FilmEstimate.lambda_ratio", FILM.lambda_ratio,
      {"roughness1": 1e-7, "roughness2": 2e-7}),
+    ("lubrication.friction", sc.lubrication.friction, {"film": SOLVED}),
+    ("lubrication.traction_curve", sc.lubrication.traction_curve,
+     {"film": SOLVED, "slide_to_roll": [0.0, 0.1]}),
     ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
      {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),
 ]  # fmt: skip

@@ -67,6 +67,7 @@ CORE_USERS = {
     "kernels",
     "lubrication.nested",
     "lubrication.steady",
+    "lubrication.yielding",
     "operators",
     "restart.file",
     "rolling",

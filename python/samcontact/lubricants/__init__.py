@@ -7,6 +7,7 @@ oil.with_eyring(5e6)        # with shear thinning
 """
 
 from .density import DensityLaw, DowsonHigginson, Incompressible, Tait
+from .grades import Oil, iso_vg, oil
 from .lubricant import Lubricant, LubricantHeat
 from .tables import LubricantTables
 
@@ -17,5 +18,8 @@ __all__ = [
     "Lubricant",
     "LubricantHeat",
     "LubricantTables",
+    "Oil",
     "Tait",
+    "iso_vg",
+    "oil",
 ]

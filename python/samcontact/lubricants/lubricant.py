@@ -63,7 +63,7 @@ class LubricantHeat:
 
 @dataclass(frozen=True, repr=False)
 class Lubricant(HtmlTable):
-    """Lubricant, made by `roelands`, `barus`, `doolittle`, `tabulated` or `from_grade`.
+    """Lubricant, made by `roelands`, `barus`, `doolittle`, `tabulated` or `lubricants.iso_vg`.
 
     Attributes
     ----------
@@ -206,6 +206,11 @@ class Lubricant(HtmlTable):
     def pressure_viscosity(self) -> float:
         """Slope of ln(viscosity) over the pressure at p = 0 [1/Pa]."""
         return self.law.pressure_viscosity
+
+    @property
+    def is_newtonian(self) -> bool:
+        """Whether the shear stress is proportional to the shear rate, without a limit."""
+        return self.thinning == NEWTONIAN and self.limiting_coefficient is None
 
     @property
     def max_pressure(self) -> float:

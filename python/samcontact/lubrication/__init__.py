@@ -19,6 +19,7 @@ from .formulas import (
     regime,
     rigid_isoviscous,
 )
+from .friction import FilmFriction, TractionCurve, friction, traction_curve
 from .groups import MoesNumbers, moes
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
@@ -28,6 +29,7 @@ from .yielding import FilmIncrement, press
 __all__ = [
     "Boundary",
     "FilmEstimate",
+    "FilmFriction",
     "FilmHistory",
     "FilmIncrement",
     "FilmLevel",
@@ -35,9 +37,11 @@ __all__ = [
     "FilmThickness",
     "MoesNumbers",
     "StribeckCurve",
+    "TractionCurve",
     "bearing_speeds",
     "dowson_higginson",
     "estimate",
+    "friction",
     "hamrock_dowson",
     "lambda_ratio",
     "moes",
@@ -47,5 +51,6 @@ __all__ = [
     "rigid_isoviscous",
     "steady",
     "stribeck",
+    "traction_curve",
     "transient",
 ]

@@ -64,42 +64,42 @@ def nijenbanning(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float
     Venner & Moes (1994, doi:10.1016/0043-1648(94)90150-3). Raises ValueError outside this range.
     """
     found = _wide_ellipse(contact, speed, lubricant)
-    limits = _nijenbanning_limits(found)
+    return found.scale * film_parts(*found.moes, found.D).film
+
+
+class FilmParts(NamedTuple):
+    """Central film over Moes' scale, and its isoviscous and piezoviscous parts [-]."""
+
+    film: float
+    isoviscous: float
+    piezoviscous: float
+
+
+def film_parts(M: float, L: float, D: float) -> FilmParts:
+    """Return the film of Nijenbanning, Venner & Moes (1994) for numbers M, L and the ratio D."""
+    limits = _nijenbanning_limits(M, L, D)
     s = 1.5 * (1.0 + math.exp(-1.2 * limits.elastic_isoviscous / limits.rigid_isoviscous))
-    longest = 1.8 / found.D
+    longest = 1.8 / D
     isoviscous = (
         limits.rigid_isoviscous**1.5 + (limits.elastic_isoviscous**-4 + longest**-4) ** (-3.0 / 8.0)
-    ) ** (2.0 * s / 3.0)
+    ) ** (2.0 / 3.0)
     piezoviscous = 0.0
-    if found.G > 0.0:
+    if L > 0.0:
         low, high = sorted((limits.rigid_piezoviscous, limits.elastic_piezoviscous))
         # the smaller film is factored out, so that its power cannot overflow
-        piezoviscous = (low * (1.0 + (low / high) ** 8) ** -0.125) ** s
-    return found.scale * float((isoviscous + piezoviscous) ** (1.0 / s))
+        piezoviscous = low * (1.0 + (low / high) ** 8) ** -0.125
+    film = float((isoviscous**s + piezoviscous**s) ** (1.0 / s))
+    return FilmParts(film, isoviscous, piezoviscous)
 
 
-def _nijenbanning_limits(found: FilmGroups) -> Limits:
+def _nijenbanning_limits(M: float, L: float, D: float) -> Limits:
     """Return central films over Moes' scale; Nijenbanning, Venner & Moes (1994)."""
-    (M, L), D = found.moes, found.D
     shape = 1.0 + 0.006 * math.log(D) + 0.63 * D ** (4.0 / 7.0)
     return Limits(
         145.0 * (1.0 + 0.796 * D ** (14.0 / 15.0)) ** (-15.0 / 7.0) / D * M**-2,
         3.18 * shape ** (-14.0 / 25.0) * D ** (-1.0 / 15.0) * M ** (-2.0 / 15.0),
         1.29 * (1.0 + 0.691 * D) ** (-2.0 / 3.0) * L ** (2.0 / 3.0),
         1.48 * shape ** (-7.0 / 20.0) * D ** (-1.0 / 24.0) * M ** (-1.0 / 12.0) * L**0.75,
-    )
-
-
-def _hamrock_limits(found: FilmGroups) -> Limits:
-    """Return minimum films times W^2/(U^2 R); Hamrock & Dowson (1979, doi:10.1115/1.3453340)."""
-    U, G, W, k, D = found.U, found.G, found.W, found.k, found.D
-    viscous, elastic = G * W**3 / U**2, W ** (8.0 / 3.0) / U**2
-    side = 1.0 - math.exp(-0.68 * k)
-    return Limits(
-        128.0 / D / (1.0 + 2.0 * D / 3.0) ** 2 * (0.131 * math.atan(0.5 / D) + 1.683) ** 2,
-        8.70 * elastic**0.67 * (1.0 - 0.85 * math.exp(-0.31 * k)),
-        1.66 * viscous ** (2.0 / 3.0) * side,
-        3.42 * viscous**0.49 * elastic**0.17 * side,
     )
 
 
@@ -110,21 +110,31 @@ def rigid_isoviscous(contact: Contact, speed: Speeds, lubricant: Lubricant) -> f
     & Taylor (1979, doi:10.1115/1.3453338). Raises ValueError outside this range.
     """
     found = _wide_ellipse(contact, speed, lubricant)
-    return found.radius * (found.U / found.W) ** 2 * _hamrock_limits(found).rigid_isoviscous
+    D = found.D
+    shape = 128.0 / D / (1.0 + 2.0 * D / 3.0) ** 2 * (0.131 * math.atan(0.5 / D) + 1.683) ** 2
+    return found.radius * (found.U / found.W) ** 2 * shape
 
 
 def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
-    """Return the regime of lubrication, the nearest limit of Johnson's chart.
+    """Return the regime of lubrication of an elliptic contact.
 
-    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. One of
-    "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" and "elastic-piezoviscous": the
-    mechanism with the thickest minimum film. Deformation thickens isoviscous films and limits
-    piezoviscous ones. Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02); limits of Hamrock &
-    Dowson (1979, doi:10.1115/1.3453340). Raises ValueError outside this range.
+    After Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02).
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. The result is
+    "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or "elastic-piezoviscous":
+    elastic if the Hertz approach is larger than the central film, piezoviscous if the part of the
+    film due to the increase of the viscosity is the larger one, both by `nijenbanning`. Raises
+    ValueError outside this range.
     """
-    limits = _hamrock_limits(_wide_ellipse(contact, speed, lubricant))
-    thickest = max(max(limits[:2]), min(limits[2:]))
-    return tuple(Limits.__annotations__)[limits.index(thickest)].replace("_", "-")
+    found = _wide_ellipse(contact, speed, lubricant)
+    return regime_of(*found.moes, found.D, found.approach / found.scale)
+
+
+def regime_of(M: float, L: float, D: float, approach: float) -> str:
+    """Return the regime for Moes' numbers, ratio of radii and Hertz approach over Moes' scale."""
+    parts = film_parts(M, L, D)
+    solid = "elastic" if approach > parts.film else "rigid"
+    fluid = "piezoviscous" if parts.piezoviscous > parts.isoviscous else "isoviscous"
+    return f"{solid}-{fluid}"
 
 
 def dowson_higginson(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:

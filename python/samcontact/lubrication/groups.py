@@ -41,6 +41,8 @@ class FilmGroups:
         Ratio of the radii Rx/Ry; zero for a line contact [-].
     radius : float
         Radius along the direction of motion [m].
+    approach : float
+        Approach of the dry contact [m]; NaN for a line contact, whose approach has no limit.
     """
 
     U: float
@@ -49,6 +51,7 @@ class FilmGroups:
     k: float
     D: float
     radius: float
+    approach: float
 
     @property
     def moes(self) -> MoesNumbers:
@@ -67,20 +70,22 @@ class _Shape(NamedTuple):
     W: float
     k: float
     D: float
+    approach: float
 
 
 def _of_point(contact: PointContact) -> _Shape:
-    return _Shape(contact.R, contact.load / (2.0 * contact.E_star * contact.R**2), 1.0, 1.0)
+    W = contact.load / (2.0 * contact.E_star * contact.R**2)
+    return _Shape(contact.R, W, 1.0, 1.0, contact.approach)
 
 
 def _of_ellipse(contact: EllipticContact) -> _Shape:
     W = contact.load / (2.0 * contact.E_star * contact.Rx**2)
-    return _Shape(contact.Rx, W, contact.k, contact.Rx / contact.Ry)
+    return _Shape(contact.Rx, W, contact.k, contact.Rx / contact.Ry, contact.approach)
 
 
 def _of_line(contact: LineContact) -> _Shape:
     W = contact.load_per_length / (2.0 * contact.E_star * contact.R)
-    return _Shape(contact.R, W, float("inf"), 0.0)
+    return _Shape(contact.R, W, math.inf, 0.0, math.nan)
 
 
 _SHAPES: dict[type, Callable[[Any], _Shape]] = {
@@ -124,7 +129,7 @@ def film_groups(contact: Contact, speed: tuple[float, float], lubricant: Lubrica
     modulus = 2.0 * contact.E_star
     U = lubricant.eta0 * 0.5 * sum_of_speeds(speed) / (modulus * shape.radius)
     G = lubricant.pressure_viscosity * modulus
-    return FilmGroups(U, G, shape.W, shape.k, shape.D, shape.radius)
+    return FilmGroups(U, G, shape.W, shape.k, shape.D, shape.radius, shape.approach)
 
 
 def moes(contact: Contact, speed: tuple[float, float], lubricant: Lubricant) -> MoesNumbers:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Increments of bodies that yield under a lubricant film."""
+"""Increments of elastic-plastic bodies under a lubricant film."""
 
 from __future__ import annotations
 

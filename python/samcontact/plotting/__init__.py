@@ -17,6 +17,14 @@ from .contact import (
     temperature_profile,
 )
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
+from .films import (
+    film_map,
+    film_profile,
+    interferogram,
+    regime_chart,
+    stribeck_curve,
+    traction_curve,
+)
 from .inclusions import butterfly, inclusion_outlines, weibull
 from .interface import interface_profile
 from .maps import surface_map, track_map
@@ -41,11 +49,14 @@ __all__ = [
     "fatigue_depth",
     "fatigue_map",
     "fatigue_section",
+    "film_map",
+    "film_profile",
     "fretting_loop",
     "friction_curve",
     "imprint_profile",
     "inclusion_outlines",
     "interface_profile",
+    "interferogram",
     "journal_column",
     "load_approach",
     "loaded_section",
@@ -54,6 +65,7 @@ __all__ = [
     "partial_slip_map",
     "pressure_profile",
     "pull_off_over_tabor",
+    "regime_chart",
     "rolling_animation",
     "rolling_force",
     "save_animation",
@@ -62,12 +74,14 @@ __all__ = [
     "shakedown_map",
     "shear_profile",
     "strain_per_cycle",
+    "stribeck_curve",
     "summary_figures",
     "surface_map",
     "temperature_profile",
     "track_imprint",
     "track_map",
     "track_section",
+    "traction_curve",
     "view",
     "wear",
     "weibull",

@@ -129,7 +129,7 @@ def bodies_to_keep():
 
 @pytest.mark.parametrize("body", list(bodies_to_keep()), ids=["ellipsoid", "voxels"])
 def test_a_restart_continues_with_identical_bits(body, tmp_path):
-    """The inclusions have no plastic strain: only the matrix yields."""
+    """A case in which only the matrix yields: the inclusions have no plastic strain."""
     grid = sc.Grid(20, 20, 6e-6, 6e-6, dz=6e-6)
     simulation = sc.Simulation(grid, RIGID, body, sc.surfaces.paraboloid(grid, 3e-3))
     assert simulation.step(load=4.0).max_plastic_strain_magnitude(2) > 0

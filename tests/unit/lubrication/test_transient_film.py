@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Films in time: steady scenes, order in time, waves that pass, restart."""
+"""Films in time: steady cases, order in time, waves that pass, restart."""
 
 import warnings
 

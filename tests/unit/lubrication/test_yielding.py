@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that yield under a film: elastic limit, dry limit, and the imprint that remains."""
+"""Elastic-plastic bodies under a film: elastic limit, dry limit, and the imprint that remains."""
 
 import numpy as np
 import pytest

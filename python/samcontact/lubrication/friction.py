@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Friction of lubricated contacts: shear of film and boundary layer, rolling resistance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .._util.checks import FloatArray, finite_array, require_type
+from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from .film_solution import FilmSolution
+
+MAX_FLUID_COEFFICIENT = 0.15
+"""Largest coefficient of friction that an oil can transmit [-]; traction fluids reach 0.12."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FilmFriction(HtmlTable):
+    """Friction of a lubricated contact, from `friction`.
+
+    Attributes
+    ----------
+    fluid_shear, boundary_shear : ndarray, shape (2, nx, ny)
+        Shear of fluid and boundary layer along x and y [Pa], on body 2; it acts along v1 - v2.
+    traction : ndarray, shape (2,)
+        Force on body 2 along x and y [N].
+    coefficient : float
+        Magnitude of the traction over the load [-].
+    boundary_share : float
+        Share of the boundary layer in the traction [-]; zero without sliding.
+    rolling_resistance : float
+        Force of the flow on each body against the mean velocity [N], the integral of half the film
+        times the pressure gradient; it remains without sliding.
+    power : float
+        Dissipated power [W].
+    """
+
+    fluid_shear: FloatArray
+    boundary_shear: FloatArray
+    traction: FloatArray
+    coefficient: float
+    boundary_share: float
+    rolling_resistance: float
+    power: float
+
+    def _rows(self) -> Rows:
+        return [
+            ("coefficient", f"{self.coefficient:.4g}"),
+            ("share of the boundary layer", f"{self.boundary_share:.4g}"),
+            ("rolling resistance", quantity(self.rolling_resistance, "N")),
+            ("power", quantity(self.power, "W")),
+        ]
+
+    def __repr__(self) -> str:
+        return f"FilmFriction({', '.join(f'{name}={value}' for name, value in self._rows())})"
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class TractionCurve(ShortRepr):
+    """Coefficient of friction over the slide-to-roll ratio, from `traction_curve`.
+
+    Attributes
+    ----------
+    slide_to_roll : ndarray, shape (n,)
+        Slide-to-roll ratios (u1 - u2)/((u1 + u2)/2) [-].
+    coefficient : ndarray, shape (n,)
+        Coefficients of friction, with the sign of the ratio [-].
+    """
+
+    slide_to_roll: FloatArray
+    coefficient: FloatArray
+
+
+def friction(film: FilmSolution) -> FilmFriction:
+    """Return shear, traction, rolling resistance and power of a lubricated contact.
+
+    The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
+    |v1 - v2|/film, isothermal, times the filling. The boundary layer adds its coefficient of
+    friction times its pressure. The sliding due to spin is not included.
+
+    Raises
+    ------
+    TypeError
+        The argument is not a solution of `steady`, `transient` or `stribeck`.
+    ValueError
+        The lubricant is Newtonian, and its friction exceeds 0.15 times the load, more than an oil
+        can transmit.
+    """
+    require_type("film", film, FilmSolution)
+    sliding = film.velocities[0] - film.velocities[1]
+    speed = float(np.hypot(*sliding))
+    direction = sliding / speed if speed > 0.0 else np.zeros(2)
+    cell = film.grid.dx * film.grid.dy
+    # an iterate in suction has no place in a law of viscosity
+    pressure = np.maximum(film.fluid_pressure, 0.0)
+    fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)
+    _require_thinning(film, float(fluid.sum()) * cell / film.load)
+    layer = film.boundary_pressure * (0.0 if film.boundary is None else film.boundary.friction)
+    layer = layer if speed > 0.0 else np.zeros_like(fluid)
+    forces = np.array([fluid.sum(), layer.sum()]) * cell
+    total = float(forces.sum())
+    mean = 0.5 * (film.velocities[0] + film.velocities[1])
+    flow = _flow_power(film, mean)
+    entrainment = float(np.hypot(*mean))
+    return FilmFriction(
+        direction[:, None, None] * fluid,
+        direction[:, None, None] * layer,
+        direction * total,
+        total / film.load,
+        float(forces[1]) / total if total > 0.0 else 0.0,
+        0.5 * flow / entrainment if entrainment > 0.0 else 0.0,
+        total * speed + flow,
+    )
+
+
+def traction_curve(film: FilmSolution, slide_to_roll: ArrayLike) -> TractionCurve:
+    """Return the friction over the slide-to-roll ratio of a contact at constant mean velocity.
+
+    The film is isothermal, so that it does not depend on the sliding; friction is too high at large
+    ratios, where the film is heated. slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean
+    velocity [-], a list. Raises TypeError or ValueError as `friction`.
+    """
+    require_type("film", film, FilmSolution)
+    ratios = finite_array("slide_to_roll", slide_to_roll)
+    if ratios.ndim != 1 or not ratios.size:
+        raise ValueError(
+            f"slide_to_roll must be a list of numbers, got an array of shape {ratios.shape}"
+        )
+    mean = 0.5 * (film.velocities[0] + film.velocities[1])
+    if not np.any(mean):
+        raise ValueError("film must have a mean velocity other than 0 for a slide-to-roll ratio")
+    found = []
+    for ratio in ratios:
+        velocities = np.array([mean * (1.0 + 0.5 * ratio), mean * (1.0 - 0.5 * ratio)])
+        at = friction(replace(film, velocities=velocities))
+        found.append(float(np.sign(ratio)) * at.coefficient)
+    return TractionCurve(ratios, np.array(found))
+
+
+def _flow_power(film: FilmSolution, mean: FloatArray) -> float:
+    """Return the power of the pressure flow [W], the integral of film, gradient and velocity."""
+    steps = film.grid.dx, film.grid.dy
+    power = 0.0
+    for axis, (step, speed) in enumerate(zip(steps, mean, strict=True)):
+        if speed == 0.0 or film.film.shape[axis] < 2:
+            continue
+        slope = np.diff(film.fluid_pressure, axis=axis) / step
+        ends = np.moveaxis(film.film, axis, 0)
+        between = np.moveaxis(0.5 * (ends[1:] + ends[:-1]), 0, axis)
+        power += float(speed) * float((slope * between).sum()) * steps[0] * steps[1]
+    return power
+
+
+def _require_thinning(film: FilmSolution, coefficient: float) -> None:
+    """Raise ValueError if a Newtonian lubricant has an impossible friction."""
+    if coefficient > MAX_FLUID_COEFFICIENT and film.lubricant.is_newtonian:
+        raise ValueError(
+            f"film must have a lubricant with shear thinning or a limiting shear stress, got a "
+            f"Newtonian one with a coefficient of friction of {coefficient:.3g}: oils reach at "
+            f"most {MAX_FLUID_COEFFICIENT:g}; use with_eyring or with_limiting_shear"
+        )

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures of lubricated contacts: film, pressure, interference fringes and Stribeck curve."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from .._util.checks import FloatArray, finite, finite_array, positive, require_type
+from .._util.display import quantity
+from .._util.lazy_scipy import scipy
+from ..lubricants import Lubricant
+from ..lubrication import FilmSolution, StribeckCurve, friction, regime
+from ..lubrication.formulas import regime_of
+from ..lubrication.groups import Contact, film_groups
+from .parts import add_to_title, axes_or_new, finish, prefixed
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+MAX_SHOWN_FILM = 3.0
+"""Largest film of a map, in central films."""
+_POINTS_PER_CELL = 6
+_REGIMES = (
+    "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous", "elastic-piezoviscous",
+)  # fmt: skip
+_REGIME_COLOURS = ("#dfe8f2", "#f4e3d7", "#e2efdf", "#f1e6ef")
+WAVELENGTH, REFRACTIVE_INDEX = 600e-9, 1.5
+"""Red light [m], and refractive index of oil under pressure [-], of an interferogram."""
+
+
+def film_map(film: FilmSolution, ax: Axes | None = None, *, max_film: float | None = None) -> Axes:
+    """Draw a map of the film thickness of a lubricated contact, with contour lines.
+
+    Parameters
+    ----------
+    film : FilmSolution
+        Solution of `samcontact.lubrication.steady`.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: a new figure.
+    max_film : float, optional
+        Largest film shown in colour [m]. Default: three central films.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument is outside its range or not a film.
+    """
+    require_type("film", film, FilmSolution)
+    limit = (
+        MAX_SHOWN_FILM * film.central_film if max_film is None else positive("max_film", max_film)
+    )
+    factor, unit = prefixed(limit, "m")
+    ax, across, along, metres = _plane(film, ax)
+    shown = ax.pcolormesh(
+        across, along, film.film.T * factor, cmap="viridis", vmin=0.0,
+        vmax=limit * factor, rasterized=True, shading="nearest",
+    )  # fmt: skip
+    ax.contour(
+        across, along, film.film.T * factor, levels=np.linspace(0.0, limit * factor, 13)[1:],
+        colors="white", linewidths=0.5,
+    )  # fmt: skip
+    ax.figure.colorbar(shown, ax=ax, label=f"film thickness [{unit}]", extend="max")
+    _label(ax, metres)
+    _note_films(ax, film)
+    return finish(ax)
+
+
+def film_profile(film: FilmSolution, ax: Axes | None = None) -> Axes:
+    """Draw pressure and film along x through the middle of a lubricated contact.
+
+    The line passes through the cell with the smallest gap. film: solution of
+    `samcontact.lubrication.steady`; ax: axes to draw on, default a new figure. Returns the axes of
+    the pressure. Raises TypeError for other objects.
+    """
+    require_type("film", film, FilmSolution)
+    ax = axes_or_new(ax)
+    row = int(np.unravel_index(int(np.argmin(film.gap)), film.gap.shape)[1])
+    length, metres = prefixed(float(np.abs(film.grid.x).max()), "m")
+    factor, pascals = prefixed(float(film.pressure.max()), "Pa")
+    limit = MAX_SHOWN_FILM * film.central_film
+    thickness, unit = prefixed(limit, "m")
+    x = film.grid.x * length
+    ax.plot(x, film.pressure[:, row] * factor, "C0-", label="pressure")
+    if film.boundary is not None:
+        ax.fill_between(
+            x, 0.0, film.boundary_pressure[:, row] * factor, color="C0", alpha=0.3, linewidth=0,
+            label="boundary layer",
+        )  # fmt: skip
+    ax.set_xlabel(f"x [{metres}]")
+    ax.set_ylabel(f"pressure [{pascals}]", color="C0")
+    ax.set_ylim(bottom=0.0)
+    right = ax.twinx()
+    right.plot(x, film.film[:, row] * thickness, "C3-", label="film")
+    right.set_ylabel(f"film thickness [{unit}]", color="C3")
+    right.set_ylim(0.0, limit * thickness)
+    _note_films(ax, film)
+    return finish(ax)
+
+
+def interferogram(
+    film: FilmSolution,
+    ax: Axes | None = None,
+    *,
+    wavelength: float = WAVELENGTH,
+    refractive_index: float = REFRACTIVE_INDEX,
+    phase: float = 0.0,
+) -> Axes:
+    """Draw the interference fringes of a film between a glass disc and a body.
+
+    The intensity is cos^2(2 pi n h/wavelength + phase).
+
+    Parameters
+    ----------
+    film : FilmSolution
+        Solution of `samcontact.lubrication.steady`.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; default: a new figure.
+    wavelength : float, optional
+        Wavelength of the light in vacuum [m].
+    refractive_index : float, optional
+        Refractive index n of the lubricant [-].
+    phase : float, optional
+        Phase at zero film, from the reflections on both surfaces [rad].
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError, TypeError
+        An argument is outside its range or not a film.
+    """
+    require_type("film", film, FilmSolution)
+    wave = positive("wavelength", wavelength)
+    index, shift = positive("refractive_index", refractive_index), finite("phase", phase)
+    ax, across, along, metres = _plane(film, ax)
+    # between the centres of the cells too, where fringes are narrower than a cell
+    thickness = scipy.ndimage.zoom(film.film, _POINTS_PER_CELL, order=3)
+    intensity = np.cos(2.0 * np.pi * index * thickness / wave + shift) ** 2
+    ax.pcolormesh(
+        np.linspace(across[0], across[-1], intensity.shape[0]),
+        np.linspace(along[0], along[-1], intensity.shape[1]),
+        intensity.T, cmap="gray", vmin=0.0, vmax=1.0, rasterized=True, shading="nearest",
+    )  # fmt: skip
+    _label(ax, metres)
+    add_to_title(ax, f"λ {quantity(wave, 'm')}, n {index:g}")
+    return finish(ax)
+
+
+def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
+    """Draw friction and share of the boundary layer over the speed.
+
+    curve: from `samcontact.lubrication.stribeck`, with a slide-to-roll ratio other than 0 for the
+    friction; ax: axes to draw on, default a new figure. Returns the axes of the share. Raises
+    TypeError for other objects, ValueError as `samcontact.lubrication.friction`.
+    """
+    require_type("curve", curve, StribeckCurve)
+    ax = axes_or_new(ax)
+    ax.semilogx(curve.speed, 100.0 * curve.boundary_share, "C0o-", markersize=3)
+    ax.set_xlabel("mean speed [m/s]")
+    ax.set_ylabel("load on the boundary layer [%]", color="C0")
+    ax.set_ylim(0.0, 105.0)
+    coefficients = np.array([friction(film).coefficient for film in curve.solutions])
+    if coefficients.any():
+        right = ax.twinx()
+        right.semilogx(curve.speed, coefficients, "C3s-", markersize=3)
+        right.set_ylabel("friction coefficient [-]", color="C3")
+        right.set_ylim(bottom=0.0)
+    return finish(ax)
+
+
+def traction_curve(
+    slide_to_roll: ArrayLike, coefficient: ArrayLike, ax: Axes | None = None
+) -> Axes:
+    """Draw the friction coefficient over the slide-to-roll ratio.
+
+    slide_to_roll, coefficient: arrays of `samcontact.lubrication.TractionCurve` [-]; ax: axes to
+    draw on, default a new figure. Returns the axes. Raises ValueError for unequal shapes.
+    """
+    ratio = finite_array("slide_to_roll", slide_to_roll)
+    values = finite_array("coefficient", coefficient, ratio.shape)
+    ax = axes_or_new(ax)
+    order = np.argsort(ratio.ravel())
+    ax.plot(ratio.ravel()[order], values.ravel()[order], "C0o-", markersize=3)
+    ax.set_xlabel("slide-to-roll ratio [-]")
+    ax.set_ylabel("friction coefficient [-]")
+    return finish(ax)
+
+
+def regime_chart(
+    contact: Contact, speed: tuple[float, float], lubricant: Lubricant, ax: Axes | None = None
+) -> Axes:
+    """Draw the regimes of lubrication over Moes' numbers, with the place of a contact.
+
+    contact, speed, lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default
+    a new figure. The chart is that of the shape of the contact. Returns the axes. Raises TypeError
+    or ValueError as `samcontact.lubrication.regime`.
+    """
+    here = regime(contact, speed, lubricant)  # refuses other contacts
+    found = film_groups(contact, speed, lubricant)
+    M, L = found.moes
+    shape = found.approach / found.scale / M ** (2.0 / 3.0)  # Hertz: load^(2/3)
+    loads = np.geomspace(min(1e-2, 0.1 * M), max(1e5, 10.0 * M), 121)
+    oils = np.geomspace(min(1e-2, 0.1 * L) if L > 0.0 else 1e-2, max(1e2, 10.0 * L), 81)
+    kinds = np.array(
+        [
+            [_REGIMES.index(regime_of(m, n, found.D, shape * m ** (2.0 / 3.0))) for n in oils]
+            for m in loads
+        ]
+    )
+    ax = axes_or_new(ax)
+    for number, (name, colour) in enumerate(zip(_REGIMES, _REGIME_COLOURS, strict=True)):
+        inside = kinds == number
+        if inside.any():
+            ax.contourf(loads, oils, inside.T.astype(float), levels=[0.5, 1.5], colors=[colour])
+            i, j = inside.nonzero()
+            m, n = (float(np.exp(np.log(v).mean())) for v in (loads[i], oils[j]))
+            ax.text(m, n, name.replace("-", "\n"), ha="center", va="center", fontsize="small")
+    ax.plot([M], [max(L, oils[0])], "ko", markersize=5)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlabel("load M [-]")
+    ax.set_ylabel("lubricant L [-]")
+    ax.set_title(f"{here}, a_y/a_x = {found.k:.3g}", fontsize="medium")
+    return finish(ax)
+
+
+def _plane(film: FilmSolution, ax: Axes | None) -> tuple[Axes, FloatArray, FloatArray, str]:
+    """Return axes, coordinates along x and y in the unit shown, and this unit."""
+    if min(film.film.shape) < 2:
+        raise ValueError("film must have cells along x and y, got a line contact: use film_profile")
+    ax = axes_or_new(ax)
+    factor, metres = prefixed(float(np.abs(film.grid.x).max()), "m")
+    ax.set_aspect("equal")
+    return ax, film.grid.x * factor, film.grid.y * factor, metres
+
+
+def _label(ax: Axes, metres: str) -> None:
+    ax.set_xlabel(f"x [{metres}]")
+    ax.set_ylabel(f"y [{metres}]")
+
+
+def _note_films(ax: Axes, film: FilmSolution) -> None:
+    central, minimum = (quantity(h, "m", 3) for h in (film.central_film, film.minimum_film))
+    add_to_title(ax, f"central film {central}, minimum {minimum}")
