@@ -82,15 +82,15 @@ PartialSlipSolution PartialSlipContact::AdhesiveSlip::slip_at(const Solution& ad
   Field pull = attraction(*contact_.law_, adhesive.gap);
   const ContactHistory history = history_at(pull);
   const Attraction held(std::move(pull), contact_.grid_, contact_.normal_.displacement(), gap_);
-  Field repulsion = held.repulsion(adhesive.tractions.pressure);
-  for (double& r : repulsion) r = std::max(r, 0.0);
+  // Without stick in open cells whose pressure differs from the attraction by its error.
+  Field pushed = repulsion(*contact_.law_, adhesive.tractions.pressure, adhesive.gap);
   const Drive drive = drive_at(adhesive.motion);
   const auto run = [&](Field pressure, const PartialSlipStart& from,
                        const FrictionConditions& local) {
     Sweeps sweeps(contact_, held.gap(), drive, tangential_, history, local, settings_);
     return contact_.finished(sweeps.run(std::move(pressure), from), drive_, held, settings_);
   };
-  return contact_.with_conditions(run, std::move(repulsion), start, conditions_,
+  return contact_.with_conditions(run, std::move(pushed), start, conditions_,
                                   {false, settings_.tol});
 }
 
