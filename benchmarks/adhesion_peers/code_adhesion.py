@@ -16,7 +16,7 @@ from SurfaceTopography import Topography
 
 from .problems import Path, State
 
-MOST = 5000  # iterations
+MAX_ITERATIONS = 5000  # iterations
 
 
 class Contact:
@@ -74,14 +74,14 @@ class Contact:
     def _minimum_at_mean(self, fun, start, mean):  # type: ignore[no-untyped-def]
         found = constrained_conjugate_gradients(
             fun, self.system.primal_hessian_product, start.ravel(), mean_val=mean,
-            gtol=self.tol, maxiter=MOST,
+            gtol=self.tol, maxiter=MAX_ITERATIONS,
         )  # fmt: skip
         return _checked(found, start.shape)
 
     def _minimum(self, fun, start, least, approach):  # type: ignore[no-untyped-def]
         found = constrained_conjugate_gradients(
             fun, self.system.hessian_product_function(approach), start.ravel(),
-            bounds=least.ravel(), gtol=self.tol, maxiter=MOST,
+            bounds=least.ravel(), gtol=self.tol, maxiter=MAX_ITERATIONS,
         )  # fmt: skip
         return _checked(found, start.shape)
 

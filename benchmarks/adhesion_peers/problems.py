@@ -16,7 +16,7 @@ import samcontact as sc
 from ..roughness import heights, wave_amplitudes
 
 SIDE, MODULUS = 1e-6, 1e9  # m and Pa; of the contacts that samcontact solves
-SHORTEST = 8  # cells on the shortest wave
+WAVELENGTH_MIN = 8  # cells on the shortest wave
 RMS = 0.005
 RANGE = 0.2  # range of the attraction / rms
 # Height of the crown of a free surface at the middle of its edges / rms
@@ -45,7 +45,7 @@ class Path:
     @cached_property
     def gap(self) -> np.ndarray:
         """Gap of the undeformed surfaces, with lowest value 0."""
-        waves = wave_amplitudes(self.n // SHORTEST, 0.8, seed=5, lowest=2)
+        waves = wave_amplitudes(self.n // WAVELENGTH_MIN, 0.8, seed=5, lowest=2)
         gap: np.ndarray = -heights(self.n, waves, RMS)
         if not self.periodic:
             x = (np.arange(self.n) + 0.5) / self.n - 0.5
