@@ -89,8 +89,7 @@ REASONS = (
     ),
     Reason(
         "adhesion|attraction",
-        "Adhesion of viscoelastic bodies, or with partial slip, heat, moments, or motion through "
-        "the grid.",
+        "Adhesion with heat, moments, free faces, or motion through the grid.",
     ),
     Reason(
         "inclusions",

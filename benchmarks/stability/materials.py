@@ -74,9 +74,9 @@ def poisson(row: str) -> dict[str, Any]:
 
 
 def slip_error(found: Any, mu: float) -> float:
-    """Return the maximum excess of the shear over mu p, relative to the maximum shear."""
-    excess = np.hypot(*found.shear) - mu * found.pressure if math.isfinite(mu) else 0.0
-    outside_shear = np.hypot(*found.shear)[found.pressure == 0]
+    """Return the maximum excess of the shear over mu times the repulsion, relative to the shear."""
+    excess = np.hypot(*found.shear) - mu * found.repulsion if math.isfinite(mu) else 0.0
+    outside_shear = np.hypot(*found.shear)[found.repulsion == 0]
     worst = max(float(np.max(excess)), float(outside_shear.max(initial=0.0)), 0.0)
     return worst / float(np.hypot(*found.shear).max()) if worst else 0.0
 

@@ -82,15 +82,15 @@ PartialSlipSolution PartialSlipContact::AdhesiveSlip::slip_at(const Solution& ad
   Field pull = attraction(*contact_.law_, adhesive.gap);
   const ContactHistory history = history_at(pull);
   const Attraction held(std::move(pull), contact_.grid_, contact_.normal_.displacement(), gap_);
-  Field repulsion = held.repulsion(adhesive.tractions.pressure);
-  for (double& r : repulsion) r = std::max(r, 0.0);
+  // Without stick in open cells whose pressure differs from the attraction by its error.
+  Field pushed = repulsion(*contact_.law_, adhesive.tractions.pressure, adhesive.gap);
   const Drive drive = drive_at(adhesive.motion);
   const auto run = [&](Field pressure, const PartialSlipStart& from,
                        const FrictionConditions& local) {
     Sweeps sweeps(contact_, held.gap(), drive, tangential_, history, local, settings_);
     return contact_.finished(sweeps.run(std::move(pressure), from), drive_, held, settings_);
   };
-  return contact_.with_conditions(run, std::move(repulsion), start, conditions_,
+  return contact_.with_conditions(run, std::move(pushed), start, conditions_,
                                   {false, settings_.tol});
 }
 
@@ -100,12 +100,20 @@ bool PartialSlipContact::AdhesiveSlip::is_small(const Field& change, const Solut
   const double changed = largest_of(change.size(), [&](std::size_t i) {
     return in_contact(repelling[i]) ? std::fabs(change[i]) : 0.0;
   });
+  // In open cells, the change of the gap also changes the attraction.
+  const double pulled = largest_of(change.size(), [&](std::size_t i) {
+    if (in_contact(repelling[i]) || change[i] == 0 || !std::isfinite(adhesive.gap[i])) return 0.0;
+    const double open = std::max(adhesive.gap[i] + change[i], 0.0);
+    return std::fabs(contact_.law_->attraction(open) - contact_.law_->attraction(adhesive.gap[i]));
+  });
+  const double tol = std::max(settings_.tol, finest);
+  if (pulled > tol * contact_.law_->largest_attraction()) return false;
   if (changed == 0) return true;
   Field displacement(change.size());
   contact_.normal_.displacement().apply(pressure.data(), displacement.data(), work_);
   const double scale =
       largest_of(change.size(), [&](std::size_t i) { return std::fabs(displacement[i]); });
-  return changed <= std::max(settings_.tol, finest) * scale;
+  return changed <= tol * scale;
 }
 
 PartialSlipSolution PartialSlipContact::AdhesiveSlip::run(const PartialSlipStart& start) {

@@ -79,6 +79,18 @@ def test_slip_of_dissimilar_bodies_is_that_of_their_displacements(bodies):
         before = state
 
 
+def test_only_cells_in_contact_stick_without_slip():
+    """The attraction across open cells transmits no shear, and the force equals the traction."""
+    body, force = sc.Material.elastic(2e9, 0.3), 5e-9
+    simulation = sc.Simulation(GRID, RIGID, body, GAP, friction=sc.Coulomb(np.inf), adhesion=LAW)
+    simulation.step(load=1e-8)
+    state = simulation.step(load=1e-8, tangential_load=(force, 0.0))
+    shear = np.hypot(*state.shear)
+    assert not shear[~state.in_contact].any()
+    assert shear[state.in_contact].all()
+    assert state.shear[0].sum() * GRID.cell_area == pytest.approx(force, rel=1e-8)
+
+
 def test_vanishing_adhesion_is_hard_contact_with_partial_slip():
     body = sc.Material.elastic(2e9, 0.3)
     weak = slipping(RIGID, body, law=sc.Adhesion.exponential(1e-9 * W, 4e-9))
