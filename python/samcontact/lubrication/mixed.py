@@ -9,15 +9,19 @@ from typing import Any
 
 import numpy as np
 
+from ..problem.contact_law import in_contact
 from ..problem.grid import Grid
 from .film_solution import FilmLevel
 from .nested import DryContact, FilmTask, LevelSolver, dry_contact, state_of, table_of
 
 FILM_OF_DRY = 0.06
 """Film that a formula predicts at the first speed, in thicknesses of the boundary layer."""
-LAYER_RATIO, LAYER_OF_APPROACH = 2.5, 1e-3
-"""Ratio of successive thicknesses of the layer at the start, and the largest one relative to the
-approach of the dry contact."""
+LAYER_RATIO, MIN_LAYER_RATIO = 2.5, 1.1
+"""Ratio of successive thicknesses of the layer at the start, and the smallest after failures."""
+LAYER_OF_APPROACH = 2e-3
+"""Largest of these thicknesses, relative to the approach of the dry contact."""
+FIRST_ITERATIONS = 60
+"""Newton iterations allowed for each of these thicknesses."""
 MAX_RATIO, MIN_RATIO = 3.0, 1.02
 """Largest and smallest factor between successive speeds."""
 FEW_ITERATIONS = 12
@@ -54,31 +58,41 @@ class MixedFilm:
     def _begin(self) -> Any:
         """Return the solution at a speed at which the layer bears all.
 
-        A thick layer is solved first: its film differs less from that of the dry contact.
+        A thick layer is solved first: its film differs less from that of the dry contact. Its
+        thickness then decreases to the given one.
         """
-        thin, pressure = self.layer
-        depth = float(np.ptp(self.gap[self.dry.pressure > 0])) + abs(self.dry.approach)
-        layers = [thin]
-        while layers[0] * LAYER_RATIO < LAYER_OF_APPROACH * depth:
-            layers.insert(0, layers[0] * LAYER_RATIO)
-        state: dict[str, Any] = {
+        thin = self.layer[0]
+        touching = in_contact(self.dry.pressure)
+        depth = float(np.ptp(self.gap[touching])) + abs(self.dry.approach)
+        thickness, ratio = max(thin, LAYER_OF_APPROACH * depth), LAYER_RATIO
+        last: dict[str, Any] = {
             "fluid_pressure": _FLUID_OF_DRY * self.dry.pressure,
             "boundary_pressure": self.dry.pressure,
             "void_fraction": np.zeros_like(self.dry.pressure),
-            "approach": self.dry.approach - 2.0 * layers[0],
+            "approach": self.dry.approach,
         }
-        found: Any = None
-        for n, thickness in enumerate(layers):
-            if n > 0:
-                state = state_of(found)
-                state["approach"] += 2.0 * (layers[n - 1] - thickness)
-            factor = self._first_factor(thickness)
-            self._solver.task = replace(self.task_at(factor), tol=_TOL_ON_THE_WAY)
-            found = self._solver.solve(state, (thickness, pressure), self._task.order)
-            if not found["converged"]:
-                return found
-        self._last = Step(self._first_factor(thin), found)
-        return found
+        thickness_of_last = 0.0
+        while True:
+            state = last | {"approach": last["approach"] + 2.0 * (thickness_of_last - thickness)}
+            found = self._first_solution(state, thickness)
+            if found["converged"]:
+                if thickness == thin:
+                    self._last = Step(self._first_factor(thin), found)
+                    return found
+                last, thickness_of_last = state_of(found), thickness
+            else:
+                ratio = math.sqrt(ratio)
+                if ratio < MIN_LAYER_RATIO or thickness_of_last == 0.0:
+                    return found
+            thickness = max(thin, thickness_of_last / ratio)
+
+    def _first_solution(self, state: dict[str, Any], thickness: float) -> Any:
+        """Return the solution with a layer of some thickness at its first speed."""
+        task = self.task_at(self._first_factor(thickness))
+        self._solver.task = replace(
+            task, tol=_TOL_ON_THE_WAY, max_iterations=max(task.max_iterations, FIRST_ITERATIONS)
+        )
+        return self._solver.solve(state, (thickness, self.layer[1]), task.order)
 
     def task_at(self, factor: float) -> FilmTask:
         """Return the task at a speed relative to its own."""
