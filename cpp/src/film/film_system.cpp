@@ -36,7 +36,7 @@ using ShortSparse = Eigen::SparseMatrix<float>;
 using ShortVector = Eigen::VectorXf;
 
 /// Entries below this share of the largest of their row are left out.
-constexpr double negligible_entry = 1e-10;
+constexpr double negligible_entry = 1e-3;
 
 double largest(const double* values, std::size_t n) {
   return largest_of(n, [&](std::size_t i) { return std::fabs(values[i]); });
