@@ -52,6 +52,9 @@ def test_central_film_of_a_heavily_loaded_ball():
     assert film.minimum_film / ball.scale == pytest.approx(1.75, rel=3e-2)
     assert max(level.iterations for level in film.levels) <= 12
     assert film.pressure.sum() * ball.grid.cell_area == pytest.approx(ball.load, rel=1e-6)
+    assert Point(200, 10, 48, 4.0, shift=0.5).solve().central_film / ball.scale == pytest.approx(
+        3.608, rel=2e-3
+    )
     # at the same approach, the load is an unknown
     same = ball.solve(approach=film.approach)
     assert same.load == pytest.approx(ball.load, rel=1e-4)
@@ -178,7 +181,12 @@ def test_films_open_from_the_dry_contact():
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("M", "L", "n", "width", "central"),
-    [(20, 10, 192, 9.0, 4.158), (1000, 10, 192, 3.5, 3.188), (1000, 20, 96, 3.5, 4.87)],
+    [
+        (200, 10, 192, 4.0, 3.638),
+        (20, 10, 192, 9.0, 4.158),
+        (1000, 10, 192, 3.5, 3.188),
+        (1000, 20, 96, 3.5, 4.87),
+    ],
 )
 def test_films_of_light_and_heavy_loads(M, L, n, width, central):
     ball = Point(M, L, n, width, shift=0.25)
