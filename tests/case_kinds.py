@@ -272,6 +272,10 @@ KINDS = {
     | {"contact": STICKS["contact"]
        | {"adhesion": {"kind": "tensile_limit", "limit": 1e6}},
        "path": [{"load": 2.0, "increments": 2}]},
+    "machine": STICKS
+    | {"contact": {"adhesion": {"kind": "exponential", "work": 1.0, "range": 1e-7},
+                   "stiffness": 1e6},
+       "path": [{"approach": 1e-6, "increments": 2}, {"approach": -1e-6}]},
     **{
         f"adhesion {law['kind']}": STICKS
         | {"contact": {"adhesion": law},

@@ -112,7 +112,7 @@ CALLS = [
         {
             "grid": GRID, "body1": HOT, "body2": HOT, **HEATED, "tol": 1e-6,
             "on_border": "error", "on_stall": "error", "max_iterations": 50,
-            "adhesion": sc.HardContact(),
+            "adhesion": sc.HardContact(), "stiffness": None,
         },
     ),
     *(
@@ -178,6 +178,7 @@ CALLS = [
             **BODIES, "body1": HOT, "body2": HOT, "gap": GAP, **HEATED, **SETTINGS,
             "increment_tol": 1e-2, "residual_stress": "exact", "image_tol": 1e-3, "zones": "auto",
             "relief1": FLAT, "relief2": FLAT, "reach": 1e-4, "adhesion": sc.HardContact(),
+            "stiffness": None,
         },
     ),
     (

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A valid call of all that concerns lubricants and films, with all arguments."""
 
+import warnings
+
 import numpy as np
 
 import samcontact as sc
@@ -19,6 +21,17 @@ SOLVED = sc.lubrication.FilmSolution(
     SQUARE, OIL, np.array([[1.1, 0.0], [0.9, 0.0]]), np.zeros((16, 16)), np.full((16, 16), 1e7),
     np.zeros((16, 16)), np.full((16, 16), 1e-6), np.ones((16, 16)), 0.0, 1.6, 0.0, (),
 )  # fmt: skip
+
+BOUNDARY = sc.lubrication.Boundary(2e-9)
+WIDE = sc.Grid(30, 30, 4e-5, 4e-5)
+GAP = sc.surfaces.paraboloid(WIDE, 0.01)
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")  # of the small grid
+    FLOWING = sc.lubrication.steady(
+        WIDE, STEEL, STEEL, GAP, load=40.0, speed=(1.0, 1.0), lubricant=OIL
+    )
+ON_GRID = {"grid": WIDE, "body1": STEEL, "body2": STEEL, "gap": GAP, "lubricant": OIL}
+HOW = {"order": 1, "tol": 1e-4, "max_iterations": 30}
 
 CALLS = [
     ("Lubricant", sc.Lubricant,
@@ -73,6 +86,30 @@ CALLS = [
     ("lubrication.friction", sc.lubrication.friction, {"film": SOLVED}),
     ("lubrication.traction_curve", sc.lubrication.traction_curve,
      {"film": SOLVED, "slide_to_roll": [0.0, 0.1]}),
+    ("lubricants.DensityLaw", sc.lubricants.Incompressible, {}),
+    ("lubricants.DensityLaw.ratio", sc.lubricants.Tait(**TAIT).ratio, {"p": PRESSURES}),
+    ("lubricants.DensityLaw.slope", sc.lubricants.Tait(**TAIT).slope, {"p": PRESSURES}),
+    ("lubricants.Incompressible", sc.lubricants.Incompressible, {}),
+    ("lubrication.Boundary", sc.lubrication.Boundary,
+     {"thickness": 2e-9, "friction": 0.1, "pressure": 1e9}),
+    ("lubrication.steady", sc.lubrication.steady,
+     {**ON_GRID, **HOW, "load": 40.0, "speed": (1.0, 1.0), "spin": 100.0, "supply": 1e-6,
+      "boundary": BOUNDARY}),
+    ("lubrication.steady", sc.lubrication.steady,
+     {**ON_GRID, **HOW, "approach": FLOWING.approach, "speed": (1.0, 1.0)}),
+    ("lubrication.stribeck", sc.lubrication.stribeck,
+     {**ON_GRID, **HOW, "load": 40.0, "speeds": [1e-3, 3e-3], "slide_to_roll": 0.1,
+      "boundary": BOUNDARY}),
+    ("lubrication.transient", sc.lubrication.transient,
+     {**HOW, "start": FLOWING, "duration": 1e-5, "steps": 1, "relief1": lambda x, y: 1e-8 + 0 * x,
+      "relief2": lambda x, y: 0 * y, "load": lambda t: 40.0, "speed": lambda t: (1.0, 1.0)}),
+    ("lubrication.press", sc.lubrication.press,
+     {**HOW, "simulation": sc.Simulation(WIDE, STEEL, STEEL, GAP), "load": 40.0,
+      "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY}),
     ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
      {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),
+]  # fmt: skip
+CALLS += [
+    (f"lubricants.{name}", call, arguments) for name, call, arguments in CALLS
+    if name.startswith("Lubricant")
 ]  # fmt: skip

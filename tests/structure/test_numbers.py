@@ -23,8 +23,11 @@ CELL = re.compile(rf"{NUMBER}(?:, {NUMBER})*(?: (?:[GMk]?Pa|[GMk]?B|N|[mµn]?[ms
 OTHERS = {
     ("docs/features.md", "quantity"): "tests/structure/test_validation_page.py",  # stored numbers
     ("docs/gallery.md", "page"): None,  # numbers of figures
-    ("docs/theory/inclusions.md", "sphere"): "tests/validation/test_inclusions.py",
-    ("docs/theory/inclusions.md", "ratio of Young's moduli"): "tests/validation/test_inclusions.py",
+    ("docs/theory/inclusions.md", "sphere"): "tests/validation/test_inclusion_elements.py",
+    (
+        "docs/theory/inclusions.md",
+        "ratio of Young's moduli",
+    ): "tests/validation/test_inclusion_elements.py",
 }
 
 CODE = re.compile(r"^```.*?^```$|\$\$.*?\$\$|`[^`\n]+`", re.DOTALL | re.MULTILINE)

@@ -102,7 +102,7 @@ def statistics(
 
     Parameters
     ----------
-    states : State, sequence of State, or Cycle
+    states : State, sequence of State, or samcontact.fatigue.Cycle
         States of a simulation with a heterogeneous body, e.g. of a rolling pass.
     body : {1, 2}, optional
         Heterogeneous body. Default: 2; a cycle has its own.

@@ -23,7 +23,8 @@ class FilmFriction(HtmlTable):
     Attributes
     ----------
     fluid_shear, boundary_shear : ndarray, shape (2, nx, ny)
-        Shear of fluid and boundary layer along x and y [Pa], on body 2; it acts along v1 - v2.
+        Shear of fluid and boundary layer along x and y [Pa], on body 2; it has the direction
+        of the velocity of body 1 relative to body 2.
     traction : ndarray, shape (2,)
         Force on body 2 along x and y [N].
     coefficient : float
@@ -77,7 +78,7 @@ def friction(film: FilmSolution) -> FilmFriction:
     """Return shear, traction, rolling resistance and power of a lubricated contact.
 
     The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
-    |v1 - v2|/film, isothermal, times the filling. The boundary layer adds its coefficient of
+    ``|v1 - v2|``/film, isothermal, times the filling. The boundary layer adds its coefficient of
     friction times its pressure. The sliding due to spin is not included.
 
     Raises

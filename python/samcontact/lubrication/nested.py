@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core, hertz
-from .._util.checks import FloatArray, gap_array
+from .._util.checks import FloatArray, finite_array
 from .._util.lazy_scipy import scipy
 from ..bodies.layered import Body, softest
 from ..contact.solver import ContactSolver
@@ -60,8 +60,8 @@ class FilmTask:
     def gap_on(self, grid: Grid, finest: Grid) -> FloatArray:
         """Return the gap on a grid that covers the same area as the given one [m]."""
         if callable(self.gap):
-            return gap_array("gap", self.gap(grid), grid.surface_shape)
-        given = gap_array("gap", self.gap, finest.surface_shape)
+            return finite_array("gap", self.gap(grid), grid.surface_shape)
+        given = finite_array("gap", self.gap, finest.surface_shape)
         return given if grid == finest else resampled(given, grid.surface_shape, order=1)
 
     def face_velocities(self, grid: Grid) -> tuple[FloatArray, FloatArray]:
@@ -154,6 +154,12 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
         raise ValueError(
             f"approach must press the dry surfaces together, got {task.target!r} m: increase it, "
             "or prescribe the load"
+        )
+    if found.in_contact[0].any() and found.in_contact[-1].any():
+        name = "load" if task.is_load else "approach"
+        raise ValueError(
+            f"{name} must leave an inlet on the grid, got {task.target!r}: the dry contact reaches "
+            "from edge to edge; enlarge the grid"
         )
     E_star = hertz.effective_modulus(*map(softest, task.bodies))
     peak = float(found.pressure.max())

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, choice, gap_array, integer, positive, require_type
+from .._util.checks import FloatArray, choice, finite_array, integer, positive, require_type
 from .._util.display import ShortRepr
 from .._util.errors import attach
 from .film_solution import FilmPast, FilmSolution
@@ -143,11 +143,11 @@ class _March:
     def _gap(self, smooth: FloatArray, ways: FloatArray) -> FloatArray:
         """Return the gap of the undeformed surfaces with the reliefs where they are [m]."""
         grid, gap = self._last.grid, smooth
-        for relief, way in zip(self._reliefs, ways, strict=True):
+        for number, (relief, way) in enumerate(zip(self._reliefs, ways, strict=True), 1):
             if relief is not None:
                 x, y = np.meshgrid(grid.x - way[0], grid.y - way[1], indexing="ij")
-                gap = gap - np.asarray(relief(x, y), dtype=np.float64)
-        return gap_array("gap", gap, grid.surface_shape)
+                gap = gap - finite_array(f"relief{number}", relief(x, y), grid.surface_shape)
+        return gap
 
     def step(self, settings: dict[str, Any]) -> FilmSolution:
         """Return the film after one more step."""

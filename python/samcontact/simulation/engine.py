@@ -15,7 +15,6 @@ from .._util import memory
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import matrix_of
-from ..bodies.viscoelastic import relaxes
 from ..contact.border_advice import ENLARGEMENT_HINT, add_border_remedies, advised
 from ..contact.enlargement import counts_for, enlarged_evenly, explain_failed_enlargement
 from ..contact.interpenetration import may_overlap, require_apart
@@ -155,7 +154,7 @@ class Engine:
     ) -> tuple[State, list[UserWarning]]:
         """Advance by one increment; return the new state, and the warnings of the core."""
         setup = self.setup
-        earlier = self.state if relaxes(*setup.bodies) else None
+        earlier = self.state if self._arguments.relaxes else None
         step, before, core = self.solve(given, monitor)
         state = self.state_of(core, step.heat)
         if before is not None:

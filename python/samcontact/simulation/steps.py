@@ -95,7 +95,7 @@ class StepArguments:
     ) -> None:
         self.grid, self.bodies, self.friction, self.spring = grid, bodies, friction, spring
         self._slips_by_rate = friction.needs_duration
-        self._relaxes = relaxes(*bodies)
+        self.relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
     def checked(
@@ -145,7 +145,7 @@ class StepArguments:
         slides_for, of_heat = 0.0, duration
         if self._slips_by_rate:
             slides_for, of_heat = _of_friction(friction, heat, duration)
-        if self._relaxes:
+        if self.relaxes:
             lasts: float | None = relaxing_duration(duration)
         else:
             lasts = _duration(heat, of_heat, is_unloaded=is_unloaded)

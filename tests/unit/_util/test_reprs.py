@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from objects_of_films import lubricants_and_films
 from objects_of_inclusions import inclusions_and_lives
 
 import samcontact as sc
@@ -320,7 +321,7 @@ def public_objects():
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
         *(parse_case(CASE.format(asperities=kind, **fields)) for kind in (CONTACT, ASPERITIES)),
-        *viscoelastic_motion(), *inclusions_and_lives(),
+        *viscoelastic_motion(), *inclusions_and_lives(), *lubricants_and_films(),
     ]  # fmt: skip
 
 

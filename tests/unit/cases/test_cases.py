@@ -44,6 +44,7 @@ def test_defaults_and_steps(write):
         "on_stall": "error",
         "max_iterations": 60,
         "adhesion": None,
+        "stiffness": None,
         "increment_tol": None,
         "residual_stress": "fast",
         "image_tol": 1e-3,

@@ -95,7 +95,7 @@ def test_case_files_have_these_names_defaults_and_ranges(case, others):
     section = type(case.model_fields["contact"].default)
     expected = asdict(Settings()) | {"adhesion": None} | others
     if "friction" in others:
-        del expected["friction"], expected["adhesion"]
+        del expected["friction"], expected["adhesion"], expected["stiffness"]
     assert section().model_dump() == expected
     for name in expected.keys() - {"adhesion"}:
         limits = allowed(Settings)[name]
@@ -142,7 +142,7 @@ def test_given_settings_are_shown_and_stored(tmp_path):
     given = {
         "friction": 0.1, "tol": 1e-5, "on_border": "warn", "on_stall": "warn", "max_iterations": 9,
         "increment_tol": 1e-3, "residual_stress": "exact", "image_tol": 1e-2, "zones": "one",
-            "reach": 2e-5, "adhesion": sc.HardContact(),
+            "reach": 2e-5, "adhesion": sc.Adhesion.exponential(1e-3, 1e-6), "stiffness": 7.0,
     }  # fmt: skip
     assert set(given) == {item.name for item in fields(Settings)}
     body = sc.Material.elastic(1e11, 0.3)

@@ -180,7 +180,7 @@ def test_separated_bodies():
         ({"velocity": np.inf}, ValueError, "velocity must be"),
         ({"velocity": None}, TypeError, "velocity must be"),
         ({"body2": RUBBER.with_relaxation([1.0], [1.0])}, ValueError, "body2 must be a solid"),
-        ({"body2": 1.0}, TypeError, "body2 must be a samcontact.Material or"),
+        ({"body2": 1.0}, TypeError, "body2 must be a samcontact.Material, samcontact.Layered or"),
         ({"body2": RIGID}, ValueError, "both rigid"),
         ({"load": None}, ValueError, "load"),
         ({"start": 1.0}, TypeError, "start must be"),
