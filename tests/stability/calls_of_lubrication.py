@@ -23,14 +23,14 @@ SOLVED = sc.lubrication.FilmSolution(
 )  # fmt: skip
 
 BOUNDARY = sc.lubrication.Boundary(2e-9)
-WIDE = sc.Grid(30, 30, 4e-5, 4e-5)
-GAP = sc.surfaces.paraboloid(WIDE, 0.01)
+INLET_GRID = sc.Grid(30, 30, 4e-5, 4e-5)
+GAP = sc.surfaces.paraboloid(INLET_GRID, 0.01)
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # of the small grid
     FLOWING = sc.lubrication.steady(
-        WIDE, STEEL, STEEL, GAP, load=40.0, speed=(1.0, 1.0), lubricant=OIL
+        INLET_GRID, STEEL, STEEL, GAP, load=40.0, speed=(1.0, 1.0), lubricant=OIL
     )
-ON_GRID = {"grid": WIDE, "body1": STEEL, "body2": STEEL, "gap": GAP, "lubricant": OIL}
+ON_GRID = {"grid": INLET_GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "lubricant": OIL}
 HOW = {"order": 1, "tol": 1e-4, "max_iterations": 30}
 
 CALLS = [
@@ -104,7 +104,7 @@ CALLS = [
      {**HOW, "start": FLOWING, "duration": 1e-5, "steps": 1, "relief1": lambda x, y: 1e-8 + 0 * x,
       "relief2": lambda x, y: 0 * y, "load": lambda t: 40.0, "speed": lambda t: (1.0, 1.0)}),
     ("lubrication.press", sc.lubrication.press,
-     {**HOW, "simulation": sc.Simulation(WIDE, STEEL, STEEL, GAP), "load": 40.0,
+     {**HOW, "simulation": sc.Simulation(INLET_GRID, STEEL, STEEL, GAP), "load": 40.0,
       "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY}),
     ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
      {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),

@@ -116,7 +116,7 @@ class FilmSolution(HtmlTable):
 
     @property
     def content(self) -> FloatArray:
-        """Lubricant in the film as a thickness at p = 0: filling, density and film [m]."""
+        """Product of filling, relative density and film, a thickness at p = 0 [m]."""
         density = self.lubricant.density(self.fluid_pressure)
         content: FloatArray = self.filling * density * self.film
         return content

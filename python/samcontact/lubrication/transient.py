@@ -17,8 +17,6 @@ from .film_solution import FilmPast, FilmSolution
 from .nested import FilmTask, LevelSolver, table_of
 from .steady import require_converged, solution_of, velocities_of
 
-Heights = Callable[[FloatArray, FloatArray], ArrayLike]
-"""Heights of a surface out of its body [m] at coordinates x and y of its points [m]."""
 WEIGHTS = 1.5, 2.0, 0.5
 """Weights of the present, the last and the last but one content in a step of second order."""
 
@@ -56,8 +54,8 @@ def transient(
     *,
     duration: float,
     steps: int,
-    relief1: Heights | None = None,
-    relief2: Heights | None = None,
+    relief1: Callable[[FloatArray, FloatArray], ArrayLike] | None = None,
+    relief2: Callable[[FloatArray, FloatArray], ArrayLike] | None = None,
     load: Callable[[float], float] | None = None,
     speed: Callable[[float], Sequence[Any]] | None = None,
     order: int = 3,
@@ -125,7 +123,8 @@ class _March:
     """Steps of a transient film."""
 
     def __init__(
-        self, start: FilmSolution, step: float, reliefs: tuple[Heights | None, ...],
+        self, start: FilmSolution, step: float,
+        reliefs: Sequence[Callable[[FloatArray, FloatArray], ArrayLike] | None],
         load: Callable[[float], float] | None, speed: Callable[[float], Sequence[Any]] | None,
     ) -> None:  # fmt: skip
         body1, body2 = start.bodies
