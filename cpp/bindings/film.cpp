@@ -60,11 +60,9 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
   film::FilmSolution solution;
   {
     const LongWork work;
-    solution =
-        solver.solve({undeformed, is_load, target}, velocities, lubricant, flow,
-                     {layer.first, layer.second},
-                     {time.first, time.second, std::move(earlier)}, std::move(state),
-                     {tol, max_iterations});
+    solution = solver.solve(
+        {undeformed, is_load, target}, velocities, lubricant, flow, {layer.first, layer.second},
+        {time.first, time.second, std::move(earlier)}, std::move(state), {tol, max_iterations});
   }
   return to_python(std::move(solution), solver.grid());
 }
