@@ -50,7 +50,7 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
                    int max_iterations, const std::pair<double, double>& time,
                    const MaybeArray& content) {
   const Field undeformed = to_field(gap);
-  film::FaceVelocities velocities{to_field(along_x), to_field(along_y)};
+  const film::FaceVelocities velocities{to_field(along_x), to_field(along_y)};
   film::FlowSettings flow;
   flow.order = order;
   flow.supply = supply;

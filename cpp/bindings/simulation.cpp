@@ -54,8 +54,9 @@ simulation::InclusionsPair to_inclusions(
     const std::array<std::optional<InclusionsTuple>, 2>& given) {
   simulation::InclusionsPair inclusions;
   for (int b = 0; b < 2; ++b) {
-    if (!given[b]) continue;
-    const auto& [first, number, constants, materials] = *given[b];
+    const std::optional<InclusionsTuple>& body = given[b];
+    if (!body) continue;
+    const auto& [first, number, constants, materials] = *body;
     const Box box{first[0], first[1], static_cast<int>(number.shape(1)),
                   static_cast<int>(number.shape(2)), static_cast<int>(number.shape(0))};
     std::vector<plasticity::MixedCell> cells(constants.shape(0));

@@ -102,7 +102,7 @@ TEST_CASE("the slopes of the outflow are its derivatives") {
 TEST_CASE("what leaves a cell enters its neighbour") {
   const LubricantTable table = oil();
   const Grid grid = Grid(10, 6, 1e-5, 1e-5).made_periodic(false, true);
-  FaceVelocities velocities = turning(grid, 0.0, 0.7, 0.0);
+  const FaceVelocities velocities = turning(grid, 0.0, 0.7, 0.0);
   const Reynolds reynolds(grid, velocities, table, {});
   FilmFields fields = random_fields(grid, 3);
   // No flow through the edges along x.

@@ -28,7 +28,7 @@ Drive drive_at(const RigidMotion& motion) {
 PartialSlipContact::AdhesiveSlip::AdhesiveSlip(const PartialSlipContact& contact, const Field& gap,
                                                const Drive& drive,
                                                const TangentialDrive& tangential,
-                                               const ContactHistory& before,
+                                               ContactHistory before,
                                                const ContactSettings& settings,
                                                const FrictionConditions& conditions)
     : contact_(contact),
@@ -37,7 +37,7 @@ PartialSlipContact::AdhesiveSlip::AdhesiveSlip(const PartialSlipContact& contact
       tangential_(tangential),
       settings_(settings),
       conditions_(conditions),
-      before_(before) {
+      before_(std::move(before)) {
   if (!before_.pressure.empty()) find_repulsion_before();
 }
 
@@ -81,14 +81,14 @@ PartialSlipSolution PartialSlipContact::AdhesiveSlip::slip_at(const Solution& ad
                                                               const PartialSlipStart& start) {
   Field pull = attraction(*contact_.law_, adhesive.gap);
   const ContactHistory history = history_at(pull);
-  const Attraction held(std::move(pull), contact_.grid_, contact_.normal_.displacement(), gap_);
+  const Attraction fixed(std::move(pull), contact_.grid_, contact_.normal_.displacement(), gap_);
   // Without stick in open cells whose pressure differs from the attraction by its error.
   Field pushed = repulsion(*contact_.law_, adhesive.tractions.pressure, adhesive.gap);
   const Drive drive = drive_at(adhesive.motion);
   const auto run = [&](Field pressure, const PartialSlipStart& from,
                        const FrictionConditions& local) {
-    Sweeps sweeps(contact_, held.gap(), drive, tangential_, history, local, settings_);
-    return contact_.finished(sweeps.run(std::move(pressure), from), drive_, held, settings_);
+    Sweeps sweeps(contact_, fixed.gap(), drive, tangential_, history, local, settings_);
+    return contact_.finished(sweeps.run(std::move(pressure), from), drive_, fixed, settings_);
   };
   return contact_.with_conditions(run, std::move(pushed), start, conditions_,
                                   {false, settings_.tol});

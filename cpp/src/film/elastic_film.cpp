@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/film/elastic_film.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "samcontact/base/reduce.hpp"

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
 
@@ -74,7 +73,7 @@ class FilmSolver::Newton {
     solver_.elastic_.displace(pressure, state.film);
     for (std::size_t i = 0; i < n_; ++i) state.film[i] += problem_.gap[i] - state.approach;
   }
-  double lowest_film(const FilmState& state) const {
+  static double lowest_film(const FilmState& state) {
     return *std::min_element(state.film.begin(), state.film.end());
   }
   /// Moves the surfaces apart until all films are thicker than the layer.

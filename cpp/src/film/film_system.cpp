@@ -5,11 +5,9 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/reduce.hpp"
-#include "samcontact/base/threads.hpp"
 #include "samcontact/contact/iteration/gmres.hpp"
 
 namespace samcontact::film {

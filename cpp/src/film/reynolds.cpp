@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "samcontact/base/errors.hpp"
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"
 
@@ -22,6 +21,7 @@ constexpr double first_order_below = 4.0, higher_order_above = 20.0;
 
 /// Cells on each side of a face that its flux depends on.
 constexpr int stencil = 2;
+constexpr std::size_t stencil_cells = 4;
 
 void require_faces(const Field& faces, std::size_t count, const char* name) {
   if (faces.size() != count) {
@@ -73,7 +73,7 @@ struct Reynolds::Entrained {
 struct Reynolds::Face {
   int number;
   double flux = 0.0;
-  std::array<double, 2 * stencil> pressure{}, film{}, void_fraction{};
+  std::array<double, stencil_cells> pressure{}, film{}, void_fraction{};
 
   /// Place of a cell of the line in the derivatives.
   int place(int cell) const { return cell - number + stencil; }

@@ -10,7 +10,7 @@ namespace samcontact::contact {
 class PartialSlipContact::AdhesiveSlip {
  public:
   AdhesiveSlip(const PartialSlipContact& contact, const Field& gap, const Drive& drive,
-               const TangentialDrive& tangential, const ContactHistory& before,
+               const TangentialDrive& tangential, ContactHistory before,
                const ContactSettings& settings, const FrictionConditions& conditions);
 
   /// Coupled bodies interact through the normal displacement due to the shear, which is iterated

@@ -74,7 +74,7 @@ class MixedLaw {
 
   const Material& matrix_;
   double bulk_modulus_, shear_modulus_;  // of the matrix [Pa]
-  Kept sphere_bulk_, sphere_shear_;
+  Kept sphere_bulk_{}, sphere_shear_{};
 };
 
 }  // namespace samcontact::plasticity

@@ -19,7 +19,7 @@ struct Phase {
 };
 
 struct TwoPhaseStep {
-  Tensor stress, strain;               // means over the cell
+  Tensor stress{}, strain{};           // means over the cell
   std::array<Tensor, 2> plastic{};     // increments of the plastic strain of both phases
   std::array<double, 2> equivalent{};  // likewise
   double overshoot = 0.0;              // see Return

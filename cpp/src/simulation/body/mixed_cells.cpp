@@ -57,6 +57,7 @@ plasticity::MixedReturn MixedCells::step(std::uint32_t cell, const plasticity::T
   before.matrix_plastic = strain(matrix_plastic_);
   if (!inclusion_equivalent_.empty()) before.inclusion_equivalent = inclusion_equivalent_[cell];
   const plasticity::MixedCell& mixed = *cells_[cell];
+  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): there are cells only with a law.
   return law_->step(mixed, inclusions_->material(mixed), stress, eigenstrain, before);
 }
 
