@@ -12,8 +12,9 @@
 namespace samcontact::film {
 namespace {
 
-/// Accuracy of the linear systems: at most, at least, and relative to the error.
-constexpr double loosest = 1e-2, finest = 1e-4, of_error = 0.1;
+/// Accuracy of the linear systems: at most, without and with a boundary layer, at least, and
+/// relative to the error.
+constexpr double loosest = 0.1, loosest_with_layer = 1e-2, finest = 1e-4, of_error = 0.1;
 /// Largest change of the pressure in a step, relative to its maximum, and of a distance to a
 /// barrier.
 constexpr double largest_change = 0.5, of_barrier = 0.9;
@@ -88,6 +89,7 @@ class FilmSolver::Newton {
   Field outflow(const FilmState& state, Reynolds::Slopes* slopes) const;
   void find_layer();
   double error();
+  double accuracy(double error, double tol) const;
   FilmChange change(double share, int max_steps);
   double step_limit(const FilmChange& change) const;
   FilmState moved(const FilmChange& change, double step, std::vector<char>& cavitated) const;
@@ -180,6 +182,12 @@ double FilmSolver::Newton::error() {
   return std::max(largest / scale_, of_load);
 }
 
+/// Required accuracy of the linear system at an error of the state.
+double FilmSolver::Newton::accuracy(double error, double tol) const {
+  if (has_layer()) return std::clamp(of_error * error, finest, loosest_with_layer);
+  return std::min(std::max({of_error * error, of_error * tol / error, finest}), loosest);
+}
+
 FilmChange FilmSolver::Newton::change(double share, int max_steps) {
   const double load = problem_.has_load ? problem_.target : peak_ * area_;
   return solver_.system_.solve(
@@ -256,8 +264,7 @@ FilmSolution FilmSolver::Newton::run(const NewtonSettings& settings) {
         !std::isfinite(found.error)) {
       break;
     }
-    const FilmChange step =
-        change(std::clamp(of_error * found.error, finest, loosest), settings.max_krylov_steps);
+    const FilmChange step = change(accuracy(found.error, settings.tol), settings.max_krylov_steps);
     if (step.film.empty()) break;
     found.krylov_steps += step.steps;
     advance(step);

@@ -15,8 +15,8 @@ namespace {
 
 /// Accuracy of the pressure that belongs to a film, in the preconditioner.
 constexpr double pressure_accuracy = 0.05;
-/// Compliance of the boundary layer in a cavitated cell, relative to that of the cell, from which
-/// on its pressure is an unknown.
+/// Stiffness of the boundary layer in a cavitated cell, relative to that of the cell, from which on
+/// the preconditioner couples its pressure to the others.
 constexpr double least_contact = 1e-3;
 /// Pivots on the diagonal are taken if they are larger than this share of the column.
 constexpr double pivot_share = 0.01;
@@ -43,15 +43,17 @@ double largest(const double* values, std::size_t n) {
 }  // namespace
 
 struct FilmSystem::Factors {
-  Eigen::SparseLU<ShortSparse, Eigen::COLAMDOrdering<int>> lu;
+  Eigen::SparseLU<ShortSparse, Eigen::NaturalOrdering<int>> lu;
 };
 
 FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
     : lattice_(grid),
+      places_(dissected(lattice_)),
       cell_area_(grid.cell_area()),
       elastic_(elastic),
       factors_(std::make_unique<Factors>()) {
   factors_->lu.setPivotThreshold(pivot_share);
+  factors_->lu.isSymmetric(true);
 }
 FilmSystem::~FilmSystem() = default;
 
@@ -113,9 +115,8 @@ bool FilmSystem::decompose(const Linearised& system) {
   const std::size_t n = size();
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(n * 40);
-  row_scale_.assign(n, 1.0);
   const auto add = [&](std::size_t row, std::ptrdiff_t column, double value) {
-    if (value != 0) entries.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+    if (value != 0) entries.emplace_back(places_[row], places_[column], value);
   };
   for (int i = 0; i < lattice_.nx(); ++i) {
     for (int j = 0; j < lattice_.ny(); ++j) {
@@ -163,7 +164,9 @@ bool FilmSystem::decompose(const Linearised& system) {
 Field FilmSystem::flow_solution(const Field& residual) const {
   const std::size_t n = size();
   Field right(n);
-  for (std::size_t i = 0; i < n; ++i) right[i] = row_scale_[i] * residual[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    right[places_[i]] = row_scale_[places_[i]] * residual[i];
+  }
   // Single precision has a short range.
   const double unit = std::max(largest(right.data(), n), tiny);
   ShortVector scaled(static_cast<Eigen::Index>(n));
@@ -171,7 +174,7 @@ Field FilmSystem::flow_solution(const Field& residual) const {
     scaled[static_cast<Eigen::Index>(i)] = static_cast<float>(right[i] / unit);
   }
   const ShortVector found = factors_->lu.solve(scaled);
-  for (std::size_t i = 0; i < n; ++i) right[i] = unit * found[static_cast<Eigen::Index>(i)];
+  for (std::size_t i = 0; i < n; ++i) right[i] = unit * found[places_[i]];
   return right;
 }
 
@@ -208,7 +211,8 @@ void FilmSystem::find_response(const Linearised& system) {
       cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure_response_[i]; });
 }
 
-/// Unknowns: [pressure or void fraction of each cell | pressure of touched cells | approach].
+/// Unknowns: [pressure or void fraction of each cell | pressure of the boundary layer in cavitated
+/// cells | approach].
 void FilmSystem::precondition(const Linearised& system, const Field& residual, Field& change) {
   const std::size_t n = size();
   Field contact(n);
@@ -225,7 +229,7 @@ void FilmSystem::precondition(const Linearised& system, const Field& residual, F
   for (std::size_t i = 0; i < n; ++i) {
     const double z = pressure[i] + approach * pressure_response_[i];
     change[i] = full_[i] ? z : flow[i] - approach * flow_response_[i];
-    if (touched_[i]) change[n + i] = z;
+    if (!full_[i]) change[n + i] = touched_[i] ? z : contact[i];
   }
   change[2 * n] = approach;
 }
@@ -254,7 +258,7 @@ void FilmSystem::apply(const Linearised& system, const Field& change, Field& ima
   image.assign(2 * n + 1, 0.0);
   for (std::size_t i = 0; i < n; ++i) {
     image[i] = flow[i];
-    if (touched_[i]) {
+    if (!full_[i]) {
       image[n + i] = (change[n + i] + system.stiffness[i] * film[i]) * contact_weight_[i];
     }
   }
@@ -274,9 +278,7 @@ FilmChange FilmSystem::unpack(const Linearised& system, const Field& solution) {
   change.boundary_pressure = change.void_fraction = change.fluid_pressure;
   for (std::size_t i = 0; i < n; ++i) {
     change.film[i] -= change.approach;
-    if (pressed_[i]) {
-      change.boundary_pressure[i] = system.lag[i] - system.stiffness[i] * change.film[i];
-    }
+    change.boundary_pressure[i] = system.lag[i] - system.stiffness[i] * change.film[i];
     if (full_[i]) {
       change.fluid_pressure[i] = solution[i] - change.boundary_pressure[i];
     } else {
@@ -300,14 +302,14 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
   system.slopes.pressure.add_product(lag, flow);
   for (std::size_t i = 0; i < n; ++i) {
     right[i] = flow[i] - system.outflow[i];
-    if (touched_[i]) right[n + i] = system.lag[i] * contact_weight_[i];
+    if (!full_[i]) right[n + i] = system.lag[i] * contact_weight_[i];
   }
   right[2 * n] = system.has_load ? system.missing_load : 0.0;
   // Flow, contact pressure and load count alike.
   const double flow_weight = 1 / std::max(largest(right.data(), n), tiny);
   const double contact_weight =
       1 / std::max({largest(right.data() + n, n),
-                    1e-9 * system.load_scale / cell_area_ / static_cast<double>(n), tiny});
+                    1e-6 * system.load_scale / cell_area_ / static_cast<double>(n), tiny});
   const double load_weight =
       1 / std::max({std::fabs(right[2 * n]), 1e-6 * system.load_scale, tiny});
   const auto scale = [&](Field& field, bool inverse) {

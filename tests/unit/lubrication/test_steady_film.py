@@ -35,7 +35,7 @@ class Point:
 
     def solve(self, speed=None, **more):
         speed = (self.u, self.u) if speed is None else speed
-        target = {} if "approach" in more else {"load": self.load}
+        target = {} if "approach" in more or "load" in more else {"load": self.load}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             return sc.lubrication.steady(
@@ -176,6 +176,21 @@ def test_films_open_from_the_dry_contact():
             boundary=layer, order=1,
         )  # fmt: skip
     assert alone.boundary_share == pytest.approx(curve.boundary_share[2], rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("thickness", "speed", "share"), [(100e-9, 1.0, 0.22), (100e-9, 3e-3, 1.0), (1e-6, 1.0, 0.99)]
+)
+def test_layers_as_thick_as_the_film_bear_the_load_with_it(thickness, speed, share):
+    ball = Point(200, 10, 32, 5.0)
+    layer = sc.lubrication.Boundary(thickness, pressure=5e8)
+    film = ball.solve(speed=(speed, speed), load=20.0, boundary=layer)
+    assert film.boundary_share == pytest.approx(share, abs=0.03)
+    assert film.minimum_film > thickness
+    law = 5e8 * (thickness / (film.film - thickness)) ** 3
+    np.testing.assert_allclose(film.boundary_pressure, law, rtol=2e-3, atol=1e-5 * law.max())
+    total = film.pressure.sum() * ball.grid.cell_area
+    assert total == pytest.approx(20.0, rel=1e-5)
 
 
 @pytest.mark.slow

@@ -51,7 +51,7 @@ struct FilmSolution {
 struct NewtonSettings {
   double tol = 1e-6;
   int max_iterations = 40;
-  int max_krylov_steps = 60;
+  int max_krylov_steps = 250;
 };
 
 class FilmSolver {

@@ -78,6 +78,7 @@ class FilmSystem {
   std::size_t size() const { return lattice_.size(); }
 
   Lattice lattice_;
+  std::vector<int> places_;  // of the cells in the elimination
   double cell_area_;
   ElasticFilm& elastic_;
   std::vector<char> full_, touched_, stiff_, pressed_;

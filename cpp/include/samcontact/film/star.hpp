@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/grid.hpp"
@@ -31,6 +32,10 @@ class Lattice {
   int nx_, ny_;
   bool wraps_;
 };
+
+/// Place of each cell in an elimination by nested dissection: strips two cells wide part the grid,
+/// and follow what they part (George, SIAM J. Numer. Anal. 10, 1973).
+std::vector<int> dissected(const Lattice& lattice);
 
 /// Matrix with entries for a cell and two neighbours on each side along x and y.
 class Star {
