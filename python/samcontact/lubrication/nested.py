@@ -100,6 +100,8 @@ class DryContact:
     radius: float
     """Contact radius, or half-width of a line contact, of a Hertz contact with the same load and
     largest pressure [m]."""
+    gap_radius: float
+    """Reduced radius of curvature of the gap of this Hertz contact [m]."""
     film: float
     """Central film that a formula predicts [m]."""
 
@@ -176,7 +178,7 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
         radius = math.sqrt(1.5 * found.load / (math.pi * peak))
         R = 4.0 * E_star * radius**3 / (3.0 * found.load)
         film = nijenbanning(hertz.point(R, E_star, load=found.load), speeds, task.lubricant)
-    return DryContact(found.pressure, found.approach, found.load, radius, film)
+    return DryContact(found.pressure, found.approach, found.load, radius, R, film)
 
 
 def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> dict[str, Any]:

@@ -32,6 +32,7 @@ from ..bodies.viscoelastic import require_no_relaxation
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
+from .film_limits import remedy, require_thin_film
 from .film_solution import FilmLevel, FilmSolution
 from .mixed import MixedFilm
 from .nested import (
@@ -157,6 +158,7 @@ def solved_from_dry(task: FilmTask, grid: Grid) -> Found:
 def _full_film(task: FilmTask, grid: Grid) -> Found:
     """Return the solution on nested grids, from a thick film."""
     grids, dry = started(task, grid)
+    require_thin_film(task, dry)
     table = table_of(task.lubricant, dry.peak)
     layer = task.layer(dry.peak)
     levels: list[FilmLevel] = []
@@ -170,7 +172,7 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
         solver = LevelSolver(task, cells, gap, table)
         found = _solved(solver, state, layer)
         levels.append(solver.level(found))
-    require_converged(found, task)
+    require_converged(found, task, remedy(task, dry, grid))
     return solution_of(grid, gap, task, found, levels), dry, found
 
 
@@ -178,6 +180,7 @@ def _mixed_film(task: FilmTask, grid: Grid) -> Found:
     """Return the solution with a boundary layer: of a thick film, or else from the dry contact."""
     assert task.boundary is not None
     mixed = MixedFilm(task, grid)
+    require_thin_film(task, mixed.dry)
     if mixed.dry.film > THICK * task.boundary.thickness:
         try:
             thick = _full_film(task, grid)
@@ -187,7 +190,7 @@ def _mixed_film(task: FilmTask, grid: Grid) -> Found:
             if thick[0].boundary_share < MAX_SHARE:
                 return thick
     found = mixed.at(1.0)
-    require_converged(found, task)
+    require_converged(found, task, remedy(task, mixed.dry, grid))
     return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry, found
 
 
@@ -255,14 +258,16 @@ def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, floa
     return solver.solve(state_of(first), layer, solver.task.order)
 
 
-def require_converged(found: Any, task: FilmTask) -> None:
+def require_converged(
+    found: Any, task: FilmTask, advice: str = "use smaller cells, a longer inlet, or order = 1"
+) -> None:
     """Raise an error for a state that is not a solution, or is none of the physical problem."""
     target = quantity(task.target, "N" if task.is_load else "m")
     if not found["converged"]:
         error = ConvergenceError(
             f"film at {'load' if task.is_load else 'approach'} {target} did not converge: residual "
-            f"{found['error']:.3g} after {found['iterations']} iterations, tol {task.tol:g}: use "
-            "smaller cells, a longer inlet, or order = 1"
+            f"{found['error']:.3g} after {found['iterations']} iterations, tol {task.tol:g}: "
+            + advice
         )
         attach(error, iterations=found["iterations"], residual=found["error"])
         raise error
@@ -325,7 +330,7 @@ def _pressure_at_inlet(solution: FilmSolution, task: FilmTask) -> float:
     if not solution.grid.periodic:
         edges += [(p[:, 0], along_y[:, 0]), (p[:, -1], -along_y[:, -1])]
     entering = [float(edge[inward > 0].max()) for edge, inward in edges if np.any(inward > 0)]
-    return max(entering, default=0.0) / float(p.max())
+    return max(entering, default=0.0) / float(solution.pressure.max())
 
 
 __all__ = ["steady"]

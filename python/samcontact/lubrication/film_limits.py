@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Limits of the theory and of the grid for a lubricated contact, from the film of a formula."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from .._util.display import quantity
+from ..problem.grid import Grid
+from .nested import DryContact, FilmTask
+
+MAX_FILM_OF_RADIUS = 0.1
+"""Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
+LEAST_FILM_OF_SLOPE = 0.2
+"""Least film relative to the rise of the dry gap over a cell at the edge of the contact, below
+which a failure is explained by the size of the cells."""
+
+
+def require_thin_film(task: FilmTask, dry: DryContact) -> None:
+    """Refuse a film that is not thin, before the work.
+
+    Raises
+    ------
+    ValueError
+        The film that a formula predicts is larger than a tenth of the radius of the gap.
+    """
+    if not task.is_load or min(dry.film, task.supply) <= MAX_FILM_OF_RADIUS * dry.gap_radius:
+        return
+    raise ValueError(
+        f"load must be large enough for a thin film, got {task.target:.4g} N: at this speed and "
+        f"viscosity a formula predicts a film of {quantity(dry.film, 'm')}, which is not thin for "
+        f"surfaces of the radius {quantity(dry.gap_radius, 'm')} (at most {MAX_FILM_OF_RADIUS:g} "
+        "of it); check their units"
+    )
+
+
+def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
+    """Return what to do about a film that did not converge."""
+    film = min(dry.film, task.supply)
+    reach = math.sqrt(2.0 * film * dry.gap_radius) + dry.radius
+    inlet = _inlet_length(task, dry.pressure, grid)
+    expected = f"a formula predicts a film of {quantity(film, 'm')}"
+    if reach > inlet:
+        return (
+            f"{expected}, whose pressure reaches about {quantity(reach, 'm')} from the centre, but "
+            f"the grid ends after {quantity(inlet, 'm')}: enlarge the grid towards the inlet"
+        )
+    size = grid.dx if grid.ny == 1 else max(grid.dx, grid.dy)
+    slope = 2.0 * dry.radius / (math.pi * dry.gap_radius)
+    thinnest = max(film, 0.0 if task.boundary is None else task.boundary.thickness)
+    if thinnest < LEAST_FILM_OF_SLOPE * slope * size:
+        layer = "" if task.boundary else ", or a boundary layer"
+        cells = quantity(thinnest / (LEAST_FILM_OF_SLOPE * slope), "m")
+        return f"{expected}, too thin for these cells: use cells of about {cells}{layer}"
+    return "use smaller cells with nearly equal sides, a longer inlet, or order = 1"
+
+
+def _inlet_length(task: FilmTask, pressure: FloatArray, grid: Grid) -> float:
+    """Return the smallest distance of the centre from an edge through which lubricant enters."""
+    i, j = np.unravel_index(int(np.argmax(pressure)), pressure.shape)
+    along_x, along_y = task.face_velocities(grid)
+    nx, ny = pressure.shape
+    length, width = grid.nx * grid.dx, grid.ny * grid.dy
+    x, y = (i + 0.5) * length / nx, (j + 0.5) * width / ny
+    edges = [(x, along_x[0]), (length - x, -along_x[-1])]
+    if grid.ny > 1 and not grid.periodic:
+        edges += [(y, along_y[:, 0]), (width - y, -along_y[:, -1])]
+    # A spin draws some lubricant in through each edge: the main inlet counts.
+    fastest = max(float(inward.mean()) for _, inward in edges)
+    return min(
+        (way for way, inward in edges if float(inward.mean()) > 0.5 * fastest), default=math.inf
+    )
