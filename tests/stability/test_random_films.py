@@ -65,11 +65,12 @@ def solved(number):
     try:
         film = sc.lubrication.steady(grid, body, STEEL, gap, load=load, **settings)
     except NAMED as error:
-        assert len(str(error)) > 40
         return error
-    assert np.isfinite(film.pressure).all() and film.fluid_pressure.min() >= 0
+    assert np.isfinite(film.pressure).all()
+    assert film.fluid_pressure.min() >= 0
     assert film.film.min() > (0.0 if film.boundary is None else film.boundary.thickness)
-    assert 0 <= film.filling.min() and film.filling.max() <= 1
+    assert film.filling.min() >= 0
+    assert film.filling.max() <= 1
     assert film.pressure.sum() * grid.cell_area == pytest.approx(load, rel=1e-5)
     assert film.residual <= 1e-6
     return film
