@@ -88,6 +88,14 @@ Reynolds::Reynolds(const Grid& grid, FaceVelocities velocities, const LubricantT
       settings_(settings) {
   require_faces(velocities_.along_x, static_cast<std::size_t>(grid.nx + 1) * grid.ny, "along_x");
   require_faces(velocities_.along_y, static_cast<std::size_t>(grid.nx) * (grid.ny + 1), "along_y");
+  const PressureFlow& given = settings_.pressure_flow;
+  const auto require = [](const Field& field, const Field& faces, const char* name) {
+    if (!field.empty()) require_faces(field, faces.size(), name);
+  };
+  require(given.factor_x, velocities_.along_x, "factor_x");
+  require(given.added_x, velocities_.along_x, "added_x");
+  require(given.factor_y, velocities_.along_y, "factor_y");
+  require(given.added_y, velocities_.along_y, "added_y");
   const auto largest = [](const Field& field) {
     return largest_of(field.size(), [&](std::size_t i) { return std::fabs(field[i]); });
   };
@@ -120,6 +128,9 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
   const bool along_x = axis == 0;
   const int lines = along_x ? lattice_.ny() : lattice_.nx();
   const double width = along_x ? grid_.dy : grid_.dx;
+  const PressureFlow& given = settings_.pressure_flow;
+  const Field& factors = along_x ? given.factor_x : given.factor_y;
+  const Field& added = along_x ? given.added_x : given.added_y;
   const auto add = [&](std::ptrdiff_t row, int away, double sign, const Face& face) {
     if (row < 0) return;
     outflow[row] += sign * width * face.flux;
@@ -141,22 +152,25 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
       const std::size_t at = along_x ? static_cast<std::size_t>(f) * lattice_.ny() + across
                                      : static_cast<std::size_t>(across) * (lattice_.ny() + 1) + f;
       const double velocity = along_x ? velocities_.along_x[at] : velocities_.along_y[at];
-      const Face found = face(line, f, velocity, fields, values);
+      const double factor = factors.empty() ? 1.0 : factors[at];
+      Face found = face(line, f, velocity, factor, fields, values);
+      if (!added.empty()) found.flux += added[at];
       add(line.at(f - 1), 1 - stencil, 1.0, found);
       if (f < line.cells) add(line.at(f), -stencil, -1.0, found);
     }
   }
 }
 
-Reynolds::Face Reynolds::face(const Line& line, int number, double velocity,
+Reynolds::Face Reynolds::face(const Line& line, int number, double velocity, double factor,
                               const FilmFields& fields, const CellValues& values) const {
   Face face{number};
-  add_pressure_flow(line, values, face);
+  add_pressure_flow(line, factor, values, face);
   add_entrained_flow(line, velocity, fields, values, face);
   return face;
 }
 
-void Reynolds::add_pressure_flow(const Line& line, const CellValues& values, Face& face) const {
+void Reynolds::add_pressure_flow(const Line& line, double factor, const CellValues& values,
+                                 Face& face) const {
   const int f = face.number;
   std::array<Part, 2> mean{{{f - 1, 0.5}, {f, 0.5}}};
   double before = 1.0, after = 1.0;  // weights of the reduced pressures
@@ -175,12 +189,13 @@ void Reynolds::add_pressure_flow(const Line& line, const CellValues& values, Fac
   const std::ptrdiff_t left = before > 0 ? line.at(f - 1) : -1, right = after > 0 ? line.at(f) : -1;
   const double rise = (right < 0 ? 0.0 : after * values.reduced[right]) -
                       (left < 0 ? 0.0 : before * values.reduced[left]);
-  const double conductance = film * film * film / (12 * line.length);
+  const double conductance = factor * (film * film * film / (12 * line.length));
   face.flux -= conductance * rise;
   if (left >= 0) face.pressure[stencil - 1] += conductance * before * values.fluidity[left];
   if (right >= 0) face.pressure[stencil] -= conductance * after * values.fluidity[right];
   for (const Part& part : mean) {
-    face.film[face.place(part.cell)] -= part.share * film * film / (4 * line.length) * rise;
+    face.film[face.place(part.cell)] -=
+        factor * (part.share * film * film / (4 * line.length) * rise);
   }
 }
 

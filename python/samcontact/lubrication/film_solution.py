@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,6 +17,7 @@ from ..bodies.layered import Body
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
+from .film_heat import FilmHeat
 
 
 class FilmLevel(NamedTuple):
@@ -85,6 +87,14 @@ class FilmSolution(HtmlTable):
         Upper and lower body.
     past : FilmPast, or None
         Past of a transient contact.
+    order : int
+        Order of the film at the faces of the cells.
+    supply : float
+        Thickness of the film that arrives at the inlet [m]; infinite if fully flooded.
+    shear_thinning : bool
+        Whether the shear stress reduced the viscosity in the flow.
+    heat : FilmHeat, or None
+        Temperatures of a heated film.
     """
 
     grid: Grid
@@ -103,6 +113,10 @@ class FilmSolution(HtmlTable):
     spin: float = 0.0
     bodies: tuple[Body, ...] = ()
     past: FilmPast | None = None
+    order: int = 3
+    supply: float = math.inf
+    shear_thinning: bool = False
+    heat: FilmHeat | None = None
 
     @cached_property
     def pressure(self) -> FloatArray:
@@ -155,6 +169,8 @@ class FilmSolution(HtmlTable):
         ]
         if self.boundary is not None:
             rows.append(("share of the boundary layer", quantity(self.boundary_share)))
+        if self.heat is not None:
+            rows.append(("largest rise of temperature", quantity(self.heat.max_rise, "K")))
         return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]
 
     def __repr__(self) -> str:

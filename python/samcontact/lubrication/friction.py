@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, finite_array, require_type
 from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from .film_heat import Conduction
 from .film_solution import FilmSolution
 
 MAX_FLUID_COEFFICIENT = 0.15
@@ -78,8 +79,8 @@ def friction(film: FilmSolution) -> FilmFriction:
     """Return shear, traction, rolling resistance and power of a lubricated contact.
 
     The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
-    ``|v1 - v2|``/film, isothermal, times the filling. The boundary layer adds its coefficient of
-    friction times its pressure. The sliding due to spin is not included.
+    ``|v1 - v2|``/film, times the filling, at the temperatures of a heated film. The boundary layer
+    adds its coefficient of friction times its pressure. The sliding due to spin is not included.
 
     Raises
     ------
@@ -96,7 +97,11 @@ def friction(film: FilmSolution) -> FilmFriction:
     cell = film.grid.dx * film.grid.dy
     # an iterate in suction has no place in a law of viscosity
     pressure = np.maximum(film.fluid_pressure, 0.0)
-    fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)
+    if film.heat is None:
+        fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)
+    else:
+        warm = Conduction(film.lubricant, pressure, film.film, film.filling, speed)
+        fluid = warm.shear(film.heat.wall_rise, film.heat.depth)
     _require_thinning(film, float(fluid.sum()) * cell / film.load)
     layer = film.boundary_pressure * (0.0 if film.boundary is None else film.boundary.friction)
     layer = layer if speed > 0.0 else np.zeros_like(fluid)

@@ -56,6 +56,15 @@ class FilmTask:
     order: int
     tol: float
     max_iterations: int
+    thins: bool = False
+    """Whether the shear stress reduces the viscosity in the flow."""
+    thermal: bool = False
+    """Whether the film is heated."""
+
+    @property
+    def is_sheared(self) -> bool:
+        """Whether the viscosity depends on more than the pressure."""
+        return self.thins or self.thermal
 
     def gap_on(self, grid: Grid, finest: Grid) -> FloatArray:
         """Return the gap on a grid that covers the same area as the given one [m]."""
@@ -243,11 +252,11 @@ class LevelSolver:
         self._core = _core.FilmSolver(grid._core, *(body._core for body in task.bodies))
 
     def solve(
-        self, start: dict[str, Any], layer: tuple[float, float], order: int, **in_time: Any
+        self, start: dict[str, Any], layer: tuple[float, float], order: int, **more: Any
     ) -> Any:
         """Return the solution from a start, as a dictionary; it may not have converged.
 
-        in_time: time step and earlier contents of a transient film.
+        more: time step and earlier contents of a transient film, or the flow due to the pressure.
         """
         task = self.task
         along_x, along_y = task.face_velocities(self.grid)
@@ -259,7 +268,7 @@ class LevelSolver:
             lubricant=self._table, gap=self.gap, is_load=task.is_load, target=task.target,
             along_x=along_x, along_y=along_y, order=order, supply=task.supply,
             thinnest=MIN_FILM_SHARE * float(np.ptp(self.gap)), layer=layer, start=state,
-            tol=task.tol, max_iterations=task.max_iterations, **in_time,
+            tol=task.tol, max_iterations=task.max_iterations, **more,
         )  # fmt: skip
 
     def level(self, found: Any) -> FilmLevel:

@@ -45,6 +45,7 @@ from .nested import (
     state_of,
     table_of,
 )
+from .sheared import ShearedLevel, sheared_from, with_shear
 
 CELLS_PER_RADIUS = 12.0
 """Cells per contact radius below which a warning is issued."""
@@ -72,6 +73,8 @@ def steady(
     supply: float | None = None,
     boundary: Boundary | None = None,
     order: int = 3,
+    shear_thinning: bool = False,
+    thermal: bool = False,
     tol: float = 1e-6,
     max_iterations: int = 40,
 ) -> FilmSolution:
@@ -107,6 +110,13 @@ def steady(
         Boundary layer, which bears where the film is thin. Default: none, full film.
     order : {1, 2, 3}, optional
         Order of the film at the faces of the cells along the flow.
+    shear_thinning : bool, optional
+        Whether the law of `Lubricant.with_eyring` or `with_carreau` reduces the viscosity in the
+        flow. By default, thinning and sliding do not change the film.
+    thermal : bool, optional
+        Whether shear and flow heat the film and the surfaces, which reduces the viscosity. Needs
+        thermal constants of the lubricant and of both bodies. Bodies and inlet have the temperature
+        of the given viscosity.
     tol : float, optional
         Largest residual of flow and load [-], in [1e-10, 1e-2].
     max_iterations : int, optional
@@ -140,6 +150,7 @@ def steady(
         grid, (body1, body2), gap, load, approach, speed, spin, lubricant, supply, boundary, order,
         tol, max_iterations,
     )  # fmt: skip
+    task = with_shear(task, grid, shear_thinning, thermal)
     solution, dry, _ = solved_from_dry(task, grid)
     _warn_of_grid(solution, dry, task)
     return solution
@@ -168,7 +179,12 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
         else:  # a state that has not converged misleads the next grid
             state = start_of(task, cells, gap, dry if n == 0 else dry_contact(task, cells, gap))
         solver = LevelSolver(task, cells, gap, table)
-        found = _solved(solver, state, layer)
+        is_near = task.is_sheared and found is not None and found["converged"]
+        found = sheared_from(solver, state, layer) if is_near else None
+        if found is None or not found["converged"]:
+            found = _solved(solver, state, layer)
+            if task.is_sheared and found["converged"]:
+                found = ShearedLevel(solver).solve(found, layer)
         levels.append(solver.level(found))
     require_converged(found, task)
     return solution_of(grid, gap, task, found, levels), dry, found
@@ -187,6 +203,8 @@ def _mixed_film(task: FilmTask, grid: Grid) -> Found:
             if thick[0].boundary_share < MAX_SHARE:
                 return thick
     found = mixed.at(1.0)
+    if task.is_sheared and found["converged"]:
+        found = ShearedLevel(mixed.solver_of(task)).solve(found, mixed.layer)
     require_converged(found, task)
     return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry, found
 
@@ -285,7 +303,8 @@ def solution_of(
         filling=read_only(1.0 - found["void_fraction"]), approach=found["approach"],
         load=found["load"], residual=found["error"], levels=tuple(levels),
         boundary=task.boundary, spin=task.spin, bodies=task.bodies,
-        fluid_pressure=fluid, boundary_pressure=layer, film=film,
+        fluid_pressure=fluid, boundary_pressure=layer, film=film, order=task.order,
+        supply=task.supply, shear_thinning=task.thins, heat=found.get("heat"),
     )  # fmt: skip
 
 

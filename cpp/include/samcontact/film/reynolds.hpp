@@ -18,6 +18,13 @@ struct FaceVelocities {
   Field along_y;  // [nx][ny + 1]
 };
 
+/// Flow due to the pressure relative to that of the viscosity at small shear rates and at the
+/// temperature of the table: factors [-], and flow in addition [m^2/s]. Empty fields: 1 and 0.
+struct PressureFlow {
+  Field factor_x, added_x;  // [nx + 1][ny]
+  Field factor_y, added_y;  // [nx][ny + 1]
+};
+
 struct FlowSettings {
   /// Order of the film at a face in the direction of the flow: 1, 2, or 3 (QUICK; Leonard 1979,
   /// doi:10.1016/0045-7825(79)90034-3).
@@ -28,6 +35,7 @@ struct FlowSettings {
   double supply = std::numeric_limits<double>::infinity();
   /// Films below are taken as this thin [m].
   double thinnest = 0.0;
+  PressureFlow pressure_flow = {};
 };
 
 /// Film of fluid: pressure, film thickness, and the void fraction of cavitated cells.
@@ -64,9 +72,10 @@ class Reynolds {
   Field sum(const FilmFields& fields, Slopes* slopes) const;
   void add_direction(int axis, const FilmFields& fields, const CellValues& values, Field& outflow,
                      Slopes* slopes) const;
-  Face face(const Line& line, int number, double velocity, const FilmFields& fields,
+  Face face(const Line& line, int number, double velocity, double factor, const FilmFields& fields,
             const CellValues& values) const;
-  void add_pressure_flow(const Line& line, const CellValues& values, Face& face) const;
+  void add_pressure_flow(const Line& line, double factor, const CellValues& values,
+                         Face& face) const;
   /// Content at a face through which the film flows in the direction of the sign.
   Entrained entrained(const Line& line, int number, int sign, const CellValues& values) const;
   /// Changes to first order near the boundary layer; first: content of the cell upstream.
