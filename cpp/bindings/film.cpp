@@ -25,11 +25,14 @@ film::FilmState to_state(const Content& given) {
           given["approach"].cast<double>()};
 }
 
-/// Factors along x and y, then added flows along x and y; empty for none.
+/// Factor, added flow and slope along x, then along y; empty for none.
 film::PressureFlow to_pressure_flow(const std::vector<Array>& given) {
   if (given.empty()) return {};
-  return {to_field(given.at(0)), to_field(given.at(2)), to_field(given.at(1)),
-          to_field(given.at(3))};
+  const auto faces = [&](std::size_t first) {
+    return film::PressureFlow::Faces{to_field(given.at(first)), to_field(given.at(first + 1)),
+                                     to_field(given.at(first + 2))};
+  };
+  return {faces(0), faces(3)};
 }
 
 Content to_python(film::FilmSolution solution, const Grid& grid) {

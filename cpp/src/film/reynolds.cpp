@@ -88,14 +88,13 @@ Reynolds::Reynolds(const Grid& grid, FaceVelocities velocities, const LubricantT
       settings_(settings) {
   require_faces(velocities_.along_x, static_cast<std::size_t>(grid.nx + 1) * grid.ny, "along_x");
   require_faces(velocities_.along_y, static_cast<std::size_t>(grid.nx) * (grid.ny + 1), "along_y");
-  const PressureFlow& given = settings_.pressure_flow;
-  const auto require = [](const Field& field, const Field& faces, const char* name) {
-    if (!field.empty()) require_faces(field, faces.size(), name);
+  const auto require = [](const PressureFlow::Faces& given, const Field& faces) {
+    for (const Field* field : {&given.factor, &given.added, &given.slope}) {
+      if (!field->empty()) require_faces(*field, faces.size(), "pressure_flow");
+    }
   };
-  require(given.factor_x, velocities_.along_x, "factor_x");
-  require(given.added_x, velocities_.along_x, "added_x");
-  require(given.factor_y, velocities_.along_y, "factor_y");
-  require(given.added_y, velocities_.along_y, "added_y");
+  require(settings_.pressure_flow.along_x, velocities_.along_x);
+  require(settings_.pressure_flow.along_y, velocities_.along_y);
   const auto largest = [](const Field& field) {
     return largest_of(field.size(), [&](std::size_t i) { return std::fabs(field[i]); });
   };
@@ -128,9 +127,8 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
   const bool along_x = axis == 0;
   const int lines = along_x ? lattice_.ny() : lattice_.nx();
   const double width = along_x ? grid_.dy : grid_.dx;
-  const PressureFlow& given = settings_.pressure_flow;
-  const Field& factors = along_x ? given.factor_x : given.factor_y;
-  const Field& added = along_x ? given.added_x : given.added_y;
+  const PressureFlow::Faces& given =
+      along_x ? settings_.pressure_flow.along_x : settings_.pressure_flow.along_y;
   const auto add = [&](std::ptrdiff_t row, int away, double sign, const Face& face) {
     if (row < 0) return;
     outflow[row] += sign * width * face.flux;
@@ -152,9 +150,10 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
       const std::size_t at = along_x ? static_cast<std::size_t>(f) * lattice_.ny() + across
                                      : static_cast<std::size_t>(across) * (lattice_.ny() + 1) + f;
       const double velocity = along_x ? velocities_.along_x[at] : velocities_.along_y[at];
-      const double factor = factors.empty() ? 1.0 : factors[at];
+      const double factor = given.factor.empty() ? 1.0 : given.factor[at];
       Face found = face(line, f, velocity, factor, fields, values);
-      if (!added.empty()) found.flux += added[at];
+      if (!given.added.empty()) found.flux += given.added[at];
+      if (!given.slope.empty()) add_slope(line, given.slope[at], fields, found);
       add(line.at(f - 1), 1 - stencil, 1.0, found);
       if (f < line.cells) add(line.at(f), -stencil, -1.0, found);
     }
@@ -197,6 +196,15 @@ void Reynolds::add_pressure_flow(const Line& line, double factor, const CellValu
     face.film[face.place(part.cell)] -=
         factor * (part.share * film * film / (4 * line.length) * rise);
   }
+}
+
+void Reynolds::add_slope(const Line& line, double slope, const FilmFields& fields,
+                         Face& face) const {
+  const int f = face.number;
+  if (slope == 0 || !line.has(f - 1) || !line.has(f)) return;
+  face.flux -= slope * (fields.pressure[line.at(f)] - fields.pressure[line.at(f - 1)]);
+  face.pressure[stencil - 1] += slope;
+  face.pressure[stencil] -= slope;
 }
 
 Reynolds::Entrained Reynolds::entrained(const Line& line, int number, int sign,

@@ -10,6 +10,7 @@ The speeds (u1, u2) of the surfaces are those in the frame of the contact, along
 
 from .boundary import Boundary
 from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
+from .film_heat import FilmHeat
 from .film_solution import FilmLevel, FilmSolution
 from .formulas import (
     FilmThickness,
@@ -19,10 +20,11 @@ from .formulas import (
     regime,
     rigid_isoviscous,
 )
-from .friction import FilmFriction, TractionCurve, friction, traction_curve
+from .friction import FilmFriction, friction
 from .groups import MoesNumbers, moes
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
+from .traction import TractionCurve, traction_curve
 from .transient import FilmHistory, transient
 from .yielding import FilmIncrement, press
 
@@ -30,6 +32,7 @@ __all__ = [
     "Boundary",
     "FilmEstimate",
     "FilmFriction",
+    "FilmHeat",
     "FilmHistory",
     "FilmIncrement",
     "FilmLevel",

@@ -3,13 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, finite_array, require_type
-from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from .._util.checks import FloatArray, require_type
+from .._util.display import HtmlTable, Rows, quantity
 from .film_heat import Conduction
 from .film_solution import FilmSolution
 
@@ -59,22 +58,6 @@ class FilmFriction(HtmlTable):
         return f"FilmFriction({', '.join(f'{name}={value}' for name, value in self._rows())})"
 
 
-@dataclass(frozen=True, repr=False, eq=False)
-class TractionCurve(ShortRepr):
-    """Coefficient of friction over the slide-to-roll ratio, from `traction_curve`.
-
-    Attributes
-    ----------
-    slide_to_roll : ndarray, shape (n,)
-        Slide-to-roll ratios (u1 - u2)/((u1 + u2)/2) [-].
-    coefficient : ndarray, shape (n,)
-        Coefficients of friction, with the sign of the ratio [-].
-    """
-
-    slide_to_roll: FloatArray
-    coefficient: FloatArray
-
-
 def friction(film: FilmSolution) -> FilmFriction:
     """Return shear, traction, rolling resistance and power of a lubricated contact.
 
@@ -119,30 +102,6 @@ def friction(film: FilmSolution) -> FilmFriction:
         0.5 * flow / entrainment if entrainment > 0.0 else 0.0,
         total * speed + flow,
     )
-
-
-def traction_curve(film: FilmSolution, slide_to_roll: ArrayLike) -> TractionCurve:
-    """Return the friction over the slide-to-roll ratio of a contact at constant mean velocity.
-
-    The film is isothermal, so that it does not depend on the sliding; friction is too high at large
-    ratios, where the film is heated. slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean
-    velocity [-], a list. Raises TypeError or ValueError as `friction`.
-    """
-    require_type("film", film, FilmSolution)
-    ratios = finite_array("slide_to_roll", slide_to_roll)
-    if ratios.ndim != 1 or not ratios.size:
-        raise ValueError(
-            f"slide_to_roll must be a list of numbers, got an array of shape {ratios.shape}"
-        )
-    mean = 0.5 * (film.velocities[0] + film.velocities[1])
-    if not np.any(mean):
-        raise ValueError("film must have a mean velocity other than 0 for a slide-to-roll ratio")
-    found = []
-    for ratio in ratios:
-        velocities = np.array([mean * (1.0 + 0.5 * ratio), mean * (1.0 - 0.5 * ratio)])
-        at = friction(replace(film, velocities=velocities))
-        found.append(float(np.sign(ratio)) * at.coefficient)
-    return TractionCurve(ratios, np.array(found))
 
 
 def _flow_power(film: FilmSolution, mean: FloatArray) -> float:

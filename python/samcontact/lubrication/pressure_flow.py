@@ -21,12 +21,14 @@ SHARES = np.array([5.0, 8.0, 5.0]) / 18.0
 
 
 class PressureFlow(NamedTuple):
-    """Factors of the flow at the faces along x and y [-], and flow in addition [m^2/s]."""
+    """Flow at the faces along x and y: see the header `film/reynolds.hpp` of the core."""
 
     factor_x: FloatArray
-    factor_y: FloatArray
     added_x: FloatArray
+    slope_x: FloatArray
+    factor_y: FloatArray
     added_y: FloatArray
+    slope_y: FloatArray
 
 
 @dataclass(frozen=True)
@@ -53,7 +55,7 @@ class Sheared:
 def pressure_flow(film: Sheared) -> tuple[PressureFlow, FloatArray]:
     """Return the flow due to the pressure, and the power that it dissipates per area [W/m^2]."""
     along_x, along_y = _along(film, 0), _along(film, 1)
-    flow = PressureFlow(along_x.factor, along_y.factor, along_x.added, along_y.added)
+    flow = PressureFlow(*along_x[:3], *along_y[:3])
     return flow, along_x.power + along_y.power
 
 
@@ -62,6 +64,7 @@ class _Faces(NamedTuple):
 
     factor: FloatArray
     added: FloatArray
+    slope: FloatArray
     power: FloatArray
 
 
@@ -70,33 +73,33 @@ def _along(film: Sheared, axis: int) -> _Faces:
     cells = film.pressure.shape[axis]
     shape = list(film.pressure.shape)
     shape[axis] += 1
-    factor, added = np.ones(shape), np.zeros(shape)
+    factor, added, slope = np.ones(shape), np.zeros(shape), np.zeros(shape)
     power = np.zeros_like(film.pressure)
     closed = axis == 1 and grid.along_y and cells > 1
     count = cells if closed else cells - 1
     if count < 1:
-        return _Faces(factor, added, power)
+        return _Faces(factor, added, slope, power)
 
     def sides(field: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Values before and behind the faces, which are first along the axis."""
         moved = np.moveaxis(field, axis, 0)
         return (np.roll(moved, 1, axis=0), moved) if closed else (moved[:-1], moved[1:])
 
-    at, more, loss = _faces(film, axis, sides)
+    *found, loss = _faces(film, axis, sides)
     first = 0 if closed else 1
-    np.moveaxis(factor, axis, 0)[first : first + count] = at
-    np.moveaxis(added, axis, 0)[first : first + count] = more
+    for whole, here in zip((factor, added, slope), found, strict=True):
+        np.moveaxis(whole, axis, 0)[first : first + count] = here
     total = np.moveaxis(power, axis, 0)  # each cell receives half of the power of its two faces
     if closed:
         total += 0.5 * (loss + np.roll(loss, -1, axis=0))
     else:
         total[:-1] += 0.5 * loss
         total[1:] += 0.5 * loss
-    return _Faces(factor, added, power)
+    return _Faces(factor, added, slope, power)
 
 
-def _faces(film: Sheared, axis: int, sides: object) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return factor, added flow and dissipated power per area at the faces between cells."""
+def _faces(film: Sheared, axis: int, sides: object) -> tuple[FloatArray, ...]:
+    """Return factor, added flow, slope and power per area at the faces between cells."""
     assert callable(sides)
     grid, oil = film.grid, film.lubricant
     step = (grid.dx, grid.dy)[axis]
@@ -126,6 +129,7 @@ def _faces(film: Sheared, axis: int, sides: object) -> tuple[FloatArray, FloatAr
     ]
     tensor = flow_tensor(film.law, newtonian.reshape(2, -1), *flat)
     own, cross = (tensor.xx if axis == 0 else tensor.yy), tensor.xy
+    steeper = tensor.steeper_x if axis == 0 else tensor.steeper_y
     fluidity = SHARES[:, None, None] * density / viscosity
 
     def total(factor: FloatArray) -> FloatArray:
@@ -135,10 +139,11 @@ def _faces(film: Sheared, axis: int, sides: object) -> tuple[FloatArray, FloatAr
     main, across = total(own), total(cross)
     conductance = h**3 / 12.0
     full = (before > 0.0) & (behind > 0.0)
+    slope = np.where(full, conductance / step * np.maximum(total(steeper), 0.0), 0.0)
+    # at these pressures, the slope adds nothing
+    added = np.where(full, -conductance * across * slopes[1], 0.0) + slope * (behind - before)
     loss = conductance * main * slopes[0] ** 2 / density.mean(axis=0)
-    return (
-        main / fluidity.sum(axis=0), np.where(full, -conductance * across * slopes[1], 0.0), loss
-    )  # fmt: skip
+    return main / fluidity.sum(axis=0), added, slope, loss
 
 
 def _slope(film: Sheared, axis: int) -> FloatArray:

@@ -30,6 +30,9 @@ class FlowTensor(NamedTuple):
     xx: FloatArray
     yy: FloatArray
     xy: FloatArray
+    steeper_x: FloatArray
+    """Change of the flow along x with the gradient along x, less xx."""
+    steeper_y: FloatArray
 
 
 def flow_tensor(
@@ -44,7 +47,7 @@ def flow_tensor(
     """
     squares = WEIGHTS * HEIGHTS**2
     plain = 3.0 * squares @ warm
-    found = FlowTensor(plain.copy(), plain.copy(), np.zeros_like(plain))
+    found = FlowTensor(plain.copy(), plain.copy(), *np.zeros((3, plain.size)))
     size = np.hypot(*newtonian) + np.hypot(*gradient)
     thins = size > _NEGLIGIBLE * law.scale
     if thins.any():
@@ -67,9 +70,32 @@ def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatA
     tangent = squares @ (g * change)
     mean = (WEIGHTS * HEIGHTS) @ (g * ratio)
     bend = 3.0 * np.where(small, tangent, mean / np.where(small, 1.0, along))
-    return FlowTensor(
-        plain + bend * middle[0] ** 2, plain + bend * middle[1] ** 2, bend * middle[0] * middle[1]
-    )
+    xx, yy = plain + bend * middle[0] ** 2, plain + bend * middle[1] ** 2
+    steep_x, steep_y = _tangent(stress, g * ratio, g * change)
+    return FlowTensor(xx, yy, bend * middle[0] * middle[1], steep_x - xx, steep_y - yy)
+
+
+def _tangent(
+    stress: FloatArray, ratio: FloatArray, change: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return the derivatives of the flow along x and y with the gradient in this direction.
+
+    The stress of the mid-plane changes with the gradient, so that the mean rate remains.
+    """
+    x, y = stress
+
+    def moments(power: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        share = WEIGHTS * HEIGHTS**power
+        return (
+            share @ (ratio + change * x**2), share @ (ratio + change * y**2),
+            share @ (change * x * y),
+        )  # fmt: skip
+
+    (a, b, c), (d, e, f), (g, h, _) = moments(0), moments(1), moments(2)
+    determinant = a * b - c**2
+    along_x = g - (b * d**2 - 2.0 * c * d * f + a * f**2) / determinant
+    along_y = h - (b * f**2 - 2.0 * c * f * e + a * e**2) / determinant
+    return 3.0 * along_x, 3.0 * along_y
 
 
 def mid_plane_stress(

@@ -19,10 +19,14 @@ struct FaceVelocities {
 };
 
 /// Flow due to the pressure relative to that of the viscosity at small shear rates and at the
-/// temperature of the table: factors [-], and flow in addition [m^2/s]. Empty fields: 1 and 0.
+/// temperature of the table: factors [-], flow in addition [m^2/s], and flow per difference of the
+/// pressures of two cells in addition [m^2/(Pa s)]. Empty fields: 1 and 0.
 struct PressureFlow {
-  Field factor_x, added_x;  // [nx + 1][ny]
-  Field factor_y, added_y;  // [nx][ny + 1]
+  struct Faces {
+    Field factor, added, slope;
+  };
+  Faces along_x;  // [nx + 1][ny]
+  Faces along_y;  // [nx][ny + 1]
 };
 
 struct FlowSettings {
@@ -76,6 +80,8 @@ class Reynolds {
             const CellValues& values) const;
   void add_pressure_flow(const Line& line, double factor, const CellValues& values,
                          Face& face) const;
+  /// Flow in addition to that of the factor, in proportion to the difference of two pressures.
+  void add_slope(const Line& line, double slope, const FilmFields& fields, Face& face) const;
   /// Content at a face through which the film flows in the direction of the sign.
   Entrained entrained(const Line& line, int number, int sign, const CellValues& values) const;
   /// Changes to first order near the boundary layer; first: content of the cell upstream.
