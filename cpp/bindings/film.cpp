@@ -25,14 +25,14 @@ film::FilmState to_state(const Content& given) {
           given["approach"].cast<double>()};
 }
 
-/// Factor, added flow and slope along x, then along y; empty for none.
+/// Factor, fluidity, slope and added flow along x, then along y; empty for none.
 film::PressureFlow to_pressure_flow(const std::vector<Array>& given) {
   if (given.empty()) return {};
   const auto faces = [&](std::size_t first) {
-    return film::PressureFlow::Faces{to_field(given.at(first)), to_field(given.at(first + 1)),
-                                     to_field(given.at(first + 2))};
+    const auto field = [&](std::size_t n) { return to_field(given.at(first + n)); };
+    return film::PressureFlow::Faces{field(0), field(1), field(2), field(3)};
   };
-  return {faces(0), faces(3)};
+  return {faces(0), faces(4)};
 }
 
 Content to_python(film::FilmSolution solution, const Grid& grid) {

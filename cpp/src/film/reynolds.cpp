@@ -89,7 +89,7 @@ Reynolds::Reynolds(const Grid& grid, FaceVelocities velocities, const LubricantT
   require_faces(velocities_.along_x, static_cast<std::size_t>(grid.nx + 1) * grid.ny, "along_x");
   require_faces(velocities_.along_y, static_cast<std::size_t>(grid.nx) * (grid.ny + 1), "along_y");
   const auto require = [](const PressureFlow::Faces& given, const Field& faces) {
-    for (const Field* field : {&given.factor, &given.added, &given.slope}) {
+    for (const Field* field : {&given.factor, &given.fluidity, &given.slope, &given.added}) {
       if (!field->empty()) require_faces(*field, faces.size(), "pressure_flow");
     }
   };
@@ -152,8 +152,7 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
       const double velocity = along_x ? velocities_.along_x[at] : velocities_.along_y[at];
       const double factor = given.factor.empty() ? 1.0 : given.factor[at];
       Face found = face(line, f, velocity, factor, fields, values);
-      if (!given.added.empty()) found.flux += given.added[at];
-      if (!given.slope.empty()) add_slope(line, given.slope[at], fields, found);
+      if (!given.factor.empty()) add_given_flow(line, given, at, fields, found);
       add(line.at(f - 1), 1 - stencil, 1.0, found);
       if (f < line.cells) add(line.at(f), -stencil, -1.0, found);
     }
@@ -198,13 +197,20 @@ void Reynolds::add_pressure_flow(const Line& line, double factor, const CellValu
   }
 }
 
-void Reynolds::add_slope(const Line& line, double slope, const FilmFields& fields,
-                         Face& face) const {
+void Reynolds::add_given_flow(const Line& line, const PressureFlow::Faces& given, std::size_t at,
+                              const FilmFields& fields, Face& face) const {
   const int f = face.number;
-  if (slope == 0 || !line.has(f - 1) || !line.has(f)) return;
-  face.flux -= slope * (fields.pressure[line.at(f)] - fields.pressure[line.at(f - 1)]);
+  if (!line.has(f - 1) || !line.has(f)) return;
+  const std::ptrdiff_t left = line.at(f - 1), right = line.at(f);
+  const double film = std::max(0.5 * (fields.film[left] + fields.film[right]), settings_.thinnest);
+  const double fluidity = given.fluidity[at], rise = fields.pressure[right] - fields.pressure[left];
+  const double slope = given.slope[at] + fluidity * film * film * film / (12 * line.length);
+  face.flux += given.added[at] - slope * rise;
   face.pressure[stencil - 1] += slope;
   face.pressure[stencil] -= slope;
+  const double thicker = fluidity * film * film / (8 * line.length) * rise;
+  face.film[stencil - 1] -= thicker;
+  face.film[stencil] -= thicker;
 }
 
 Reynolds::Entrained Reynolds::entrained(const Line& line, int number, int sign,

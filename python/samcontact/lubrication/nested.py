@@ -21,7 +21,8 @@ from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
 from .film_solution import FilmLevel, film_at_centre
-from .formulas import dowson_higginson, nijenbanning
+from .formulas import dowson_higginson_of, line_limits, nijenbanning
+from .groups import film_groups
 
 COARSEST_SIDE = 24
 """Smallest number of cells along x of a coarser grid."""
@@ -178,9 +179,8 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
         radius = 2.0 * per_length / (math.pi * peak)
         R = math.pi * E_star * radius**2 / (4.0 * per_length)
         line = hertz.line(R, E_star, load_per_length=per_length)
-        U = task.lubricant.eta0 * task.entrainment / (2.0 * E_star * R)
-        soft = 3.1 * R * U**0.6 * (per_length / (2.0 * E_star * R)) ** -0.2
-        film = max(dowson_higginson(line, speeds, task.lubricant), soft)
+        groups = film_groups(line, speeds, task.lubricant)
+        film = max(dowson_higginson_of(groups), line_limits(groups).elastic_isoviscous)
     else:
         radius = math.sqrt(1.5 * found.load / (math.pi * peak))
         R = 4.0 * E_star * radius**3 / (3.0 * found.load)

@@ -13,7 +13,7 @@ from ..lubricants.lubricant import Lubricant
 from ..lubricants.shear import Newtonian, ShearThinning
 from ..problem.grid import Grid
 from .film_heat import FilmHeat
-from .through_film import HEIGHTS, flow_tensor
+from .through_film import HEIGHTS, FlowTensor, flow_of_warmth, flow_tensor
 
 NODES = np.array([0.5 - 0.15**0.5, 0.5, 0.5 + 0.15**0.5])
 SHARES = np.array([5.0, 8.0, 5.0]) / 18.0
@@ -24,11 +24,13 @@ class PressureFlow(NamedTuple):
     """Flow at the faces along x and y: see the header `film/reynolds.hpp` of the core."""
 
     factor_x: FloatArray
-    added_x: FloatArray
+    fluidity_x: FloatArray
     slope_x: FloatArray
+    added_x: FloatArray
     factor_y: FloatArray
-    added_y: FloatArray
+    fluidity_y: FloatArray
     slope_y: FloatArray
+    added_y: FloatArray
 
 
 @dataclass(frozen=True)
@@ -52,98 +54,138 @@ class Sheared:
         return self.lubricant.thinning if self.thins else Newtonian()
 
 
-def pressure_flow(film: Sheared) -> tuple[PressureFlow, FloatArray]:
-    """Return the flow due to the pressure, and the power that it dissipates per area [W/m^2]."""
-    along_x, along_y = _along(film, 0), _along(film, 1)
-    flow = PressureFlow(*along_x[:3], *along_y[:3])
-    return flow, along_x.power + along_y.power
+def pressure_flow(film: Sheared) -> PressureFlow:
+    """Return the flow due to the pressure."""
+    parts: list[FloatArray] = []
+    for axis in (0, 1):
+        faces = _Faces(film, axis)
+        fields = [faces.spread(1.0), *(faces.spread(0.0) for _ in range(3))]
+        if faces.count > 0:
+            for whole, here in zip(fields, faces.flow(), strict=True):
+                faces.inside(whole)[...] = here
+        parts += fields
+    return PressureFlow(*parts)
 
 
-class _Faces(NamedTuple):
-    """Flow at the faces along an axis [nx + 1][ny] or [nx][ny + 1], and power per area of cells."""
+def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
+    """Return the power per area that the flow of a solution dissipates [W/m^2].
 
-    factor: FloatArray
-    added: FloatArray
-    slope: FloatArray
-    power: FloatArray
-
-
-def _along(film: Sheared, axis: int) -> _Faces:
-    grid = film.grid
-    cells = film.pressure.shape[axis]
-    shape = list(film.pressure.shape)
-    shape[axis] += 1
-    factor, added, slope = np.ones(shape), np.zeros(shape), np.zeros(shape)
+    flow: with which the pressure was found, so that the power is that of the conserved flow.
+    """
     power = np.zeros_like(film.pressure)
-    closed = axis == 1 and grid.along_y and cells > 1
-    count = cells if closed else cells - 1
-    if count < 1:
-        return _Faces(factor, added, slope, power)
-
-    def sides(field: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Values before and behind the faces, which are first along the axis."""
-        moved = np.moveaxis(field, axis, 0)
-        return (np.roll(moved, 1, axis=0), moved) if closed else (moved[:-1], moved[1:])
-
-    *found, loss = _faces(film, axis, sides)
-    first = 0 if closed else 1
-    for whole, here in zip((factor, added, slope), found, strict=True):
-        np.moveaxis(whole, axis, 0)[first : first + count] = here
-    total = np.moveaxis(power, axis, 0)  # each cell receives half of the power of its two faces
-    if closed:
-        total += 0.5 * (loss + np.roll(loss, -1, axis=0))
-    else:
-        total[:-1] += 0.5 * loss
-        total[1:] += 0.5 * loss
-    return _Faces(factor, added, slope, power)
+    for axis in (0, 1):
+        faces = _Faces(film, axis)
+        if faces.count > 0:
+            factor, fluidity = (1.0, 0.0) if flow is None else flow[4 * axis : 4 * axis + 2]
+            loss = faces.power(faces.inside(factor), faces.inside(fluidity))
+            faces.add_to_cells(loss, power)
+    return power
 
 
-def _faces(film: Sheared, axis: int, sides: object) -> tuple[FloatArray, ...]:
-    """Return factor, added flow, slope and power per area at the faces between cells."""
-    assert callable(sides)
-    grid, oil = film.grid, film.lubricant
-    step = (grid.dx, grid.dy)[axis]
+class _Faces:
+    """Faces between the cells along an axis; the axis is the first of the fields."""
 
-    def mean(field: FloatArray) -> FloatArray:
-        before, behind = sides(field)
-        found: FloatArray = 0.5 * (before + behind)
+    def __init__(self, film: Sheared, axis: int) -> None:
+        self._film, self._axis = film, axis
+        self._cells = film.pressure.shape[axis]
+        self._closed = axis == 1 and film.grid.along_y and self._cells > 1
+        self.count = self._cells if self._closed else self._cells - 1
+        if self.count < 1:
+            return
+        self._step = (film.grid.dx, film.grid.dy)[axis]
+        self._before, self._behind = self._sides(film.pressure)
+        self._h = self._mean(film.film)
+        at = self._before + NODES[:, None, None] * (self._behind - self._before)
+        inside = np.minimum(at, film.lubricant.max_pressure)
+        self._viscosity = film.lubricant.viscosity(inside)
+        density = film.lubricant.density(inside)
+        self._density = density.mean(axis=0)
+        self._fluidity = SHARES[:, None, None] * density / self._viscosity
+        self._slope = (self._behind - self._before) / self._step
+
+    def spread(self, value: float) -> FloatArray:
+        """Return a field of all faces with a value."""
+        shape = list(self._film.pressure.shape)
+        shape[self._axis] += 1
+        return np.full(shape, value)
+
+    def inside(self, field: FloatArray | float) -> FloatArray:
+        """Return the part of a field of faces that lies between cells."""
+        first = 0 if self._closed else 1
+        whole = self.spread(field) if isinstance(field, float) else field
+        part: FloatArray = np.moveaxis(whole, self._axis, 0)[first : first + self.count]
+        return part
+
+    def add_to_cells(self, loss: FloatArray, power: FloatArray) -> None:
+        """Add half of the power of a face to each of its cells."""
+        total = np.moveaxis(power, self._axis, 0)
+        if self._closed:
+            total += 0.5 * (loss + np.roll(loss, -1, axis=0))
+        else:
+            total[:-1] += 0.5 * loss
+            total[1:] += 0.5 * loss
+
+    def power(self, factor: FloatArray, fluidity: FloatArray) -> FloatArray:
+        """Return the power per area [W/m^2]."""
+        whole = factor * self._fluidity.sum(axis=0) + fluidity
+        found: FloatArray = self._h**3 / 12.0 * whole * self._slope**2 / self._density
         return found
 
-    before, behind = sides(film.pressure)
-    h = mean(film.film)
-    slopes = [(behind - before) / step, mean(_slope(film, 1 - axis))]
-    gradient = 0.5 * h * np.array(slopes if axis == 0 else slopes[::-1])
-    at = before + NODES[:, None, None] * (behind - before)
-    inside = np.minimum(at, oil.max_pressure)
-    viscosity, density = oil.viscosity(inside), oil.density(inside)
-    hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))
-    if film.heat is not None:
-        hot = film.heat.wall_fluidity(mean(film.heat.wall_rise))
-        warm = film.heat.warm(mean(film.heat.depth))
-    rate = film.sliding[:, None, None] / h
-    many = at.shape
-    newtonian = (viscosity / hot) * rate[:, None]
-    flat = [
-        np.broadcast_to(field[:, None], (len(field), *many)).reshape(len(field), -1)
-        for field in (gradient, warm)
-    ]
-    tensor = flow_tensor(film.law, newtonian.reshape(2, -1), *flat)
-    own, cross = (tensor.xx if axis == 0 else tensor.yy), tensor.xy
-    steeper = tensor.steeper_x if axis == 0 else tensor.steeper_y
-    fluidity = SHARES[:, None, None] * density / viscosity
+    def flow(self) -> tuple[FloatArray, ...]:
+        """Return factor, fluidity, slope and added flow."""
+        tensor, warm, hot = self._tensor()
+        many = self._fluidity.shape
 
-    def total(factor: FloatArray) -> FloatArray:
-        summed: FloatArray = hot * np.sum(fluidity * factor.reshape(many), axis=0)
-        return summed
+        def total(factor: FloatArray) -> FloatArray:
+            summed: FloatArray = hot * np.sum(self._fluidity * factor.reshape(many), axis=0)
+            return summed
 
-    main, across = total(own), total(cross)
-    conductance = h**3 / 12.0
-    full = (before > 0.0) & (behind > 0.0)
-    slope = np.where(full, conductance / step * np.maximum(total(steeper), 0.0), 0.0)
-    # at these pressures, the slope adds nothing
-    added = np.where(full, -conductance * across * slopes[1], 0.0) + slope * (behind - before)
-    loss = conductance * main * slopes[0] ** 2 / density.mean(axis=0)
-    return main / fluidity.sum(axis=0), added, slope, loss
+        along_x = self._axis == 0
+        main, across = total(tensor.xx if along_x else tensor.yy), total(tensor.xy)
+        steeper = np.maximum(total(tensor.steeper_x if along_x else tensor.steeper_y), 0.0)
+        conductance = self._h**3 / 12.0
+        full = (self._before > 0.0) & (self._behind > 0.0)
+        slope = np.where(full, conductance / self._step * steeper, 0.0)
+        cross_slope = self._mean(_slope(self._film, 1 - self._axis))
+        # at these pressures, the slope adds nothing
+        added = slope * (self._behind - self._before)
+        added = np.where(full, added - conductance * across * cross_slope, 0.0)
+        # The more the oil is thinned, the less its fluidity depends on the pressure: the part that
+        # still does is multiplied by the factor. The choice changes the convergence only.
+        uniform = total(np.broadcast_to(flow_of_warmth(warm)[None], many).ravel())
+        share = np.where(full, np.minimum(uniform / main, 1.0) ** 2, 1.0)
+        return share * main / self._fluidity.sum(axis=0), (1.0 - share) * main, slope, added
+
+    def _tensor(self) -> tuple[FlowTensor, FloatArray, FloatArray]:
+        """Return the tensor at all pressures, and the ratios of fluidity over the film."""
+        film, h = self._film, self._h
+        hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))
+        if film.heat is not None:
+            hot = film.heat.wall_fluidity(self._mean(film.heat.wall_rise))
+            warm = film.heat.warm(self._mean(film.heat.depth))
+        slopes = [self._slope, self._mean(_slope(film, 1 - self._axis))]
+        gradient = 0.5 * h * np.array(slopes if self._axis == 0 else slopes[::-1])
+        newtonian = (self._viscosity / hot) * (film.sliding[:, None, None] / h)[:, None]
+        flat = [
+            np.broadcast_to(field[:, None], (len(field), *newtonian.shape[1:]))
+            for field in (gradient, warm)
+        ]
+        tensor = flow_tensor(
+            film.law, newtonian.reshape(2, -1), *(each.reshape(len(each), -1) for each in flat)
+        )
+        return tensor, warm, hot
+
+    def _sides(self, field: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the values before and behind the faces."""
+        moved = np.moveaxis(field, self._axis, 0)
+        if self._closed:
+            return np.roll(moved, 1, axis=0), moved
+        return moved[:-1], moved[1:]
+
+    def _mean(self, field: FloatArray) -> FloatArray:
+        before, behind = self._sides(field)
+        found: FloatArray = 0.5 * (before + behind)
+        return found
 
 
 def _slope(film: Sheared, axis: int) -> FloatArray:
@@ -157,4 +199,4 @@ def _slope(film: Sheared, axis: int) -> FloatArray:
     return slope
 
 
-__all__ = ["PressureFlow", "Sheared", "pressure_flow"]
+__all__ = ["PressureFlow", "Sheared", "flow_power", "pressure_flow"]

@@ -17,13 +17,15 @@ from ..lubricants.shear import Newtonian
 from ..problem.grid import Grid
 from .film_heat import Conduction, FilmHeat
 from .nested import FilmTask, LevelSolver, state_of
-from .pressure_flow import PressureFlow, Sheared, pressure_flow
+from .pressure_flow import PressureFlow, Sheared, flow_power, pressure_flow
 from .surface_heat import HeatedSurfaces
 
 COUNTS = "iterations", "krylov_steps", "operator_applications"
 """Numbers of a solution that are summed over all outer iterations."""
 MAX_OUTER = 60
 """Largest number of solutions of the flow with given factors."""
+MIN_FILM = 1e-12
+"""Smallest film whose flow is found [m]; an iterate may have none."""
 HEAT_TOL = 1e-7
 """Largest change of the temperature of the surfaces, relative to the largest."""
 DEPTH = 6
@@ -41,7 +43,7 @@ class ShearedLevel:
         if task.thermal:
             self._surfaces = HeatedSurfaces(solver.grid, task.bodies, task.velocities)
         self.heat: FilmHeat | None = None
-        self._flow_power: FloatArray | None = None
+        self._flow: PressureFlow | None = None
 
     def solve(self, found: Any, layer: tuple[float, float]) -> Any:
         """Return the solution of flow and heat from a state of the film.
@@ -60,30 +62,27 @@ class ShearedLevel:
 
     def flow(self, found: Any) -> PressureFlow:
         """Return the flow due to the pressure at a state of the film."""
-        task, film = self._solver.task, np.maximum(found["film"], 1e-12)
+        task, film = self._solver.task, np.maximum(found["film"], MIN_FILM)
         pressure = np.maximum(found["fluid_pressure"], 0.0)
         sliding = task.velocities[0] - task.velocities[1]
-        if task.thermal:
-            self._warm(found, film, pressure, float(np.hypot(*sliding)))
         sheared = Sheared(
-            self._solver.grid, task.lubricant, sliding, pressure, film, self.heat, task.thins
+            self._solver.grid, task.lubricant, sliding, pressure, film, None, task.thins
         )
-        flow, power = pressure_flow(sheared)
-        if task.thermal and self._flow_power is None:  # the heat of the flow was not yet known
-            self._flow_power = power
-            return self.flow(found)
-        self._flow_power = power
-        return PressureFlow(*map(np.ascontiguousarray, flow))
+        if task.thermal:
+            self._warm(found, sheared)
+        flow = pressure_flow(replace(sheared, heat=self.heat))
+        self._flow = PressureFlow(*map(np.ascontiguousarray, flow))
+        return self._flow
 
-    def _warm(self, found: Any, film: FloatArray, pressure: FloatArray, speed: float) -> None:
+    def _warm(self, found: Any, sheared: Sheared) -> None:
         """Find the temperatures of a film with fixed pressure and thickness."""
         task, grid = self._solver.task, self._solver.grid
         assert self._surfaces is not None
         assert task.lubricant.heat is not None
         surfaces, constants = self._surfaces, task.lubricant.heat
-        power = np.zeros_like(film) if self._flow_power is None else self._flow_power
-        filling = 1.0 - found["void_fraction"]
-        conduction = Conduction(task.lubricant, pressure, film, filling, speed, power)
+        power, speed = flow_power(sheared, self._flow), float(np.hypot(*sheared.sliding))
+        film, filling = sheared.film, 1.0 - found["void_fraction"]
+        conduction = Conduction(task.lubricant, sheared.pressure, film, filling, speed, power)
         friction = 0.0 if task.boundary is None else task.boundary.friction
         boundary = friction * speed * found["boundary_pressure"]
         latest: list[Any] = []

@@ -45,8 +45,7 @@ def flow_tensor(
     warm: ratio of viscosity at the walls to that at each of the heights, shape (8, n). The flow is
     exact: h^2/12 eta times the tensor times the gradient is the integral over the thickness.
     """
-    squares = WEIGHTS * HEIGHTS**2
-    plain = 3.0 * squares @ warm
+    plain = flow_of_warmth(warm)
     found = FlowTensor(plain.copy(), plain.copy(), *np.zeros((3, plain.size)))
     size = np.hypot(*newtonian) + np.hypot(*gradient)
     thins = size > _NEGLIGIBLE * law.scale
@@ -55,6 +54,12 @@ def flow_tensor(
         for whole, here in zip(found, part, strict=True):
             whole[thins] = here
     return found
+
+
+def flow_of_warmth(warm: FloatArray) -> FloatArray:
+    """Return the flow of a Newtonian film relative to that of a uniform temperature [-]."""
+    flow: FloatArray = np.tensordot(3.0 * WEIGHTS * HEIGHTS**2, warm, axes=1)
+    return flow
 
 
 def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatArray) -> FlowTensor:

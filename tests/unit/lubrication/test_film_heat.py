@@ -157,12 +157,13 @@ def test_a_traction_curve_with_heat_has_a_maximum():
     gap = sc.surfaces.paraboloid(grid, R, np.inf)
     hot = films.steady(grid, STEEL, STEEL, gap, lubricant=WARM, thermal=True, **scene)
     cold = films.steady(grid, STEEL, STEEL, gap, lubricant=WARM, **scene)
-    ratios = [0.0, 0.01, 0.1, 0.3, 1.0, -0.3]
+    ratios = [0.0, 0.002, 0.1, 0.3, 1.0, -0.3]
     warm, isothermal = (films.traction_curve(film, ratios) for film in (hot, cold))
     assert np.all(np.diff(isothermal.coefficient[:5]) > 0)
-    assert warm.coefficient[4] < warm.coefficient[3] < isothermal.coefficient[3]
+    assert warm.coefficient[4] < warm.coefficient[3] < warm.coefficient[2]
+    assert warm.coefficient[3] < 0.8 * isothermal.coefficient[3]
     assert np.all(np.diff(warm.max_rise[:5]) > 0)
-    assert np.all(np.diff(warm.central_film[:5]) < 0)
+    assert warm.central_film[4] < 0.95 * warm.central_film[0]
     assert warm.coefficient[5] == pytest.approx(-warm.coefficient[3], rel=1e-3)
     assert warm.coefficient[1] == pytest.approx(isothermal.coefficient[1], rel=0.02)
     assert warm.coefficient[0] == 0.0

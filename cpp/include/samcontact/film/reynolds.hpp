@@ -18,12 +18,13 @@ struct FaceVelocities {
   Field along_y;  // [nx][ny + 1]
 };
 
-/// Flow due to the pressure relative to that of the viscosity at small shear rates and at the
-/// temperature of the table: factors [-], flow in addition [m^2/s], and flow per difference of the
-/// pressures of two cells in addition [m^2/(Pa s)]. Empty fields: 1 and 0.
+/// Flow due to the pressure of a lubricant whose viscosity does not depend on the pressure only,
+/// at each face: the flow of the table times a factor [-], that of a constant fluidity
+/// [1/(Pa s)], a multiple of the difference of the two pressures [m^2/(Pa s)], and a given flow
+/// [m^2/s]. Empty fields: 1, and 0 for the others.
 struct PressureFlow {
   struct Faces {
-    Field factor, added, slope;
+    Field factor, fluidity, slope, added;
   };
   Faces along_x;  // [nx + 1][ny]
   Faces along_y;  // [nx][ny + 1]
@@ -80,8 +81,9 @@ class Reynolds {
             const CellValues& values) const;
   void add_pressure_flow(const Line& line, double factor, const CellValues& values,
                          Face& face) const;
-  /// Flow in addition to that of the factor, in proportion to the difference of two pressures.
-  void add_slope(const Line& line, double slope, const FilmFields& fields, Face& face) const;
+  /// Flow in addition to that of the table.
+  void add_given_flow(const Line& line, const PressureFlow::Faces& given, std::size_t at,
+                      const FilmFields& fields, Face& face) const;
   /// Content at a face through which the film flows in the direction of the sign.
   Entrained entrained(const Line& line, int number, int sign, const CellValues& values) const;
   /// Changes to first order near the boundary layer; first: content of the cell upstream.
