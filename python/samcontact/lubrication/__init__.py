@@ -11,7 +11,7 @@ The speeds (u1, u2) of the surfaces are those in the frame of the contact, along
 from .boundary import Boundary
 from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
 from .film_heat import FilmHeat
-from .film_solution import FilmLevel, FilmSolution
+from .film_solution import FilmErrors, FilmLevel, FilmSolution
 from .formulas import (
     FilmThickness,
     dowson_higginson,
@@ -30,6 +30,7 @@ from .yielding import FilmIncrement, press
 
 __all__ = [
     "Boundary",
+    "FilmErrors",
     "FilmEstimate",
     "FilmFriction",
     "FilmHeat",

@@ -35,6 +35,17 @@ class FilmLevel(NamedTuple):
     """Film at the centre [m]."""
 
 
+class FilmNotResolvedError(ValueError):
+    """Film that is not positive, because the cells are too large."""
+
+
+class FilmErrors(NamedTuple):
+    """Estimated absolute errors due to the grid, with `accuracy` of `steady` [m]."""
+
+    central_film: float
+    minimum_film: float
+
+
 @dataclass(frozen=True, eq=False)
 class FilmPast:
     """Past of a transient film, with which it continues."""
@@ -95,6 +106,8 @@ class FilmSolution(HtmlTable):
         Whether the shear stress reduced the viscosity in the flow.
     heat : FilmHeat, or None
         Temperatures of a heated film.
+    errors : FilmErrors, or None
+        Estimated errors of central and minimum film, if an accuracy was prescribed.
     """
 
     grid: Grid
@@ -117,6 +130,7 @@ class FilmSolution(HtmlTable):
     supply: float = math.inf
     shear_thinning: bool = False
     heat: FilmHeat | None = None
+    errors: FilmErrors | None = None
 
     @cached_property
     def pressure(self) -> FloatArray:
@@ -164,14 +178,19 @@ class FilmSolution(HtmlTable):
         rows = [
             ("load", quantity(self.load, "N")),
             ("largest pressure", quantity(float(self.pressure.max()), "Pa")),
-            ("central film", quantity(self.central_film, "m")),
-            ("minimum film", quantity(self.minimum_film, "m")),
+            ("central film", self._with_error(self.central_film, 0)),
+            ("minimum film", self._with_error(self.minimum_film, 1)),
         ]
         if self.boundary is not None:
             rows.append(("share of the boundary layer", quantity(self.boundary_share)))
         if self.heat is not None:
             rows.append(("largest rise of temperature", quantity(self.heat.max_rise, "K")))
         return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]
+
+    def _with_error(self, film: float, number: int) -> str:
+        """Text of a film, with its estimated error."""
+        text = quantity(film, "m")
+        return text if self.errors is None else f"{text} ± {quantity(self.errors[number], 'm')}"
 
     def __repr__(self) -> str:
         parts = ", ".join(f"{name}={value}" for name, value in self._rows()[:4])

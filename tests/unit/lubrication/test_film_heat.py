@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import scipy.integrate
+import scipy.optimize
 
 import samcontact as sc
 from samcontact.lubrication.film_heat import FLOW_SHARE, Conduction, FilmHeat, shear_factor
@@ -80,11 +81,11 @@ def test_heat_of_the_pressure_flow_increases_the_flow(loss, rel):
         np.zeros((3, t.size)), p=[3 * loss],
     )  # fmt: skip
     exact = 3 * np.trapezoid(t**2 * np.exp(found.sol(t)[0]), t)
-    flow = replace_power(4 * loss * FLOW_SHARE / 8)
+    flow = depth_of(4 * loss * FLOW_SHARE / 8)
     assert 3 * (WEIGHTS * HEIGHTS**2) @ FilmHeat.warm(flow)[:, 0] == pytest.approx(exact, rel=rel)
 
 
-def replace_power(warming):
+def depth_of(warming):
     """Return D with D tanh D = warming."""
     return np.array([scipy.optimize.brentq(lambda d: d * np.tanh(d) - warming, 0, 50)])
 

@@ -154,7 +154,7 @@ def test_the_soft_formula_warns_of_hard_bodies():
     assert abs(found.central / films.nijenbanning(*hard) - 1.0) > 0.05
     rubber = soft_bodies(5e6, 1.0, water)  # warnings are errors
     assert films.regime(*rubber) == "elastic-isoviscous"
-    assert films.estimate(*rubber).central == pytest.approx(films.nijenbanning(*rubber), rel=0.1)
+    assert films.estimate(*rubber).central == pytest.approx(films.nijenbanning(*rubber), rel=0.25)
 
 
 @pytest.mark.parametrize(
