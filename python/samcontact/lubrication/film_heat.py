@@ -75,18 +75,6 @@ class FilmHeat(HtmlTable):
         """Temperature in the middle of the film [K], shape (nx, ny)."""
         return self.constants.temperature + self.middle_rise
 
-    def wall_fluidity(self, rise: FloatArray) -> FloatArray:
-        """Return the viscosity without heat over that at a temperature rise of the walls [-]."""
-        found: FloatArray = np.exp(self.constants.beta * rise)
-        return found
-
-    @staticmethod
-    def warm(depth: FloatArray) -> FloatArray:
-        """Return the viscosity at the walls over that at the Gauss points, shape (8, ...)."""
-        heights = HEIGHTS.reshape(-1, *(1,) * depth.ndim)
-        found: FloatArray = (np.cosh(depth) / np.cosh(heights * depth)) ** 2
-        return found
-
     def _rows(self) -> Rows:
         return [
             ("largest rise in the film", quantity(self.max_rise, "K")),
@@ -160,6 +148,19 @@ class Conduction:
         return found
 
 
+def wall_fluidity(constants: LubricantHeat, rise: FloatArray) -> FloatArray:
+    """Return the viscosity without heat over that at a temperature rise of the walls [-]."""
+    found: FloatArray = np.exp(constants.beta * rise)
+    return found
+
+
+def warm_fluidity(depth: FloatArray) -> FloatArray:
+    """Return the viscosity at the walls over that at the Gauss points, shape (8, ...)."""
+    heights = HEIGHTS.reshape(-1, *(1,) * depth.ndim)
+    found: FloatArray = (np.cosh(depth) / np.cosh(heights * depth)) ** 2
+    return found
+
+
 def shear_factor(depth: FloatArray) -> FloatArray:
     """Return the shear rate at the walls over its mean over the film, 2 D/sinh 2 D [-]."""
     twice = 2.0 * np.asarray(depth)
@@ -171,4 +172,4 @@ def shear_factor(depth: FloatArray) -> FloatArray:
     return found
 
 
-__all__ = ["Conduction", "FilmHeat", "shear_factor"]
+__all__ = ["Conduction", "FilmHeat", "shear_factor", "wall_fluidity", "warm_fluidity"]

@@ -12,7 +12,7 @@ from .._util.checks import FloatArray
 from ..lubricants.lubricant import Lubricant
 from ..lubricants.shear import Newtonian, ShearThinning
 from ..problem.grid import Grid
-from .film_heat import FilmHeat
+from .film_heat import FilmHeat, wall_fluidity, warm_fluidity
 from .through_film import HEIGHTS, FlowTensor, flow_of_warmth, flow_tensor
 
 NODES = np.array([0.5 - 0.15**0.5, 0.5, 0.5 + 0.15**0.5])
@@ -161,8 +161,8 @@ class _Faces:
         film, h = self._film, self._h
         hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))
         if film.heat is not None:
-            hot = film.heat.wall_fluidity(self._mean(film.heat.wall_rise))
-            warm = film.heat.warm(self._mean(film.heat.depth))
+            hot = wall_fluidity(film.heat.constants, self._mean(film.heat.wall_rise))
+            warm = warm_fluidity(self._mean(film.heat.depth))
         slopes = [self._slope, self._mean(_slope(film, 1 - self._axis))]
         gradient = 0.5 * h * np.array(slopes if self._axis == 0 else slopes[::-1])
         newtonian = (self._viscosity / hot) * (film.sliding[:, None, None] / h)[:, None]

@@ -11,7 +11,7 @@ import scipy.integrate
 import scipy.optimize
 
 import samcontact as sc
-from samcontact.lubrication.film_heat import FLOW_SHARE, Conduction, FilmHeat, shear_factor
+from samcontact.lubrication.film_heat import FLOW_SHARE, Conduction, shear_factor, warm_fluidity
 from samcontact.lubrication.surface_heat import HeatedSurfaces, line_source
 from samcontact.lubrication.through_film import HEIGHTS, WEIGHTS
 
@@ -82,7 +82,7 @@ def test_heat_of_the_pressure_flow_increases_the_flow(loss, rel):
     )  # fmt: skip
     exact = 3 * np.trapezoid(t**2 * np.exp(found.sol(t)[0]), t)
     flow = depth_of(4 * loss * FLOW_SHARE / 8)
-    assert 3 * (WEIGHTS * HEIGHTS**2) @ FilmHeat.warm(flow)[:, 0] == pytest.approx(exact, rel=rel)
+    assert 3 * (WEIGHTS * HEIGHTS**2) @ warm_fluidity(flow)[:, 0] == pytest.approx(exact, rel=rel)
 
 
 def depth_of(warming):
