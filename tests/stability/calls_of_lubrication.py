@@ -88,6 +88,8 @@ CALLS = [
     ("lubrication.hamrock_dowson", sc.lubrication.hamrock_dowson,
      {**CASE, "contact": sc.hertz.point(0.01, 5e6, load=1.0), "material": "soft"}),
     ("lubrication.dowson_higginson", sc.lubrication.dowson_higginson, {**CASE, "contact": ROLLER}),
+    ("lubrication.inlet_heating_factor", sc.lubrication.inlet_heating_factor,
+     {"speed": (1.0, 0.8), "lubricant": OIL}),
     ("lubrication.lambda_ratio", sc.lubrication.lambda_ratio,
      {"film": 1e-6, "roughness1": 1e-7, "roughness2": 2e-7}),
     ("lubrication.FilmEstimate.lambda_ratio", FILM.lambda_ratio,

@@ -7,9 +7,9 @@ import math
 import warnings
 from typing import NamedTuple
 
-from .._util.checks import choice
+from .._util.checks import choice, require_type
 from ..lubricants import Lubricant
-from .groups import Contact, FilmGroups, film_groups
+from .groups import Contact, FilmGroups, film_groups, sum_of_speeds
 
 Speeds = tuple[float, float]
 
@@ -233,6 +233,21 @@ def _warn_unless_soft(found: FilmGroups) -> None:
                 UserWarning,
                 stacklevel=3,
             )
+
+
+def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
+    """Return the film with heat in the inlet over the isothermal film, in pure rolling [-].
+
+    speed: (u1, u2) along x [m/s]; lubricant: with thermal constants. With the mean speed u, 3.94/
+    (3.94 + L^0.62) with L = beta eta0 u^2/k: Murch & Wilson (1975), J. Lubr. Technol. 97, 212-216.
+    Raises ValueError without thermal constants.
+    """
+    require_type("lubricant", lubricant, Lubricant)
+    if lubricant.heat is None:
+        raise ValueError("lubricant must have thermal constants, got none: use with_thermal")
+    mean, heat = 0.5 * sum_of_speeds(speed), lubricant.heat
+    loading = heat.beta * lubricant.eta0 * mean**2 / heat.conductivity
+    return float(3.94 / (3.94 + loading**0.62))
 
 
 def _wide_ellipse(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import replace
 from typing import Any
 
@@ -16,6 +17,8 @@ from ..bodies.material import Material
 from ..lubricants.shear import Newtonian
 from ..problem.grid import Grid
 from .film_heat import Conduction, FilmHeat
+from .film_solution import FilmSolution
+from .friction import friction
 from .nested import FilmTask, LevelSolver, state_of
 from .pressure_flow import PressureFlow, Sheared, flow_power, pressure_flow
 from .surface_heat import HeatedSurfaces
@@ -24,6 +27,8 @@ COUNTS = "iterations", "krylov_steps", "operator_applications"
 """Numbers of a solution that are summed over all outer iterations."""
 MAX_OUTER = 60
 """Largest number of solutions of the flow with given factors."""
+MAX_CARRIED_HEAT = 1.0
+"""Heat that a film carries along, relative to that which it conducts, that causes a warning."""
 MIN_FILM = 1e-12
 """Smallest film whose flow is found [m]; an iterate may have none."""
 HEAT_TOL = 1e-7
@@ -152,6 +157,26 @@ def _require_heat(task: FilmTask, grid: Grid) -> None:
                 f"speed of body{number} must not be 0 in a line contact with thermal = True: the "
                 "steady temperature of a body at rest under a line source is infinite"
             )
+
+
+def check_heated(film: FilmSolution, radius: float) -> None:
+    """Check the solution of a heated film: its friction, and heat that it carries along.
+
+    radius: contact radius, or half-width of a line contact [m].
+    """
+    friction(film)  # refuses that of a Newtonian oil that no oil can transmit
+    assert film.heat is not None
+    speed = float(np.hypot(*film.velocities.mean(axis=0)))
+    constants = film.heat.constants
+    carried = speed * constants.capacity * film.central_film**2 / (constants.conductivity * radius)
+    if carried > MAX_CARRIED_HEAT:
+        warnings.warn(
+            f"the film should carry little heat along, got {carried:.2g} of the heat that it "
+            f"conducts (at most {MAX_CARRIED_HEAT:g} expected): the temperature of the film is too "
+            "high, because only conduction across the film is included",
+            UserWarning,
+            stacklevel=3,
+        )
 
 
 def _fixed_point(function: Any, start: FloatArray) -> FloatArray:

@@ -46,7 +46,7 @@ from .nested import (
     state_of,
     table_of,
 )
-from .sheared import ShearedLevel, sheared_from, with_shear
+from .sheared import ShearedLevel, check_heated, sheared_from, with_shear
 
 CELLS_PER_RADIUS = 12.0
 """Cells per contact radius below which a warning is issued."""
@@ -149,6 +149,8 @@ def steady(
         Pressure at an edge through which lubricant enters.
     AccuracyWarning
         An accuracy that needs more than 420 x 420 cells; the result states the errors reached.
+    UserWarning
+        A heated film so thick or fast that it carries more heat along than it conducts.
 
     Notes
     -----
@@ -162,9 +164,19 @@ def steady(
     task = with_shear(task, grid, shear_thinning, thermal)
     if accuracy is not None:
         targets = checked_accuracy(accuracy, task)
-        return to_accuracy(task, grid, targets, lambda *on: solved_from_dry(*on)[0])
+        return to_accuracy(task, grid, targets, _checked)
     solution, dry, _ = solved_from_dry(task, grid)
+    if thermal:
+        check_heated(solution, dry.radius)
     _warn_of_grid(solution, dry, task)
+    return solution
+
+
+def _checked(task: FilmTask, grid: Grid) -> FilmSolution:
+    """Return the solution from the dry contact; check that of a heated film."""
+    solution, dry, _ = solved_from_dry(task, grid)
+    if task.thermal:
+        check_heated(solution, dry.radius)
     return solution
 
 

@@ -170,6 +170,27 @@ def test_a_traction_curve_with_heat_has_a_maximum():
     assert warm.coefficient[0] == 0.0
 
 
+def test_heat_of_the_inlet_thins_a_fast_rolling_film():
+    """Line contact, L = 1.1: 0.862 by an integration over the inlet (Grubin), Murch & Wilson 0.784.
+
+    The inlet of the integration is that of a rigid flat contact at 0.45 GPa.
+    """
+    p0, u = 0.45e9, 10.0
+    b = 2 * R * p0 / E_STAR
+    grid = sc.Grid(192, 1, 36 * b / 192, 1e-3, periodic="y")
+    scene = {"load": 0.5 * np.pi * b * p0 * 1e-3, "speed": (u, u)}
+    gap = sc.surfaces.paraboloid(grid, R, np.inf)
+    oil = sc.Lubricant.barus(ETA, ALPHA, density=None).with_thermal(0.14, 1.7e6, 0.04)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", sc.ResolutionWarning)
+        cold = films.steady(grid, STEEL, STEEL, gap, lubricant=oil, **scene)
+        with pytest.warns(UserWarning, match="carry little heat along"):
+            hot = films.steady(grid, STEEL, STEEL, gap, lubricant=oil, thermal=True, **scene)
+    factor = hot.central_film / cold.central_film
+    assert films.inlet_heating_factor((u, u), oil) == pytest.approx(0.784, abs=1e-3)
+    assert factor == pytest.approx(0.862, abs=0.03)
+
+
 @pytest.mark.parametrize(
     ("more", "error", "words"),
     [
