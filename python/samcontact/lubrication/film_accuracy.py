@@ -50,7 +50,7 @@ def checked_accuracy(accuracy: Any, task: FilmTask) -> FloatArray:
             "gap must be a function of a grid with accuracy, which needs other grids, got "
             f"{in_short(task.gap)}: use e.g. lambda grid: sc.surfaces.paraboloid(grid, R)"
         )
-    names = FilmErrors._fields
+    names = "central_film", "minimum_film"
     given = accuracy if isinstance(accuracy, Mapping) else dict.fromkeys(names, accuracy)
     if not given or not set(given) <= set(names):
         raise ValueError(

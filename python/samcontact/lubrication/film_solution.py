@@ -184,7 +184,7 @@ class FilmSolution(HtmlTable):
         if self.boundary is not None:
             rows.append(("share of the boundary layer", quantity(self.boundary_share)))
         if self.heat is not None:
-            rows.append(("largest rise of temperature", quantity(self.heat.max_rise, "K")))
+            rows.append(("largest temperature rise", quantity(self.heat.max_rise, "K")))
         return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]
 
     def _with_error(self, film: float, number: int) -> str:

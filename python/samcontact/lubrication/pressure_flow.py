@@ -19,6 +19,9 @@ NODES = np.array([0.5 - 0.15**0.5, 0.5, 0.5 + 0.15**0.5])
 SHARES = np.array([5.0, 8.0, 5.0]) / 18.0
 """Gauss points between the pressures of two cells, and their weights."""
 
+NEWTONIAN = 1.0, 0.0, 0.0, 0.0
+"""Factor, fluidity, slope and added flow at one temperature, without thinning."""
+
 
 class PressureFlow(NamedTuple):
     """Flow at the faces along x and y: see the header `film/reynolds.hpp` of the core."""
@@ -76,9 +79,8 @@ def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
     for axis in (0, 1):
         faces = _Faces(film, axis)
         if faces.count > 0:
-            factor, fluidity = (1.0, 0.0) if flow is None else flow[4 * axis : 4 * axis + 2]
-            loss = faces.power(faces.inside(factor), faces.inside(fluidity))
-            faces.add_to_cells(loss, power)
+            parts = NEWTONIAN if flow is None else flow[4 * axis : 4 * axis + 4]
+            faces.add_to_cells(faces.power(*map(faces.inside, parts)), power)
     return power
 
 
@@ -125,10 +127,14 @@ class _Faces:
             total[:-1] += 0.5 * loss
             total[1:] += 0.5 * loss
 
-    def power(self, factor: FloatArray, fluidity: FloatArray) -> FloatArray:
-        """Return the power per area [W/m^2]."""
+    def power(
+        self, factor: FloatArray, fluidity: FloatArray, slope: FloatArray, added: FloatArray
+    ) -> FloatArray:
+        """Return the power per area of a flow [W/m^2]."""
         whole = factor * self._fluidity.sum(axis=0) + fluidity
-        found: FloatArray = self._h**3 / 12.0 * whole * self._slope**2 / self._density
+        difference = self._behind - self._before
+        down = self._h**3 / 12.0 * whole * self._slope + slope * difference - added
+        found: FloatArray = np.maximum(down * self._slope, 0.0) / self._density
         return found
 
     def flow(self) -> tuple[FloatArray, ...]:
