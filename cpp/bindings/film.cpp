@@ -25,6 +25,16 @@ film::FilmState to_state(const Content& given) {
           given["approach"].cast<double>()};
 }
 
+/// Factor, fluidity, slope and added flow along x, then along y; empty for none.
+film::PressureFlow to_pressure_flow(const std::vector<Array>& given) {
+  if (given.empty()) return {};
+  const auto faces = [&](std::size_t first) {
+    const auto field = [&](std::size_t n) { return to_field(given.at(first + n)); };
+    return film::PressureFlow::Faces{field(0), field(1), field(2), field(3)};
+  };
+  return {faces(0), faces(4)};
+}
+
 Content to_python(film::FilmSolution solution, const Grid& grid) {
   film::FilmState& state = solution.state;
   Content result;
@@ -48,13 +58,14 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
                    int order, double supply, double thinnest,
                    const std::pair<double, double>& layer, const Content& start, double tol,
                    int max_iterations, const std::pair<double, double>& time,
-                   const MaybeArray& content) {
+                   const MaybeArray& content, const std::vector<Array>& pressure_flow) {
   const Field undeformed = to_field(gap);
   const film::FaceVelocities velocities{to_field(along_x), to_field(along_y)};
   film::FlowSettings flow;
   flow.order = order;
   flow.supply = supply;
   flow.thinnest = thinnest;
+  flow.pressure_flow = to_pressure_flow(pressure_flow);
   film::FilmState state = to_state(start);
   Field earlier = to_field_or_empty(content);
   film::FilmSolution solution;
@@ -70,8 +81,9 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
 /// Outflow of each cell [m^3/s], and its derivatives in the direction of given changes.
 Values film_outflow(const Grid& grid, const LubricantTable& lubricant, const Array& along_x,
                     const Array& along_y, int order, double supply, double layer,
-                    const std::vector<Array>& fields) {
+                    const std::vector<Array>& fields, const std::vector<Array>& pressure_flow) {
   film::FlowSettings flow;
+  flow.pressure_flow = to_pressure_flow(pressure_flow);
   flow.order = order;
   flow.supply = supply;
   flow.boundary_thickness = layer;
@@ -114,11 +126,11 @@ void bind_film(py::module_& m) {
            py::arg("target"), py::arg("along_x"), py::arg("along_y"), py::arg("order"),
            py::arg("supply"), py::arg("thinnest"), py::arg("layer"), py::arg("start"),
            py::arg("tol"), py::arg("max_iterations"), py::arg("time") = std::pair{0.0, 1.0},
-           py::arg("content") = py::none());
+           py::arg("content") = py::none(), py::arg("pressure_flow") = std::vector<Array>{});
 
   m.def("film_outflow", &film_outflow, py::arg("grid"), py::arg("lubricant"), py::arg("along_x"),
         py::arg("along_y"), py::arg("order"), py::arg("supply"), py::arg("layer"),
-        py::arg("fields"));
+        py::arg("fields"), py::arg("pressure_flow") = std::vector<Array>{});
 }
 
 }  // namespace samcontact::bindings

@@ -49,6 +49,22 @@ FaceVelocities turning(const Grid& grid, double u, double v, double spin) {
   return velocities;
 }
 
+PressureFlow random_flow(const FaceVelocities& faces) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  const auto fields = [&](std::size_t count) {
+    PressureFlow::Faces given;
+    for (std::size_t i = 0; i < count; ++i) {
+      given.factor.push_back(1 + unit(random));
+      given.fluidity.push_back(20 * unit(random));
+      given.slope.push_back(5e-15 * unit(random));
+      given.added.push_back(1e-8 * unit(random));
+    }
+    return given;
+  };
+  return {fields(faces.along_x.size()), fields(faces.along_y.size())};
+}
+
 }  // namespace
 
 TEST_CASE("the slopes of the outflow are its derivatives") {
@@ -57,11 +73,13 @@ TEST_CASE("the slopes of the outflow are its derivatives") {
     Grid grid(9, 8, 1e-5, 2e-5);
     if (wraps) grid = grid.made_periodic(false, true);
     for (int order = 1; order <= 3; ++order) {
-      for (const double layer : {0.0, 8e-9}) {
+      for (const double layer : {0.0, 8e-9, -1.0}) {
+        const FaceVelocities velocities = turning(grid, 0.8, -0.3, 0.1);
         FlowSettings settings;
         settings.order = order;
-        settings.boundary_thickness = layer;
-        const Reynolds reynolds(grid, turning(grid, 0.8, -0.3, 0.1), table, settings);
+        settings.boundary_thickness = std::max(layer, 0.0);
+        if (layer < 0) settings.pressure_flow = random_flow(velocities);
+        const Reynolds reynolds(grid, velocities, table, settings);
         const FilmFields at = random_fields(grid, 7);
         const FilmFields by = random_fields(grid, 8);
         Reynolds::Slopes slopes{Star(reynolds.lattice()), Star(reynolds.lattice()),

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A valid call of all that concerns lubricants and films, with all arguments."""
 
+import math
 import warnings
 
 import numpy as np
@@ -32,6 +33,13 @@ with warnings.catch_warnings():
     )
 ON_GRID = {"grid": INLET_GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "lubricant": OIL}
 HOW = {"order": 1, "tol": 1e-4, "max_iterations": 30}
+WARM_STEEL = STEEL.with_thermal(46.0, 12e-6, 12.5e-6)
+HEATED = {
+    "grid": sc.Grid(40, 1, 1e-5, 1e-3, periodic="y"), "body1": WARM_STEEL, "body2": WARM_STEEL,
+    "gap": lambda on: sc.surfaces.paraboloid(on, 0.01, math.inf), "load": 40.0,
+    "speed": (1.0, 0.8), "lubricant": OIL.with_eyring(5e6), "shear_thinning": True,
+    "thermal": True, "accuracy": {"central_film": 0.1}, "tol": 1e-4,
+}  # fmt: skip
 
 CALLS = [
     ("Lubricant", sc.Lubricant,
@@ -77,15 +85,18 @@ CALLS = [
         (f"lubrication.{name}", getattr(sc.lubrication, name), CASE)
         for name in ("estimate", "moes", "nijenbanning", "regime", "rigid_isoviscous")
     ),
-    ("lubrication.hamrock_dowson", sc.lubrication.hamrock_dowson, {**CASE, "material": "soft"}),
+    ("lubrication.hamrock_dowson", sc.lubrication.hamrock_dowson,
+     {**CASE, "contact": sc.hertz.point(0.01, 5e6, load=1.0), "material": "soft"}),
     ("lubrication.dowson_higginson", sc.lubrication.dowson_higginson, {**CASE, "contact": ROLLER}),
+    ("lubrication.inlet_heating_factor", sc.lubrication.inlet_heating_factor,
+     {"speed": (1.0, 0.8), "lubricant": OIL}),
     ("lubrication.lambda_ratio", sc.lubrication.lambda_ratio,
      {"film": 1e-6, "roughness1": 1e-7, "roughness2": 2e-7}),
     ("lubrication.FilmEstimate.lambda_ratio", FILM.lambda_ratio,
      {"roughness1": 1e-7, "roughness2": 2e-7}),
     ("lubrication.friction", sc.lubrication.friction, {"film": SOLVED}),
     ("lubrication.traction_curve", sc.lubrication.traction_curve,
-     {"film": SOLVED, "slide_to_roll": [0.0, 0.1]}),
+     {"film": SOLVED, "slide_to_roll": [0.0, 0.1], "tol": 1e-4, "max_iterations": 20}),
     ("lubricants.DensityLaw", sc.lubricants.Incompressible, {}),
     ("lubricants.DensityLaw.ratio", sc.lubricants.Tait(**TAIT).ratio, {"p": PRESSURES}),
     ("lubricants.DensityLaw.slope", sc.lubricants.Tait(**TAIT).slope, {"p": PRESSURES}),
@@ -97,6 +108,7 @@ CALLS = [
       "boundary": BOUNDARY}),
     ("lubrication.steady", sc.lubrication.steady,
      {**ON_GRID, **HOW, "approach": FLOWING.approach, "speed": (1.0, 1.0)}),
+    ("lubrication.steady", sc.lubrication.steady, HEATED),
     ("lubrication.stribeck", sc.lubrication.stribeck,
      {**ON_GRID, **HOW, "load": 40.0, "speeds": [1e-3, 3e-3], "slide_to_roll": 0.1,
       "boundary": BOUNDARY}),

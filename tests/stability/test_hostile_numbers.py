@@ -34,6 +34,7 @@ MADE_BY_THE_PACKAGE = {
     "shakedown.Cycle", "shakedown.ShakedownLimit", "shakedown.ShakedownResult",
     "parts.Cam", "parts.FlankContact", "parts.TappetContact", "overrolling.Overrolling",
     "lubricants.LubricantTables", "lubrication.FilmEstimate", "lubrication.FilmFriction",
+    "lubrication.FilmErrors", "lubrication.FilmHeat",
     "lubrication.FilmHistory", "lubrication.FilmIncrement", "lubrication.FilmLevel",
     "lubrication.FilmSolution", "lubrication.FilmThickness", "lubrication.MoesNumbers",
     "lubrication.StribeckCurve", "lubrication.TractionCurve",

@@ -88,6 +88,13 @@ Reynolds::Reynolds(const Grid& grid, FaceVelocities velocities, const LubricantT
       settings_(settings) {
   require_faces(velocities_.along_x, static_cast<std::size_t>(grid.nx + 1) * grid.ny, "along_x");
   require_faces(velocities_.along_y, static_cast<std::size_t>(grid.nx) * (grid.ny + 1), "along_y");
+  const auto require = [](const PressureFlow::Faces& given, const Field& faces) {
+    for (const Field* field : {&given.factor, &given.fluidity, &given.slope, &given.added}) {
+      if (!field->empty()) require_faces(*field, faces.size(), "pressure_flow");
+    }
+  };
+  require(settings_.pressure_flow.along_x, velocities_.along_x);
+  require(settings_.pressure_flow.along_y, velocities_.along_y);
   const auto largest = [](const Field& field) {
     return largest_of(field.size(), [&](std::size_t i) { return std::fabs(field[i]); });
   };
@@ -120,6 +127,8 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
   const bool along_x = axis == 0;
   const int lines = along_x ? lattice_.ny() : lattice_.nx();
   const double width = along_x ? grid_.dy : grid_.dx;
+  const PressureFlow::Faces& given =
+      along_x ? settings_.pressure_flow.along_x : settings_.pressure_flow.along_y;
   const auto add = [&](std::ptrdiff_t row, int away, double sign, const Face& face) {
     if (row < 0) return;
     outflow[row] += sign * width * face.flux;
@@ -141,22 +150,25 @@ void Reynolds::add_direction(int axis, const FilmFields& fields, const CellValue
       const std::size_t at = along_x ? static_cast<std::size_t>(f) * lattice_.ny() + across
                                      : static_cast<std::size_t>(across) * (lattice_.ny() + 1) + f;
       const double velocity = along_x ? velocities_.along_x[at] : velocities_.along_y[at];
-      const Face found = face(line, f, velocity, fields, values);
+      const double factor = given.factor.empty() ? 1.0 : given.factor[at];
+      Face found = face(line, f, velocity, factor, fields, values);
+      if (!given.factor.empty()) add_given_flow(line, given, at, fields, found);
       add(line.at(f - 1), 1 - stencil, 1.0, found);
       if (f < line.cells) add(line.at(f), -stencil, -1.0, found);
     }
   }
 }
 
-Reynolds::Face Reynolds::face(const Line& line, int number, double velocity,
+Reynolds::Face Reynolds::face(const Line& line, int number, double velocity, double factor,
                               const FilmFields& fields, const CellValues& values) const {
   Face face{number};
-  add_pressure_flow(line, values, face);
+  add_pressure_flow(line, factor, values, face);
   add_entrained_flow(line, velocity, fields, values, face);
   return face;
 }
 
-void Reynolds::add_pressure_flow(const Line& line, const CellValues& values, Face& face) const {
+void Reynolds::add_pressure_flow(const Line& line, double factor, const CellValues& values,
+                                 Face& face) const {
   const int f = face.number;
   std::array<Part, 2> mean{{{f - 1, 0.5}, {f, 0.5}}};
   double before = 1.0, after = 1.0;  // weights of the reduced pressures
@@ -175,13 +187,30 @@ void Reynolds::add_pressure_flow(const Line& line, const CellValues& values, Fac
   const std::ptrdiff_t left = before > 0 ? line.at(f - 1) : -1, right = after > 0 ? line.at(f) : -1;
   const double rise = (right < 0 ? 0.0 : after * values.reduced[right]) -
                       (left < 0 ? 0.0 : before * values.reduced[left]);
-  const double conductance = film * film * film / (12 * line.length);
+  const double conductance = factor * (film * film * film / (12 * line.length));
   face.flux -= conductance * rise;
   if (left >= 0) face.pressure[stencil - 1] += conductance * before * values.fluidity[left];
   if (right >= 0) face.pressure[stencil] -= conductance * after * values.fluidity[right];
   for (const Part& part : mean) {
-    face.film[face.place(part.cell)] -= part.share * film * film / (4 * line.length) * rise;
+    face.film[face.place(part.cell)] -=
+        factor * (part.share * film * film / (4 * line.length) * rise);
   }
+}
+
+void Reynolds::add_given_flow(const Line& line, const PressureFlow::Faces& given, std::size_t at,
+                              const FilmFields& fields, Face& face) const {
+  const int f = face.number;
+  if (!line.has(f - 1) || !line.has(f)) return;
+  const std::ptrdiff_t left = line.at(f - 1), right = line.at(f);
+  const double film = std::max(0.5 * (fields.film[left] + fields.film[right]), settings_.thinnest);
+  const double fluidity = given.fluidity[at], rise = fields.pressure[right] - fields.pressure[left];
+  const double slope = given.slope[at] + fluidity * film * film * film / (12 * line.length);
+  face.flux += given.added[at] - slope * rise;
+  face.pressure[stencil - 1] += slope;
+  face.pressure[stencil] -= slope;
+  const double thicker = fluidity * film * film / (8 * line.length) * rise;
+  face.film[stencil - 1] -= thicker;
+  face.film[stencil] -= thicker;
 }
 
 Reynolds::Entrained Reynolds::entrained(const Line& line, int number, int sign,

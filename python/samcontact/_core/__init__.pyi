@@ -694,6 +694,7 @@ class FilmSolver:
         max_iterations: int,
         time: tuple[float, float] = (0.0, 1.0),
         content: numpy.typing.NDArray[numpy.float64] | None = None,
+        pressure_flow: collections.abc.Sequence[numpy.typing.NDArray[numpy.float64]] = [],
     ) -> dict[str, typing.Any]: ...
 
 def contact_outline(
@@ -708,6 +709,7 @@ def film_outflow(
     supply: float,
     layer: float,
     fields: collections.abc.Sequence[numpy.typing.NDArray[numpy.float64]],
+    pressure_flow: collections.abc.Sequence[numpy.typing.NDArray[numpy.float64]] = [],
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def friction_laws() -> list[tuple[str, bool, list[LawParameter]]]: ...
 def hardening_laws() -> list[LawDescription]: ...

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
 
@@ -10,6 +11,10 @@ import numpy as np
 
 from .._util.checks import FloatArray, non_negative, positive
 
+MAX_ARGUMENT, SMALL_ARGUMENT = 300.0, 1e-2
+"""Largest stress in Eyring stresses, and that below which a series takes the place of the law."""
+MAX_STEPS = 60
+"""Largest number of Newton steps of the inverse of Carreau's law."""
 LIMIT_EXPONENT = 6.0
 """Exponent with which the shear stress approaches its limit."""
 
@@ -21,6 +26,18 @@ class ShearThinning(ABC):
     def stress(self, newtonian: FloatArray) -> FloatArray:
         """Return the shear stress [Pa] for Newtonian shear stresses >= 0 [Pa]."""
 
+    @abstractmethod
+    def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return Newtonian over true shear stress, f [-], and f'/stress [1/Pa^2].
+
+        stress: true shear stresses >= 0 [Pa]; f' is the derivative of f.
+        """
+
+    @property
+    @abstractmethod
+    def scale(self) -> float:
+        """Shear stress at which thinning begins [Pa]."""
+
 
 @dataclass(frozen=True)
 class Newtonian(ShearThinning):
@@ -29,6 +46,15 @@ class Newtonian(ShearThinning):
     def stress(self, newtonian: FloatArray) -> FloatArray:
         """Return the Newtonian shear stress."""
         return newtonian
+
+    def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return 1 and 0."""
+        return np.ones_like(stress), np.zeros_like(stress)
+
+    @property
+    def scale(self) -> float:
+        """Infinity."""
+        return math.inf
 
 
 @dataclass(frozen=True)
@@ -49,6 +75,21 @@ class Eyring(ShearThinning):
     def stress(self, newtonian: FloatArray) -> FloatArray:
         """Return the shear stress [Pa] for Newtonian shear stresses [Pa]."""
         return self.eyring_stress * np.arcsinh(newtonian / self.eyring_stress)
+
+    def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return sinh(x)/x with x = stress/tau_0, and its derivative over the stress [1/Pa^2]."""
+        x = np.minimum(stress / self.eyring_stress, MAX_ARGUMENT)
+        near = x < SMALL_ARGUMENT
+        safe = np.where(near, 1.0, x)
+        sine, cosine = np.sinh(safe), np.cosh(safe)
+        ratio = np.where(near, 1.0 + x**2 / 6.0 + x**4 / 120.0, sine / safe)
+        slope = np.where(near, 1.0 / 3.0 + x**2 / 30.0, (safe * cosine - sine) / safe**3)
+        return ratio, slope / self.eyring_stress**2
+
+    @property
+    def scale(self) -> float:
+        """Eyring stress [Pa]."""
+        return self.eyring_stress
 
 
 @dataclass(frozen=True)
@@ -77,6 +118,31 @@ class Carreau(ShearThinning):
         """Return the shear stress [Pa] for Newtonian shear stresses [Pa]."""
         relative = np.hypot(1.0, newtonian / self.critical_stress)
         return newtonian * relative ** (self.n - 1.0)
+
+    def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return Newtonian over true shear stress, and its derivative over the stress [1/Pa^2]."""
+        x = np.maximum(np.asarray(stress) / self.critical_stress, 1e-150)
+        if self.n == 0.0:
+            x = np.minimum(x, 1.0 - 1e-12)  # stresses stay below G
+        target = np.log(x)
+        at = target.copy()  # logarithm of tau_N/G; from below, Newton's method is monotonic
+        for _ in range(MAX_STEPS):
+            square = np.exp(np.minimum(2.0 * at, 2.0 * MAX_ARGUMENT))
+            slope = 1.0 - (1.0 - self.n) * square / (1.0 + square)
+            step = (target - at + 0.5 * (1.0 - self.n) * np.log1p(square)) / slope
+            at = at + step
+            if not step.size or np.abs(step).max() < 1e-14:
+                break
+        square = np.exp(np.minimum(2.0 * at, 2.0 * MAX_ARGUMENT))
+        slope = 1.0 - (1.0 - self.n) * square / (1.0 + square)
+        ratio = np.exp(at - target)
+        change = (1.0 - self.n) * ratio**3 / ((1.0 + square) * slope)
+        return ratio, change / self.critical_stress**2
+
+    @property
+    def scale(self) -> float:
+        """Critical stress [Pa]."""
+        return self.critical_stress
 
 
 def limited(stress: FloatArray, limit: FloatArray) -> FloatArray:

@@ -10,26 +10,31 @@ The speeds (u1, u2) of the surfaces are those in the frame of the contact, along
 
 from .boundary import Boundary
 from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
-from .film_solution import FilmLevel, FilmSolution
+from .film_heat import FilmHeat
+from .film_solution import FilmErrors, FilmLevel, FilmSolution
 from .formulas import (
     FilmThickness,
     dowson_higginson,
     hamrock_dowson,
+    inlet_heating_factor,
     nijenbanning,
     regime,
     rigid_isoviscous,
 )
-from .friction import FilmFriction, TractionCurve, friction, traction_curve
+from .friction import FilmFriction, friction
 from .groups import MoesNumbers, moes
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
+from .traction import TractionCurve, traction_curve
 from .transient import FilmHistory, transient
 from .yielding import FilmIncrement, press
 
 __all__ = [
     "Boundary",
+    "FilmErrors",
     "FilmEstimate",
     "FilmFriction",
+    "FilmHeat",
     "FilmHistory",
     "FilmIncrement",
     "FilmLevel",
@@ -43,6 +48,7 @@ __all__ = [
     "estimate",
     "friction",
     "hamrock_dowson",
+    "inlet_heating_factor",
     "lambda_ratio",
     "moes",
     "nijenbanning",

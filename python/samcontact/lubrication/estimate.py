@@ -11,7 +11,7 @@ from .._util.display import HtmlTable, Rows, quantity
 from ..bearings import Bearing
 from ..hertz import LineContact
 from ..lubricants import Lubricant
-from .formulas import Speeds, dowson_higginson, hamrock_dowson, regime, rigid_isoviscous
+from .formulas import Speeds, hamrock_dowson, line_film, regime, rigid_isoviscous
 from .groups import Contact, MoesNumbers, moes
 
 
@@ -26,7 +26,7 @@ class FilmEstimate(HtmlTable):
     minimum : float
         Minimum film thickness [m].
     regime : str
-        Regime of lubrication; see `regime`. Line contacts: "elastic-piezoviscous".
+        Regime of lubrication; see `regime`.
     formula : str
         Name of the formula used.
     numbers : MoesNumbers
@@ -54,15 +54,16 @@ class FilmEstimate(HtmlTable):
 def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstimate:
     """Return the film thickness by the formula for the regime of a contact.
 
-    Line contacts: `dowson_higginson`; elliptic contacts: `hamrock_dowson`, for soft bodies if their
-    regime is elastic-isoviscous, or `rigid_isoviscous`. contact: from `samcontact.hertz`,
+    Line contacts: `dowson_higginson`, or the formula of another regime (Herrebrugh, Martin, Blok);
+    elliptic contacts: `hamrock_dowson`, for soft bodies if their regime is elastic-isoviscous, or
+    `rigid_isoviscous`. contact: from `samcontact.hertz`,
     `Bearing.hertz` or `FlankContact.hertz`; speed: (u1, u2) along x [m/s].
-    Raises TypeError or ValueError outside the range of the formulas.
+    Raises TypeError or ValueError outside the range of the formulas, and warns of hard bodies with
+    an isoviscous lubricant, to which the formula for soft bodies was not fitted.
     """
     numbers = moes(contact, speed, lubricant)
     if type(contact) is LineContact:
-        h = dowson_higginson(contact, speed, lubricant)
-        return FilmEstimate(None, h, "elastic-piezoviscous", "Dowson & Higginson", numbers)
+        return FilmEstimate(None, *line_film(contact, speed, lubricant), numbers)
     found = regime(contact, speed, lubricant)
     if found == "rigid-isoviscous":
         h = rigid_isoviscous(contact, speed, lubricant)

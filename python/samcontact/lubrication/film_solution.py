@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -16,6 +17,7 @@ from ..bodies.layered import Body
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
+from .film_heat import FilmHeat
 
 
 class FilmLevel(NamedTuple):
@@ -31,6 +33,17 @@ class FilmLevel(NamedTuple):
     residual: float
     central_film: float
     """Film at the centre [m]."""
+
+
+class FilmNotResolvedError(ValueError):
+    """Film that is not positive, because the cells are too large."""
+
+
+class FilmErrors(NamedTuple):
+    """Estimated absolute errors due to the grid, with `accuracy` of `steady` [m]."""
+
+    central_film: float
+    minimum_film: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +98,16 @@ class FilmSolution(HtmlTable):
         Upper and lower body.
     past : FilmPast, or None
         Past of a transient contact.
+    order : int
+        Order of the film at the faces of the cells.
+    supply : float
+        Thickness of the film that arrives at the inlet [m]; infinite if fully flooded.
+    shear_thinning : bool
+        Whether the shear stress reduced the viscosity in the flow.
+    heat : FilmHeat, or None
+        Temperatures of a heated film.
+    errors : FilmErrors, or None
+        Estimated errors of central and minimum film, if an accuracy was prescribed.
     """
 
     grid: Grid
@@ -103,6 +126,11 @@ class FilmSolution(HtmlTable):
     spin: float = 0.0
     bodies: tuple[Body, ...] = ()
     past: FilmPast | None = None
+    order: int = 3
+    supply: float = math.inf
+    shear_thinning: bool = False
+    heat: FilmHeat | None = None
+    errors: FilmErrors | None = None
 
     @cached_property
     def pressure(self) -> FloatArray:
@@ -150,12 +178,19 @@ class FilmSolution(HtmlTable):
         rows = [
             ("load", quantity(self.load, "N")),
             ("largest pressure", quantity(float(self.pressure.max()), "Pa")),
-            ("central film", quantity(self.central_film, "m")),
-            ("minimum film", quantity(self.minimum_film, "m")),
+            ("central film", self._with_error(self.central_film, 0)),
+            ("minimum film", self._with_error(self.minimum_film, 1)),
         ]
         if self.boundary is not None:
             rows.append(("share of the boundary layer", quantity(self.boundary_share)))
+        if self.heat is not None:
+            rows.append(("largest temperature rise", quantity(self.heat.max_rise, "K")))
         return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]
+
+    def _with_error(self, film: float, number: int) -> str:
+        """Text of a film, with its estimated error."""
+        text = quantity(film, "m")
+        return text if self.errors is None else f"{text} ± {quantity(self.errors[number], 'm')}"
 
     def __repr__(self) -> str:
         parts = ", ".join(f"{name}={value}" for name, value in self._rows()[:4])

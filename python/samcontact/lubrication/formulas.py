@@ -4,13 +4,19 @@
 from __future__ import annotations
 
 import math
+import warnings
 from typing import NamedTuple
 
-from .._util.checks import choice
+from .._util.checks import choice, require_type
 from ..lubricants import Lubricant
-from .groups import Contact, FilmGroups, film_groups
+from .groups import Contact, FilmGroups, film_groups, sum_of_speeds
 
 Speeds = tuple[float, float]
+
+SOFT_SPEEDS, SOFT_LOADS = (5e-9, 5e-8), (2e-4, 2e-3)
+"""Ranges of U and W to which the formula for soft bodies was fitted."""
+MARGIN = 50.0
+"""Factor by which a group may be outside, without a warning: the film then changes by 10 %."""
 
 
 class FilmThickness(NamedTuple):
@@ -37,12 +43,15 @@ def hamrock_dowson(
     contact: point or elliptic contact with a_y >= a_x; speed: (u1, u2) along x [m/s]; material:
     "hard" for a viscosity that increases with the pressure (1977, doi:10.1115/1.3453074), "soft"
     for an isoviscous lubricant and soft bodies (1978, doi:10.1115/1.3453152). The minimum film of
-    the hard formula is too thick at heavy loads. Raises ValueError outside this range.
+    the hard formula is too thick at heavy loads. Raises ValueError outside this range, and warns of
+    bodies that are not soft: U and W must be within a factor of 50 of the fitted 5e-9 to 5e-8 and
+    2e-4 to 2e-3.
     """
     choice("material", material, ("hard", "soft"))
     found = _wide_ellipse(contact, speed, lubricant)
     U, G, W, k = found.U, found.G, found.W, found.k
     if material == "soft":
+        _warn_unless_soft(found)
         central = 7.32 * (1.0 - 0.72 * math.exp(-0.28 * k)) * U**0.64 * W**-0.22
         minimum = 7.43 * (1.0 - 0.85 * math.exp(-0.31 * k)) * U**0.65 * W**-0.21
     else:
@@ -116,15 +125,19 @@ def rigid_isoviscous(contact: Contact, speed: Speeds, lubricant: Lubricant) -> f
 
 
 def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
-    """Return the regime of lubrication of an elliptic contact.
+    """Return the regime of lubrication of a contact.
 
     After Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02).
-    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. The result is
-    "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or "elastic-piezoviscous":
-    elastic if the Hertz approach is larger than the central film, piezoviscous if the part of the
-    film due to the increase of the viscosity is the larger one, both by `nijenbanning`. Raises
-    ValueError outside this range.
+    contact: line contact, or point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x
+    [m/s]. The result is "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or
+    "elastic-piezoviscous": elastic if the Hertz approach is larger than the central film,
+    piezoviscous if the part of the film due to the increase of the viscosity is the larger one,
+    both by `nijenbanning`. A line contact is elastic if b^2/(2 R) of its half-width b is larger
+    than the film, by the films of the four limits. Raises ValueError outside this range.
     """
+    found = film_groups(contact, speed, lubricant)
+    if found.D == 0.0:
+        return _line_regime(found)
     found = _wide_ellipse(contact, speed, lubricant)
     return regime_of(*found.moes, found.D, found.approach / found.scale)
 
@@ -141,16 +154,100 @@ def dowson_higginson(contact: Contact, speed: Speeds, lubricant: Lubricant) -> f
     """Return the minimum film of a line contact [m].
 
     contact: line contact of hard bodies; speed: (u1, u2) [m/s]. Dowson (1968,
-    doi:10.1243/PIME_CONF_1967_182_011_02). Raises ValueError for other contacts.
+    doi:10.1243/PIME_CONF_1967_182_011_02). Raises ValueError for other contacts, and warns unless
+    the regime is elastic-piezoviscous.
     """
+    found = _line(contact, speed, lubricant)
+    if found.G == 0.0:
+        raise ValueError("lubricant must have a pressure-viscosity coefficient > 0, got 0")
+    if (regime := _line_regime(found)) != "elastic-piezoviscous":
+        warnings.warn(
+            f"contact should be elastic-piezoviscous for the formula of Dowson & Higginson, got "
+            f"{regime}: use estimate, which chooses the formula",
+            UserWarning,
+            stacklevel=2,
+        )
+    return dowson_higginson_of(found)
+
+
+def dowson_higginson_of(groups: FilmGroups) -> float:
+    """Return the minimum film of Dowson & Higginson [m]; 0 for an isoviscous lubricant."""
+    return groups.radius * float(2.65 * groups.U**0.70 * groups.G**0.54 * groups.W**-0.13)
+
+
+def _line(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
+    """Return the groups of a line contact."""
     found = film_groups(contact, speed, lubricant)
     if found.D > 0.0:
         raise ValueError(
             f"contact must be a line contact, got {type(contact).__name__}: use hamrock_dowson"
         )
-    if found.G == 0.0:
-        raise ValueError("lubricant must have a pressure-viscosity coefficient > 0, got 0")
-    return found.radius * float(2.65 * found.U**0.70 * found.G**0.54 * found.W**-0.13)
+    return found
+
+
+def line_limits(groups: FilmGroups) -> Limits:
+    """Return the films of the limits of a line contact [m].
+
+    Martin (1916), Herrebrugh (1968, doi:10.1115/1.3601554), Blok (1952), and Dowson & Higginson.
+    """
+    U, G, W, R = groups.U, groups.G, groups.W, groups.radius
+    return Limits(
+        4.9 * R * U / W,
+        3.1 * R * U**0.6 * W**-0.2,
+        1.67 * R * (G * U) ** (2.0 / 3.0),
+        dowson_higginson_of(groups),
+    )
+
+
+def _line_regime(groups: FilmGroups) -> str:
+    limits = line_limits(groups)
+    isoviscous = max(limits.rigid_isoviscous, limits.elastic_isoviscous)
+    piezoviscous = min(limits.rigid_piezoviscous, limits.elastic_piezoviscous)
+    flattened = 4.0 * groups.radius * groups.W / math.pi  # b^2/(2 R)
+    solid = "elastic" if flattened > max(isoviscous, piezoviscous) else "rigid"
+    fluid = "piezoviscous" if piezoviscous > isoviscous else "isoviscous"
+    return f"{solid}-{fluid}"
+
+
+def line_film(contact: Contact, speed: Speeds, lubricant: Lubricant) -> tuple[float, str, str]:
+    """Return the film of a line contact by the limit of its regime [m], regime and formula."""
+    groups = _line(contact, speed, lubricant)
+    regime = _line_regime(groups)
+    name = regime.replace("-", "_")
+    return float(getattr(line_limits(groups), name)), regime, _LINE_FORMULAS[name]
+
+
+_LINE_FORMULAS = {
+    "rigid_isoviscous": "Martin", "elastic_isoviscous": "Herrebrugh",
+    "rigid_piezoviscous": "Blok", "elastic_piezoviscous": "Dowson & Higginson",
+}  # fmt: skip
+
+
+def _warn_unless_soft(found: FilmGroups) -> None:
+    """Warn if speed or load are far from those to which the formula for soft bodies was fitted."""
+    for name, value, (low, high) in (("U", found.U, SOFT_SPEEDS), ("W", found.W, SOFT_LOADS)):
+        if not low / MARGIN <= value <= high * MARGIN:
+            warnings.warn(
+                f"{name} should be near {low:g} to {high:g} for soft bodies, got {value:.3g}: the "
+                "formula was not fitted to such bodies; use nijenbanning for the central film",
+                UserWarning,
+                stacklevel=3,
+            )
+
+
+def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
+    """Return the film with heat in the inlet over the isothermal film, in pure rolling [-].
+
+    speed: (u1, u2) along x [m/s]; lubricant: with thermal constants. With the mean speed u, 3.94/
+    (3.94 + L^0.62) with L = beta eta0 u^2/k: Murch & Wilson (1975), J. Lubr. Technol. 97, 212-216.
+    Raises ValueError without thermal constants.
+    """
+    require_type("lubricant", lubricant, Lubricant)
+    if lubricant.heat is None:
+        raise ValueError("lubricant must have thermal constants, got none: use with_thermal")
+    mean, heat = 0.5 * sum_of_speeds(speed), lubricant.heat
+    loading = heat.beta * lubricant.eta0 * mean**2 / heat.conductivity
+    return float(3.94 / (3.94 + loading**0.62))
 
 
 def _wide_ellipse(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:

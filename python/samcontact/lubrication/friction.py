@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, finite_array, require_type
-from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from .._util.checks import FloatArray, require_type
+from .._util.display import HtmlTable, Rows, quantity
+from .film_heat import Conduction
 from .film_solution import FilmSolution
 
 MAX_FLUID_COEFFICIENT = 0.15
@@ -58,28 +58,12 @@ class FilmFriction(HtmlTable):
         return f"FilmFriction({', '.join(f'{name}={value}' for name, value in self._rows())})"
 
 
-@dataclass(frozen=True, repr=False, eq=False)
-class TractionCurve(ShortRepr):
-    """Coefficient of friction over the slide-to-roll ratio, from `traction_curve`.
-
-    Attributes
-    ----------
-    slide_to_roll : ndarray, shape (n,)
-        Slide-to-roll ratios (u1 - u2)/((u1 + u2)/2) [-].
-    coefficient : ndarray, shape (n,)
-        Coefficients of friction, with the sign of the ratio [-].
-    """
-
-    slide_to_roll: FloatArray
-    coefficient: FloatArray
-
-
 def friction(film: FilmSolution) -> FilmFriction:
     """Return shear, traction, rolling resistance and power of a lubricated contact.
 
     The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
-    ``|v1 - v2|``/film, isothermal, times the filling. The boundary layer adds its coefficient of
-    friction times its pressure. The sliding due to spin is not included.
+    ``|v1 - v2|``/film, times the filling, at the temperatures of a heated film. The boundary layer
+    adds its coefficient of friction times its pressure. The sliding due to spin is not included.
 
     Raises
     ------
@@ -96,7 +80,11 @@ def friction(film: FilmSolution) -> FilmFriction:
     cell = film.grid.dx * film.grid.dy
     # an iterate in suction has no place in a law of viscosity
     pressure = np.maximum(film.fluid_pressure, 0.0)
-    fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)
+    if film.heat is None:
+        fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)
+    else:
+        warm = Conduction(film.lubricant, pressure, film.film, film.filling, speed)
+        fluid = warm.shear(film.heat.wall_rise, film.heat.depth)
     _require_thinning(film, float(fluid.sum()) * cell / film.load)
     layer = film.boundary_pressure * (0.0 if film.boundary is None else film.boundary.friction)
     layer = layer if speed > 0.0 else np.zeros_like(fluid)
@@ -114,30 +102,6 @@ def friction(film: FilmSolution) -> FilmFriction:
         0.5 * flow / entrainment if entrainment > 0.0 else 0.0,
         total * speed + flow,
     )
-
-
-def traction_curve(film: FilmSolution, slide_to_roll: ArrayLike) -> TractionCurve:
-    """Return the friction over the slide-to-roll ratio of a contact at constant mean velocity.
-
-    The film is isothermal, so that it does not depend on the sliding; friction is too high at large
-    ratios, where the film is heated. slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean
-    velocity [-], a list. Raises TypeError or ValueError as `friction`.
-    """
-    require_type("film", film, FilmSolution)
-    ratios = finite_array("slide_to_roll", slide_to_roll)
-    if ratios.ndim != 1 or not ratios.size:
-        raise ValueError(
-            f"slide_to_roll must be a list of numbers, got an array of shape {ratios.shape}"
-        )
-    mean = 0.5 * (film.velocities[0] + film.velocities[1])
-    if not np.any(mean):
-        raise ValueError("film must have a mean velocity other than 0 for a slide-to-roll ratio")
-    found = []
-    for ratio in ratios:
-        velocities = np.array([mean * (1.0 + 0.5 * ratio), mean * (1.0 - 0.5 * ratio)])
-        at = friction(replace(film, velocities=velocities))
-        found.append(float(np.sign(ratio)) * at.coefficient)
-    return TractionCurve(ratios, np.array(found))
 
 
 def _flow_power(film: FilmSolution, mean: FloatArray) -> float:

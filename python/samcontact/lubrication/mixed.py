@@ -99,6 +99,11 @@ class MixedFilm:
         velocities, spin = factor * self._task.velocities, factor * self._task.spin
         return replace(self._task, velocities=velocities, spin=spin)
 
+    def solver_of(self, task: FilmTask) -> LevelSolver:
+        """Return the solver, for a task."""
+        self._solver.task = task
+        return self._solver
+
     def level(self, found: Any) -> FilmLevel:
         """Return what is stated about the grid of a solution."""
         return self._solver.level(found)

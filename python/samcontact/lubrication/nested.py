@@ -21,7 +21,8 @@ from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
 from .film_solution import FilmLevel, film_at_centre
-from .formulas import dowson_higginson, nijenbanning
+from .formulas import dowson_higginson_of, line_limits, nijenbanning
+from .groups import film_groups
 
 COARSEST_SIDE = 24
 """Smallest number of cells along x of a coarser grid."""
@@ -56,6 +57,15 @@ class FilmTask:
     order: int
     tol: float
     max_iterations: int
+    thins: bool = False
+    """Whether the shear stress reduces the viscosity in the flow."""
+    thermal: bool = False
+    """Whether the film is heated."""
+
+    @property
+    def is_sheared(self) -> bool:
+        """Whether the viscosity depends on more than the pressure."""
+        return self.thins or self.thermal
 
     def gap_on(self, grid: Grid, finest: Grid) -> FloatArray:
         """Return the gap on a grid that covers the same area as the given one [m]."""
@@ -171,9 +181,8 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
         radius = 2.0 * per_length / (math.pi * peak)
         R = math.pi * E_star * radius**2 / (4.0 * per_length)
         line = hertz.line(R, E_star, load_per_length=per_length)
-        U = task.lubricant.eta0 * task.entrainment / (2.0 * E_star * R)
-        soft = 3.1 * R * U**0.6 * (per_length / (2.0 * E_star * R)) ** -0.2
-        film = max(dowson_higginson(line, speeds, task.lubricant), soft)
+        groups = film_groups(line, speeds, task.lubricant)
+        film = max(dowson_higginson_of(groups), line_limits(groups).elastic_isoviscous)
     else:
         radius = math.sqrt(1.5 * found.load / (math.pi * peak))
         R = 4.0 * E_star * radius**3 / (3.0 * found.load)
@@ -245,11 +254,11 @@ class LevelSolver:
         self._core = _core.FilmSolver(grid._core, *(body._core for body in task.bodies))
 
     def solve(
-        self, start: dict[str, Any], layer: tuple[float, float], order: int, **in_time: Any
+        self, start: dict[str, Any], layer: tuple[float, float], order: int, **more: Any
     ) -> Any:
         """Return the solution from a start, as a dictionary; it may not have converged.
 
-        in_time: time step and earlier contents of a transient film.
+        more: time step and earlier contents of a transient film, or the flow due to the pressure.
         """
         task = self.task
         along_x, along_y = task.face_velocities(self.grid)
@@ -261,7 +270,7 @@ class LevelSolver:
             lubricant=self._table, gap=self.gap, is_load=task.is_load, target=task.target,
             along_x=along_x, along_y=along_y, order=order, supply=task.supply,
             thinnest=MIN_FILM_SHARE * float(np.ptp(self.gap)), layer=layer, start=state,
-            tol=task.tol, max_iterations=task.max_iterations, **in_time,
+            tol=task.tol, max_iterations=task.max_iterations, **more,
         )  # fmt: skip
 
     def level(self, found: Any) -> FilmLevel:

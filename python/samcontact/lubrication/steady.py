@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -32,8 +32,9 @@ from ..bodies.viscoelastic import require_no_relaxation
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
+from .film_accuracy import checked_accuracy, to_accuracy
 from .film_limits import remedy, require_thin_film
-from .film_solution import FilmLevel, FilmSolution
+from .film_solution import FilmLevel, FilmNotResolvedError, FilmSolution
 from .mixed import MixedFilm
 from .nested import (
     DryContact,
@@ -46,6 +47,7 @@ from .nested import (
     state_of,
     table_of,
 )
+from .sheared import ShearedLevel, check_heated, sheared_from, with_shear
 
 CELLS_PER_RADIUS = 12.0
 """Cells per contact radius below which a warning is issued."""
@@ -73,6 +75,9 @@ def steady(
     supply: float | None = None,
     boundary: Boundary | None = None,
     order: int = 3,
+    shear_thinning: bool = False,
+    thermal: bool = False,
+    accuracy: float | Mapping[str, float] | None = None,
     tol: float = 1e-6,
     max_iterations: int = 40,
 ) -> FilmSolution:
@@ -108,6 +113,18 @@ def steady(
         Boundary layer, which bears where the film is thin. Default: none, full film.
     order : {1, 2, 3}, optional
         Order of the film at the faces of the cells along the flow.
+    shear_thinning : bool, optional
+        Whether the law of `Lubricant.with_eyring` or `with_carreau` reduces the viscosity in the
+        flow. By default, thinning and sliding do not change the film.
+    thermal : bool, optional
+        Whether shear and flow heat the film and the surfaces, which reduces the viscosity. Needs
+        thermal constants of the lubricant and of both bodies. Bodies and inlet have the temperature
+        of the given viscosity.
+    accuracy : float or dict, optional
+        Largest estimated relative error of central and minimum film due to the grid [-], e.g. 0.01,
+        or errors by name, {"central_film": 0.01}. The cells of the given grid are the first; finer
+        and larger grids follow until the accuracy is reached. The result states its errors. Needs a
+        `gap` that is a function. Default: the given grid.
     tol : float, optional
         Largest residual of flow and load [-], in [1e-10, 1e-2].
     max_iterations : int, optional
@@ -131,6 +148,10 @@ def steady(
         between the last two grids.
     GridTooSmallWarning
         Pressure at an edge through which lubricant enters.
+    AccuracyWarning
+        An accuracy that needs more than 420 x 420 cells; the result states the errors reached.
+    UserWarning
+        A heated film so thick or fast that it carries more heat along than it conducts.
 
     Notes
     -----
@@ -141,8 +162,22 @@ def steady(
         grid, (body1, body2), gap, load, approach, speed, spin, lubricant, supply, boundary, order,
         tol, max_iterations,
     )  # fmt: skip
+    task = with_shear(task, grid, shear_thinning, thermal)
+    if accuracy is not None:
+        targets = checked_accuracy(accuracy, task)
+        return to_accuracy(task, grid, targets, _checked)
     solution, dry, _ = solved_from_dry(task, grid)
+    if thermal:
+        check_heated(solution, dry.radius)
     _warn_of_grid(solution, dry, task)
+    return solution
+
+
+def _checked(task: FilmTask, grid: Grid) -> FilmSolution:
+    """Return the solution from the dry contact; check that of a heated film."""
+    solution, dry, _ = solved_from_dry(task, grid)
+    if task.thermal:
+        check_heated(solution, dry.radius)
     return solution
 
 
@@ -170,7 +205,12 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
         else:  # a state that has not converged misleads the next grid
             state = start_of(task, cells, gap, dry if n == 0 else dry_contact(task, cells, gap))
         solver = LevelSolver(task, cells, gap, table)
-        found = _solved(solver, state, layer)
+        is_near = task.is_sheared and found is not None and found["converged"]
+        found = sheared_from(solver, state, layer) if is_near else None
+        if found is None or not found["converged"]:
+            found = _solved(solver, state, layer)
+            if task.is_sheared and found["converged"]:
+                found = ShearedLevel(solver).solve(found, layer)
         levels.append(solver.level(found))
     require_converged(found, task, remedy(task, dry, grid))
     return solution_of(grid, gap, task, found, levels), dry, found
@@ -190,6 +230,8 @@ def _mixed_film(task: FilmTask, grid: Grid) -> Found:
             if thick[0].boundary_share < MAX_SHARE:
                 return thick
     found = mixed.at(1.0)
+    if task.is_sheared and found["converged"]:
+        found = ShearedLevel(mixed.solver_of(task)).solve(found, mixed.layer)
     require_converged(found, task, remedy(task, mixed.dry, grid))
     return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry, found
 
@@ -273,7 +315,7 @@ def require_converged(
         raise error
     lowest = float(found["film"].min())
     if not lowest > 0:
-        raise ValueError(
+        raise FilmNotResolvedError(
             f"film must be > 0 everywhere, got {lowest:.3g} m: the cells are too large for this "
             "film; use smaller cells, or a boundary layer for surfaces that touch"
         )
@@ -290,7 +332,8 @@ def solution_of(
         filling=read_only(1.0 - found["void_fraction"]), approach=found["approach"],
         load=found["load"], residual=found["error"], levels=tuple(levels),
         boundary=task.boundary, spin=task.spin, bodies=task.bodies,
-        fluid_pressure=fluid, boundary_pressure=layer, film=film,
+        fluid_pressure=fluid, boundary_pressure=layer, film=film, order=task.order,
+        supply=task.supply, shear_thinning=task.thins, heat=found.get("heat"),
     )  # fmt: skip
 
 

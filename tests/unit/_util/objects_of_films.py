@@ -23,6 +23,11 @@ def lubricants_and_films():
         film = sc.lubrication.steady(
             grid, steel, steel, gap, load=40.0, speed=(1.0, 0.9), lubricant=oil
         )
+        warm = steel.with_thermal(46.0, 12e-6, 12.5e-6)
+        heated = sc.lubrication.steady(
+            grid, warm, warm, gap, load=40.0, speed=(1.0, 0.9), lubricant=oil.with_eyring(5e6),
+            thermal=True, tol=1e-4,
+        )  # fmt: skip
         history = sc.lubrication.transient(film, duration=1e-5, steps=1)
         pressed = sc.lubrication.press(
             sc.Simulation(grid, steel, steel, gap), load=40.0, speed=(1.0, 0.9), lubricant=oil
@@ -32,6 +37,7 @@ def lubricants_and_films():
         sc.lubricants.Incompressible(), sc.lubricants.Tait(1.2e9 / 3, 11.7),
         sc.lubricants.iso_vg(68), sc.lubrication.estimate(*case),
         sc.lubrication.hamrock_dowson(*case), sc.lubrication.moes(*case), layer, film, history,
+        heated, heated.heat, sc.lubrication.FilmErrors(1e-9 / 3, 2e-9 / 3),
         film.levels[0], pressed, sc.lubrication.StribeckCurve((film,) * 50, np.array(gap)),
         sc.lubrication.friction(film), sc.lubrication.traction_curve(film, [0.0, 1 / 3]),
     ]  # fmt: skip

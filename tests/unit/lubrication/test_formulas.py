@@ -138,3 +138,58 @@ def test_a_bearing_has_a_film():
 def test_wrong_arguments_are_refused(call, error, words):
     with pytest.raises(error, match=words):
         call()
+
+
+def soft_bodies(E_star, load, oil, R=0.01, u=1.0):
+    return sc.hertz.point(R, E_star, load=load), (u, u), oil
+
+
+def test_the_soft_formula_warns_of_hard_bodies():
+    """The formula of Nijenbanning, Venner & Moes was fitted to all moduli."""
+    water = sc.Lubricant.barus(1e-3, 0.0, density=None)
+    hard = soft_bodies(E_STAR, 50.0, water)
+    assert films.regime(*hard) == "elastic-isoviscous"
+    with pytest.warns(UserWarning, match=r"[UW] should be near .* nijenbanning"):
+        found = films.estimate(*hard)
+    assert abs(found.central / films.nijenbanning(*hard) - 1.0) > 0.05
+    rubber = soft_bodies(5e6, 1.0, water)  # warnings are errors
+    assert films.regime(*rubber) == "elastic-isoviscous"
+    assert films.estimate(*rubber).central == pytest.approx(films.nijenbanning(*rubber), rel=0.25)
+
+
+@pytest.mark.parametrize(
+    ("E_star", "alpha", "load", "regime", "formula"),
+    [
+        (E_STAR, 22e-9, 1e5, "elastic-piezoviscous", "Dowson & Higginson"),
+        (5e6, 0.0, 1e3, "elastic-isoviscous", "Herrebrugh"),
+        (E_STAR, 0.0, 1e5, "elastic-isoviscous", "Herrebrugh"),
+        (E_STAR, 1e-10, 300.0, "rigid-isoviscous", "Martin"),
+        (E_STAR, 22e-9, 1e4, "rigid-piezoviscous", "Blok"),
+    ],
+)
+def test_the_regime_of_a_line_contact_chooses_the_formula(E_star, alpha, load, regime, formula):
+    contact = sc.hertz.line(R, E_star, load_per_length=load)
+    case = contact, (1.0, 1.0), sc.Lubricant.barus(ETA, alpha, density=None)
+    found = films.estimate(*case)
+    assert (found.regime, found.formula) == (regime, formula)
+    assert films.regime(*case) == regime
+    if formula == "Dowson & Higginson":
+        assert found.minimum == films.dowson_higginson(*case)
+    elif alpha > 0.0:
+        with pytest.warns(UserWarning, match=f"got {regime}"):
+            films.dowson_higginson(*case)
+
+
+def test_a_soft_line_contact_has_the_film_of_herrebrugh():
+    """Isoviscous, incompressible: the formula against the solution of Reynolds' equation."""
+    E, load, u = 10e6, 2e3, 1.0
+    water = sc.Lubricant.barus(ETA, 0.0, density=None)
+    contact = sc.hertz.line(R, E / 2 / 0.91, load_per_length=load)
+    grid = sc.Grid(128, 1, 6 * contact.b / 128, 1e-3, periodic="y")
+    rubber = sc.Material.elastic(E, 0.3)
+    film = films.steady(
+        grid, rubber, rubber, sc.surfaces.paraboloid(grid, R, np.inf), load=1e-3 * load,
+        speed=(u, u), lubricant=water,
+    )  # fmt: skip
+    formula = films.estimate(contact, (u, u), water).minimum
+    assert film.minimum_film == pytest.approx(formula, rel=0.15)

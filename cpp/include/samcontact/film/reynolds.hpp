@@ -18,6 +18,18 @@ struct FaceVelocities {
   Field along_y;  // [nx][ny + 1]
 };
 
+/// Flow due to the pressure of a lubricant whose viscosity does not depend on the pressure only,
+/// at each face: the flow of the table times a factor [-], that of a constant fluidity
+/// [1/(Pa s)], a multiple of the difference of the two pressures [m^2/(Pa s)], and a given flow
+/// [m^2/s]. Empty fields: 1, and 0 for the others.
+struct PressureFlow {
+  struct Faces {
+    Field factor, fluidity, slope, added;
+  };
+  Faces along_x;  // [nx + 1][ny]
+  Faces along_y;  // [nx][ny + 1]
+};
+
 struct FlowSettings {
   /// Order of the film at a face in the direction of the flow: 1, 2, or 3 (QUICK; Leonard 1979,
   /// doi:10.1016/0045-7825(79)90034-3).
@@ -28,6 +40,7 @@ struct FlowSettings {
   double supply = std::numeric_limits<double>::infinity();
   /// Films below are taken as this thin [m].
   double thinnest = 0.0;
+  PressureFlow pressure_flow = {};
 };
 
 /// Film of fluid: pressure, film thickness, and the void fraction of cavitated cells.
@@ -64,9 +77,13 @@ class Reynolds {
   Field sum(const FilmFields& fields, Slopes* slopes) const;
   void add_direction(int axis, const FilmFields& fields, const CellValues& values, Field& outflow,
                      Slopes* slopes) const;
-  Face face(const Line& line, int number, double velocity, const FilmFields& fields,
+  Face face(const Line& line, int number, double velocity, double factor, const FilmFields& fields,
             const CellValues& values) const;
-  void add_pressure_flow(const Line& line, const CellValues& values, Face& face) const;
+  void add_pressure_flow(const Line& line, double factor, const CellValues& values,
+                         Face& face) const;
+  /// Flow in addition to that of the table.
+  void add_given_flow(const Line& line, const PressureFlow::Faces& given, std::size_t at,
+                      const FilmFields& fields, Face& face) const;
   /// Content at a face through which the film flows in the direction of the sign.
   Entrained entrained(const Line& line, int number, int sign, const CellValues& values) const;
   /// Changes to first order near the boundary layer; first: content of the cell upstream.

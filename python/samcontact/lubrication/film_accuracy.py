@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Films to a prescribed accuracy, by refinement and enlargement of the grid."""
+
+from __future__ import annotations
+
+import logging
+import math
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .._core import ConvergenceError
+from .._util.checks import FloatArray, positive
+from .._util.display import counts, percent
+from .._util.errors import AccuracyWarning
+from .._util.short_text import in_short
+from ..problem.grid import Grid
+from .film_solution import FilmErrors, FilmNotResolvedError, FilmSolution
+from .nested import FilmTask
+
+_logger = logging.getLogger("samcontact")
+
+RATIO = 2.0**0.5
+"""Ratio of the cell sizes of successive grids."""
+ORDER = 1.5
+"""Lowest order of convergence that is assumed; central films have 1.5 to 3."""
+SAFETY = 1.5
+"""Estimated error over the sum of all further differences with this order."""
+ENLARGEMENT = 1.5
+"""Ratio of the sides of successive grids."""
+WINDOW_SHARE = 0.5
+"""Share of the accuracy that the area of the grid may use."""
+WINDOW_ORDER = 3.0
+"""Decrease of the error with the length of the inlet; measured at M = 20, where it is largest."""
+MIN_GRIDS, MAX_GRIDS, MAX_ENLARGEMENTS = 3, 20, 4
+MAX_CELLS, MAX_CELLS_OF_LINE = 420**2, 2**14
+"""Largest numbers of cells of a grid."""
+MIN_ACCURACY, MAX_ACCURACY = 1e-4, 0.2
+
+Solve = Callable[[FilmTask, Grid], FilmSolution]
+
+
+def checked_accuracy(accuracy: Any, task: FilmTask) -> FloatArray:
+    """Return the relative accuracies of central and minimum film [-]; infinite if not given."""
+    if not callable(task.gap):
+        raise TypeError(
+            "gap must be a function of a grid with accuracy, which needs other grids, got "
+            f"{in_short(task.gap)}: use e.g. lambda grid: sc.surfaces.paraboloid(grid, R)"
+        )
+    names = "central_film", "minimum_film"
+    given = accuracy if isinstance(accuracy, Mapping) else dict.fromkeys(names, accuracy)
+    if not given or not set(given) <= set(names):
+        raise ValueError(
+            f"accuracy must be a number, or have the keys {' or '.join(names)}, got "
+            f"{in_short(accuracy)}"
+        )
+    checked = {name: positive("accuracy", value) for name, value in given.items()}
+    for value in checked.values():
+        if not MIN_ACCURACY <= value <= MAX_ACCURACY:
+            raise ValueError(
+                f"accuracy must be in [{MIN_ACCURACY:g}, {MAX_ACCURACY:g}], got {value!r}: 0.01 is "
+                "1 %"
+            )
+    return np.array([checked.get(name, math.inf) for name in names])
+
+
+@dataclass(frozen=True)
+class _Window:
+    """Grid that is large enough, and the relative errors due to its edges."""
+
+    grid: Grid
+    solution: FilmSolution
+    errors: FloatArray
+
+
+def to_accuracy(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) -> FilmSolution:
+    """Return the solution on a grid whose estimated errors are below the accuracies.
+
+    Issues an `AccuracyWarning`, with the errors that were reached, if this needs too many cells.
+    """
+    window = _large_enough(task, _resolved(task, grid, solve), accuracy, solve)
+    found, values = window.solution, [_values(window.solution)]
+    errors, reached = np.full(2, np.inf), False
+    for level in range(1, MAX_GRIDS):
+        cells = _finer(window.grid, RATIO**level)
+        if _too_many(cells):
+            break
+        found = solve(task, cells)
+        values.append(_values(found))
+        errors = grid_errors(np.array(values)) + window.errors
+        _logger.info("film on %s cells: errors %s", counts(*found.film.shape), errors)
+        if reached := len(values) >= MIN_GRIDS and bool(np.all(errors <= accuracy)):
+            break
+    if not reached:
+        texts = " and ".join(map(percent, errors))
+        warnings.warn(
+            f"central and minimum film have estimated errors of {texts} on {len(values)} grids, "
+            f"the last with {counts(*found.film.shape)} cells: more cells would be needed for the "
+            "accuracy; prescribe a lower one, or give a grid with larger cells",
+            AccuracyWarning,
+            stacklevel=4,
+        )
+    return replace(found, errors=FilmErrors(*map(float, errors * _values(found))))
+
+
+def _resolved(task: FilmTask, grid: Grid, solve: Solve) -> Grid:
+    """Return the given grid, or one with smaller cells that resolve the film."""
+    while True:
+        try:
+            solve(task, grid)
+        except (FilmNotResolvedError, ConvergenceError):
+            finer = _finer(grid, RATIO)
+            if _too_many(finer):
+                raise
+            grid = finer
+        else:
+            return grid
+
+
+def _too_many(grid: Grid) -> bool:
+    return grid.nx * grid.ny > (MAX_CELLS_OF_LINE if grid.ny == 1 else MAX_CELLS)
+
+
+def grid_errors(values: FloatArray) -> FloatArray:
+    """Return the relative errors of values on grids refined by `RATIO`, the last the finest.
+
+    The sum of all further differences, if they decrease with `ORDER`, of the largest of the last
+    three differences, each scaled to the finest grid.
+    """
+    steps = np.abs(np.diff(values, axis=0))[::-1][:3]
+    ages = np.arange(len(steps))[:, None]
+    left = 1.0 / (RATIO**ORDER - 1.0)
+    widest = np.max(steps * RATIO ** (-ORDER * ages), axis=0)
+    found: FloatArray = SAFETY * left * widest / np.abs(values[-1])
+    return found
+
+
+def _large_enough(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) -> _Window:
+    """Return a grid, the given one or larger, whose edges change the films little enough."""
+    here, less = solve(task, grid), ENLARGEMENT**-WINDOW_ORDER
+    for _ in range(MAX_ENLARGEMENTS):
+        larger = _larger(grid)
+        beyond = solve(task, larger)
+        change = np.abs(_values(beyond) - _values(here)) / _values(beyond)
+        errors = change / (1.0 - less)  # due to all further enlargements together
+        if np.all(errors <= WINDOW_SHARE * accuracy):
+            return _Window(grid, here, errors)
+        grid, here, errors = larger, beyond, less * errors
+        if np.all(errors <= WINDOW_SHARE * accuracy):
+            break
+    return _Window(grid, here, errors)
+
+
+def _values(film: FilmSolution) -> FloatArray:
+    return np.array([film.central_film, film.minimum_film])
+
+
+def _finer(grid: Grid, factor: float) -> Grid:
+    """Return a grid of the same area with smaller cells."""
+    nx = 2 * round(0.5 * grid.nx * factor)
+    ny = grid.ny if grid.ny == 1 else 2 * round(0.5 * grid.ny * factor)
+    return replace(grid, nx=nx, ny=ny, dx=grid.nx * grid.dx / nx, dy=grid.ny * grid.dy / ny)
+
+
+def _larger(grid: Grid) -> Grid:
+    """Return a grid of the same cells with a larger area, along directions without a period."""
+    nx = 2 * round(0.5 * ENLARGEMENT * grid.nx)
+    ny = grid.ny if grid.along_y else 2 * round(0.5 * ENLARGEMENT * grid.ny)
+    return replace(grid, nx=nx, ny=ny)

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Temperature of a lubricant film and of the surfaces that it heats.
+
+Heat crosses the film by conduction. The viscosity decreases as exp(-beta T), so that with a uniform
+shear stress tau the temperature over the relative height t in (-1, 1) has the closed form
+(Gruntfest 1963) beta T = 2 ln(cosh D/cosh(D t)) above that of the walls, with
+D tanh D = beta q h/(8 k), the heat q per area, the film h and the conductivity k.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .._util.cached_property import cached_property
+from .._util.checks import FloatArray
+from .._util.display import HtmlTable, Rows, quantity
+from ..lubricants.lubricant import Lubricant, LubricantHeat
+from .through_film import HEIGHTS
+
+FLOW_SHARE = 5.0 / 7.0
+"""Uniform heat that increases the flow as much as the heat of the flow, near the walls [-]."""
+BISECTIONS = 60
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class FilmHeat(HtmlTable):
+    """Heat of a lubricated contact, from `steady` with `thermal=True`.
+
+    Temperatures are rises above the temperature of bodies and inlet, which is that of the given
+    viscosity. Fields have the shape (nx, ny).
+
+    Attributes
+    ----------
+    constants : LubricantHeat
+        Thermal constants of the lubricant.
+    surface_rise : ndarray, shape (2, nx, ny)
+        Temperature rise of the surfaces of bodies 1 and 2 [K].
+    flux : ndarray, shape (2, nx, ny)
+        Heat flux into bodies 1 and 2 [W/m^2].
+    depth : ndarray
+        Solution D of D tanh D = beta q h/(8 k) [-].
+    middle_rise : ndarray
+        Temperature rise in the middle of the film [K].
+    cell_area : float
+        Area of a cell [m^2].
+    """
+
+    constants: LubricantHeat
+    surface_rise: FloatArray
+    flux: FloatArray
+    depth: FloatArray
+    middle_rise: FloatArray
+    cell_area: float
+
+    @cached_property
+    def wall_rise(self) -> FloatArray:
+        """Mean temperature rise of both surfaces [K], shape (nx, ny)."""
+        mean: FloatArray = self.surface_rise.mean(axis=0)
+        return mean
+
+    @property
+    def power(self) -> float:
+        """Heat that enters both bodies [W]."""
+        return float(self.flux.sum()) * self.cell_area
+
+    @property
+    def max_rise(self) -> float:
+        """Largest temperature rise in the film [K]."""
+        return float(self.middle_rise.max())
+
+    @property
+    def temperature(self) -> FloatArray:
+        """Temperature in the middle of the film [K], shape (nx, ny)."""
+        return self.constants.temperature + self.middle_rise
+
+    def _rows(self) -> Rows:
+        return [
+            ("largest rise in the film", quantity(self.max_rise, "K")),
+            ("largest rise of body 1", quantity(float(self.surface_rise[0].max()), "K")),
+            ("largest rise of body 2", quantity(float(self.surface_rise[1].max()), "K")),
+            ("heat", quantity(self.power, "W")),
+        ]
+
+    def __repr__(self) -> str:
+        return f"FilmHeat({', '.join(f'{name}={value}' for name, value in self._rows())})"
+
+
+@dataclass(frozen=True)
+class Conduction:
+    """Film with fixed pressure and thickness, whose heat is sought."""
+
+    lubricant: Lubricant
+    pressure: FloatArray
+    film: FloatArray
+    filling: FloatArray
+    sliding: float
+    """Sliding speed [m/s]."""
+    flow_power: FloatArray | float = 0.0
+    """Power per area that the pressure flow dissipates [W/m^2]."""
+
+    @property
+    def constants(self) -> LubricantHeat:
+        """Thermal constants of the lubricant."""
+        assert self.lubricant.heat is not None
+        return self.lubricant.heat
+
+    @property
+    def _resistance(self) -> FloatArray:
+        """Rise of the mid-plane over the heat per area, of a uniformly heated film [K m^2/W]."""
+        return self.film / (8.0 * self.constants.conductivity)
+
+    def _power(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
+        """Return the heat per area that warms the middle of the film [W/m^2]."""
+        return self.shear(wall_rise, depth) * self.sliding + FLOW_SHARE * self.flow_power
+
+    def shear(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
+        """Return the shear stress [Pa] of a film with these temperatures."""
+        rate = self.sliding / self.film * shear_factor(depth)
+        return self.filling * self.lubricant.shear_stress(
+            rate, self.pressure, self.constants.temperature + wall_rise
+        )
+
+    def warming(self, depth: FloatArray, wall_rise: FloatArray) -> FloatArray:
+        """Return beta q h/(8 k) of the heat that warms the middle of the film [-]."""
+        found: FloatArray = self.constants.beta * self._power(wall_rise, depth) * self._resistance
+        return found
+
+    def depth(self, wall_rise: FloatArray) -> FloatArray:
+        """Return D, which is unique: the heat decreases with it."""
+        low = np.zeros_like(wall_rise)
+        high = 1.0 + self.warming(low, wall_rise)
+        for _ in range(BISECTIONS):
+            middle = 0.5 * (low + high)
+            below = middle * np.tanh(middle) < self.warming(middle, wall_rise)
+            low, high = np.where(below, middle, low), np.where(below, high, middle)
+        found: FloatArray = 0.5 * (low + high)
+        return found
+
+    def middle_rise(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
+        """Return the temperature rise of the mid-plane [K]."""
+        parabola = self._power(wall_rise, depth) * self._resistance
+        # 2 ln cosh D/beta, over the value D tanh D/beta of the parabola
+        with np.errstate(invalid="ignore", divide="ignore"):
+            ratio = 2.0 * np.log(np.cosh(depth)) / (depth * np.tanh(depth))
+        found: FloatArray = wall_rise + parabola * np.where(depth > 1e-4, ratio, 1.0)
+        return found
+
+
+def wall_fluidity(constants: LubricantHeat, rise: FloatArray) -> FloatArray:
+    """Return the viscosity without heat over that at a temperature rise of the walls [-]."""
+    found: FloatArray = np.exp(constants.beta * rise)
+    return found
+
+
+def warm_fluidity(depth: FloatArray) -> FloatArray:
+    """Return the viscosity at the walls over that at the Gauss points, shape (8, ...)."""
+    heights = HEIGHTS.reshape(-1, *(1,) * depth.ndim)
+    found: FloatArray = (np.cosh(depth) / np.cosh(heights * depth)) ** 2
+    return found
+
+
+def shear_factor(depth: FloatArray) -> FloatArray:
+    """Return the shear rate at the walls over its mean over the film, 2 D/sinh 2 D [-]."""
+    twice = 2.0 * np.asarray(depth)
+    near = twice < 1e-4
+    with np.errstate(over="ignore"):
+        found: FloatArray = np.where(
+            near, 1.0 - twice**2 / 6.0, twice / np.sinh(np.where(near, 1.0, twice))
+        )
+    return found
+
+
+__all__ = ["Conduction", "FilmHeat", "shear_factor", "wall_fluidity", "warm_fluidity"]

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flow of a film whose viscosity varies over its thickness: shear thinning, and temperature.
+
+Over the relative height t in (-1, 1) the shear stress is tau_m + t w, with the stress tau_m of the
+mid-plane and w half the film times the pressure gradient. The shear rate is f(|tau|) g(t) tau/eta,
+with the fluidity ratio f of the law of thinning and the ratio g due to the temperature.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .._util.checks import FloatArray
+from ..lubricants.shear import ShearThinning
+
+HEIGHTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
+"""Gauss points of the relative height, and their weights in a mean."""
+WEIGHTS = 0.5 * WEIGHTS
+MAX_STEPS = 60
+"""Largest number of Newton steps for the stress of the mid-plane."""
+TOLERANCE = 1e-11
+_NEGLIGIBLE = 1e-5  # stresses, relative to those of thinning, that change nothing
+
+
+class FlowTensor(NamedTuple):
+    """Flow due to the pressure gradient relative to that of a uniform film, symmetric [-]."""
+
+    xx: FloatArray
+    yy: FloatArray
+    xy: FloatArray
+    steeper_x: FloatArray
+    """Change of the flow along x with the gradient along x, less xx."""
+    steeper_y: FloatArray
+
+
+def flow_tensor(
+    law: ShearThinning, newtonian: FloatArray, gradient: FloatArray, warm: FloatArray
+) -> FlowTensor:
+    """Return the factors by which thinning and heat increase the flow due to the pressure.
+
+    law: of the shear thinning; newtonian: Newtonian shear stress eta (v1 - v2)/h along x and y
+    [Pa], shape (2, n); gradient: half the film times the pressure gradient [Pa], shape (2, n);
+    warm: ratio of viscosity at the walls to that at each of the heights, shape (8, n). The flow is
+    exact: h^2/12 eta times the tensor times the gradient is the integral over the thickness.
+    """
+    plain = flow_of_warmth(warm)
+    found = FlowTensor(plain.copy(), plain.copy(), *np.zeros((3, plain.size)))
+    size = np.hypot(*newtonian) + np.hypot(*gradient)
+    thins = size > _NEGLIGIBLE * law.scale
+    if thins.any():
+        part = _thinned(law, newtonian[:, thins], gradient[:, thins], warm[:, thins])
+        for whole, here in zip(found, part, strict=True):
+            whole[thins] = here
+    return found
+
+
+def flow_of_warmth(warm: FloatArray) -> FloatArray:
+    """Return the flow of a Newtonian film relative to that of a uniform temperature [-]."""
+    flow: FloatArray = np.tensordot(3.0 * WEIGHTS * HEIGHTS**2, warm, axes=1)
+    return flow
+
+
+def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatArray) -> FlowTensor:
+    middle = mid_plane_stress(law, newtonian, w, g)
+    stress = middle[:, None] + HEIGHTS[:, None] * w[:, None]
+    ratio, change = law.fluidity(np.hypot(*stress))
+    squares = WEIGHTS * HEIGHTS**2
+    plain = 3.0 * squares @ (g * ratio)
+    # The mean of t f is odd in w: its quotient by the product of tau_m and w makes the flow a
+    # symmetric tensor times w, whose limit for small w is the tangent.
+    along = np.sum(middle * w, axis=0)
+    small = np.abs(along) <= 1e-4 * np.sum(middle**2 + w**2, axis=0)
+    tangent = squares @ (g * change)
+    mean = (WEIGHTS * HEIGHTS) @ (g * ratio)
+    bend = 3.0 * np.where(small, tangent, mean / np.where(small, 1.0, along))
+    xx, yy = plain + bend * middle[0] ** 2, plain + bend * middle[1] ** 2
+    steep_x, steep_y = _tangent(stress, g * ratio, g * change)
+    return FlowTensor(xx, yy, bend * middle[0] * middle[1], steep_x - xx, steep_y - yy)
+
+
+def _tangent(
+    stress: FloatArray, ratio: FloatArray, change: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return the derivatives of the flow along x and y with the gradient in this direction.
+
+    The stress of the mid-plane changes with the gradient, so that the mean rate remains.
+    """
+    x, y = stress
+
+    def moments(power: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        share = WEIGHTS * HEIGHTS**power
+        return (
+            share @ (ratio + change * x**2), share @ (ratio + change * y**2),
+            share @ (change * x * y),
+        )  # fmt: skip
+
+    (a, b, c), (d, e, f), (g, h, _) = moments(0), moments(1), moments(2)
+    determinant = a * b - c**2
+    along_x = g - (b * d**2 - 2.0 * c * d * f + a * f**2) / determinant
+    along_y = h - (b * f**2 - 2.0 * c * f * e + a * e**2) / determinant
+    return 3.0 * along_x, 3.0 * along_y
+
+
+def mid_plane_stress(
+    law: ShearThinning, newtonian: FloatArray, gradient: FloatArray, warm: FloatArray
+) -> FloatArray:
+    """Return the shear stress in the middle of the film [Pa], shape (2, n), by Newton's method.
+
+    Arguments as for `flow_tensor`. The mean of the shear rate over the thickness is given.
+    """
+    size = np.hypot(*newtonian)
+    mean_warmth = WEIGHTS @ warm
+    start = law.stress(size / mean_warmth)
+    stress: FloatArray = newtonian * (start / np.maximum(size, 1e-300))
+    for _ in range(MAX_STEPS):
+        at = stress[:, None] + HEIGHTS[:, None] * gradient[:, None]
+        ratio, change = law.fluidity(np.hypot(*at))
+        f = WEIGHTS[:, None] * warm * ratio
+        c = WEIGHTS[:, None] * warm * change
+        miss = newtonian - np.sum(f * at, axis=1)
+        xx = np.sum(f + c * at[0] ** 2, axis=0)
+        yy = np.sum(f + c * at[1] ** 2, axis=0)
+        xy = np.sum(c * at[0] * at[1], axis=0)
+        determinant = xx * yy - xy**2
+        step = np.stack([yy * miss[0] - xy * miss[1], xx * miss[1] - xy * miss[0]]) / determinant
+        stress = stress + step
+        if np.all(np.hypot(*step) <= TOLERANCE * np.maximum(np.hypot(*stress), law.scale)):
+            break
+    return stress
