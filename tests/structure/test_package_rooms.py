@@ -65,6 +65,7 @@ CORE_USERS = {
     "fatigue.criteria",
     "heat_kernels",
     "kernels",
+    "lubrication.balance",
     "lubrication.nested",
     "lubrication.steady",
     "lubrication.yielding",

@@ -31,6 +31,7 @@ from ..bodies.layered import Body, require_bodies
 from ..bodies.viscoelastic import require_no_relaxation
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
+from .balance import cells_per_radius, inlet_pressure
 from .boundary import Boundary
 from .film_solution import FilmLevel, FilmSolution
 from .mixed import MixedFilm
@@ -141,7 +142,7 @@ def steady(
         tol, max_iterations,
     )  # fmt: skip
     solution, dry, _ = solved_from_dry(task, grid)
-    _warn_of_grid(solution, dry, task)
+    _warn_of_grid(solution, dry)
     return solution
 
 
@@ -289,11 +290,10 @@ def solution_of(
     )  # fmt: skip
 
 
-def _warn_of_grid(solution: FilmSolution, dry: DryContact, task: FilmTask) -> None:
+def _warn_of_grid(solution: FilmSolution, dry: DryContact) -> None:
     """Warn of cells that are too large, and of a grid that cuts the inlet."""
-    grid, films = solution.grid, [level.central_film for level in solution.levels[-2:]]
-    sizes = [grid.dx] if grid.ny == 1 or "y" in grid.periodic else [grid.dx, grid.dy]
-    cells = dry.radius / max(sizes)
+    films = [level.central_film for level in solution.levels[-2:]]
+    cells = cells_per_radius(dry.pressure, solution.grid)
     if cells < CELLS_PER_RADIUS:
         warnings.warn(
             f"the film is resolved by {cells:.3g} cells per contact radius (at least "
@@ -308,24 +308,13 @@ def _warn_of_grid(solution: FilmSolution, dry: DryContact, task: FilmTask) -> No
             ResolutionWarning,
             stacklevel=3,
         )
-    if (share := _pressure_at_inlet(solution, task)) > MAX_EDGE_PRESSURE:
+    if (share := inlet_pressure(solution)) > MAX_EDGE_PRESSURE:
         warnings.warn(
             f"the pressure at the inlet edge of the grid is {share:.2g} of the largest (at most "
             f"{MAX_EDGE_PRESSURE:g} expected): enlarge the grid towards the inlet",
             GridTooSmallWarning,
             stacklevel=3,
         )
-
-
-def _pressure_at_inlet(solution: FilmSolution, task: FilmTask) -> float:
-    """Return the largest pressure next to an edge through which lubricant enters, relative."""
-    along_x, along_y = task.face_velocities(solution.grid)
-    p = solution.fluid_pressure
-    edges = [(p[0], along_x[0]), (p[-1], -along_x[-1])]
-    if not solution.grid.periodic:
-        edges += [(p[:, 0], along_y[:, 0]), (p[:, -1], -along_y[:, -1])]
-    entering = [float(edge[inward > 0].max()) for edge, inward in edges if np.any(inward > 0)]
-    return max(entering, default=0.0) / float(p.max())
 
 
 __all__ = ["steady"]

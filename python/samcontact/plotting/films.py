@@ -163,15 +163,25 @@ def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
     TypeError for other objects, ValueError as `samcontact.lubrication.friction`.
     """
     require_type("curve", curve, StribeckCurve)
+    coefficients = np.array([friction(film).coefficient for film in curve.solutions])
+    return stribeck_lines(curve.speed, curve.boundary_share, coefficients, ax)
+
+
+def stribeck_lines(
+    speed: FloatArray, boundary_share: FloatArray, coefficient: FloatArray, ax: Axes | None = None
+) -> Axes:
+    """Draw share of the boundary layer and friction over the mean speed [m/s]; return the axes.
+
+    boundary_share, coefficient: [-], as long as speed. Friction is drawn if it is not zero.
+    """
     ax = axes_or_new(ax)
-    ax.semilogx(curve.speed, 100.0 * curve.boundary_share, "C0o-", markersize=3)
+    ax.semilogx(speed, 100.0 * boundary_share, "C0o-", markersize=3)
     ax.set_xlabel("mean speed [m/s]")
     ax.set_ylabel("load on the boundary layer [%]", color="C0")
     ax.set_ylim(0.0, 105.0)
-    coefficients = np.array([friction(film).coefficient for film in curve.solutions])
-    if coefficients.any():
+    if np.nan_to_num(coefficient).any():
         right = ax.twinx()
-        right.semilogx(curve.speed, coefficients, "C3s-", markersize=3)
+        right.semilogx(speed, coefficient, "C3s-", markersize=3)
         right.set_ylabel("friction coefficient [-]", color="C3")
         right.set_ylim(bottom=0.0)
     return finish(ax)
