@@ -25,6 +25,8 @@ INLETS, INLETS_OF_LINE = (4.5, 3.0), (5.0, 3.5)
 """Length of the inlet in semi-axes, measured from the centre, of light and of heavy loads."""
 OUTLET, SIDE = 1.5, 1.75
 """Length of the outlet and of the sides, in semi-axes."""
+MAX_RATIO = 2.0
+"""Largest ratio of the sides of a cell; beyond 2.5, films of long ellipses may not converge."""
 SHARE = 1.0 / 6.0
 """Distance of the contact from the centre of a given grid, in lengths of the grid."""
 _MULTIPLE = 8  # cells along x and y, for nested grids
@@ -93,10 +95,12 @@ def grid_of_contact(
 
     semi_axes: along x and y [m]. M: Moes' number of the load. direction: of the entrainment.
     """
-    cells, inlet = cells_per_radius or CELLS, INLETS[M >= LIGHT]
-    nx, place_x = _extent(cells, inlet, direction[0])
-    ny, place_y = _extent(cells, inlet, direction[1])
-    dx, dy = (axis / cells for axis in semi_axes)
+    inlet, fewest = INLETS[M >= LIGHT], cells_per_radius or CELLS
+    largest = MAX_RATIO * min(semi_axes) / fewest
+    cells = [max(fewest, math.ceil(axis / largest)) for axis in semi_axes]
+    nx, place_x = _extent(cells[0], inlet, direction[0])
+    ny, place_y = _extent(cells[1], inlet, direction[1])
+    dx, dy = (axis / n for axis, n in zip(semi_axes, cells, strict=True))
     return FilmGridSection(
         nx=nx, ny=ny, dx=dx, dy=dy, contact_x=place_x * dx, contact_y=place_y * dy
     )

@@ -263,7 +263,7 @@ def require_converged(found: Any, task: FilmTask) -> None:
         error = ConvergenceError(
             f"film at {'load' if task.is_load else 'approach'} {target} did not converge: residual "
             f"{found['error']:.3g} after {found['iterations']} iterations, tol {task.tol:g}: use "
-            "smaller cells, a longer inlet, or order = 1"
+            "smaller cells with nearly equal sides, a longer inlet, or order = 1"
         )
         attach(error, iterations=found["iterations"], residual=found["error"])
         raise error

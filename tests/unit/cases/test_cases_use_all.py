@@ -74,7 +74,8 @@ OTHER = {
     "cover": [2e-5], "members": [1.0, 9.0],
     "box": [[[-4e-5, 4e-5], [-4e-5, 4e-5], [0.0, 1.6e-4]]],
     "contact_x": [8e-5], "contact_y": [6e-5], "speed2": [[0.8, 0.2]], "speeds": [[0.02, 2.0]],
-    "angle": [0.2], "roughness1": [3e-8], "roughness2": [4e-8], "grade": ["ISO VG 100"], "p": [[0.0, 6e8, 1e9]], "eta": [[0.03, 10.0, 1e3]],
+    "angle": [0.2], "roughness1": [3e-8], "roughness2": [4e-8], "grade": ["ISO VG 100"],
+    "p": [[0.0, 6e8, 1e9]], "eta": [[0.03, 10.0, 1e3]],
     "rho": [[860.0, 970.0, 1000.0]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
