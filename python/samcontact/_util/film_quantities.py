@@ -53,6 +53,10 @@ FILMS = {
         "1", "pressure next to an edge through which lubricant enters, relative to the maximum",
         "", "pressure at the inlet edge",
     ),
+    "outlet_pressure": Q(
+        "1", "pressure next to an edge through which lubricant leaves, relative to the maximum",
+        "", "pressure at the outlet edge",
+    ),
     "cells_per_radius": Q(
         "1", "radius of the contact, in cells", "cells", "cells per contact radius"
     ),

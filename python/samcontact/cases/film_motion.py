@@ -124,7 +124,9 @@ class FilmSection(Section):
                     "and speed2"
                 )
             if self.pinion_speed is not None:
-                return (of_part[0], 0.0), (of_part[1], 0.0)
+                first, second = of_part
+                rolls = math.isclose(first, second, rel_tol=1e-12)  # up to rounding
+                return (first, 0.0), (first if rolls else second, 0.0)
             mean = of_part[0]
         else:
             mean = self.entrainment or (self.speeds or [0.0])[-1 if largest else 0]

@@ -211,7 +211,13 @@ class FilmCase(CaseFile):
         grid = self.cells
         cells = self._cells.shift(grid, along, self.surface.is_known)
         try:
-            return shifted_gap(self.surface, grid, cells, self.source.parent)
+            gap = shifted_gap(self.surface, grid, cells, self.source.parent)
+            if not np.isfinite(gap).all():
+                raise ValueError(
+                    "has no material in some cells of the grid, e.g. beyond the tip of a tooth: "
+                    "choose another position, or a smaller grid"
+                )
+            return gap
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self.source}: [surface] {error}") from error
 

@@ -44,13 +44,23 @@ def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = No
 
 def inlet_pressure(film: FilmSolution) -> float:
     """Return the largest pressure next to an edge through which lubricant enters, relative [-]."""
+    return _edge_pressure(film, 1.0)
+
+
+def outlet_pressure(film: FilmSolution) -> float:
+    """Return the largest pressure next to an edge through which lubricant leaves, relative [-]."""
+    return _edge_pressure(film, -1.0)
+
+
+def _edge_pressure(film: FilmSolution, sign: float) -> float:
+    """Return the largest pressure next to edges at which sign times the inward velocity is > 0."""
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     p = film.fluid_pressure
     edges = [(p[0], along_x[0]), (p[-1], -along_x[-1])]
     if not film.grid.periodic:
         edges += [(p[:, 0], along_y[:, 0]), (p[:, -1], -along_y[:, -1])]
-    entering = [float(edge[inward > 0].max()) for edge, inward in edges if np.any(inward > 0)]
-    return max(entering, default=0.0) / float(p.max())
+    found = [float(edge[sign * v > 0].max()) for edge, v in edges if np.any(sign * v > 0)]
+    return max(found, default=0.0) / float(p.max())
 
 
 def cells_per_radius(pressure: FloatArray, grid: Grid) -> float:

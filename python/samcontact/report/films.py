@@ -32,7 +32,8 @@ _VALUES = (
     "boundary_share", "friction_coefficient", "rolling_resistance", "power",
 )  # fmt: skip
 _CONVERGENCE = (
-    "iterations", "residual", "flow_imbalance", "inlet_pressure", "cells_per_radius", "film_change",
+    "iterations", "residual", "flow_imbalance", "inlet_pressure", "outlet_pressure",
+    "cells_per_radius", "film_change",
 )  # fmt: skip
 
 
@@ -78,6 +79,8 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     yield Check(name, float(dataset["film"].min()), np.finfo(np.float64).tiny, True, "m")
     name = "inlet: pressure next to the edge where lubricant enters, relative to the maximum"
     yield Check(name, float(dataset["inlet_pressure"].max()), MAX_EDGE_PRESSURE)
+    name = "outlet: pressure next to the edge where lubricant leaves, relative to the maximum"
+    yield Check(name, float(dataset["outlet_pressure"].max()), MAX_EDGE_PRESSURE)
     name = "cells per contact radius"
     yield Check(name, float(dataset["cells_per_radius"].min()), CELLS_PER_RADIUS, True)
     if "film_change" in dataset:

@@ -16,7 +16,12 @@ from .._util.film_quantities import FILMS
 from .._util.version import version
 from ..lubricants.stored import restored, stored
 from ..lubrication import Boundary, FilmLevel, FilmSolution, friction, lambda_ratio
-from ..lubrication.balance import cells_per_radius, flow_imbalance, inlet_pressure
+from ..lubrication.balance import (
+    cells_per_radius,
+    flow_imbalance,
+    inlet_pressure,
+    outlet_pressure,
+)
 from ..problem.grid import Grid
 from .dataset import completeness
 from .reading import parts_of_a_run
@@ -97,6 +102,7 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
         "residual": film.residual,
         "flow_imbalance": flow_imbalance(film, order, supply),
         "inlet_pressure": inlet_pressure(film),
+        "outlet_pressure": outlet_pressure(film),
         "cells_per_radius": cells_per_radius(film.pressure, film.grid),
     }
     if film.boundary is not None:

@@ -59,7 +59,7 @@ def test_run_and_report(tmp_path):
     case = load_case(tmp_path / "case.toml")
     assert invoke("report", tmp_path / "out").exit_code == 0
     page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
-    assert "8 of 8 checks passed" in page
+    assert "9 of 9 checks passed" in page
     assert "Hamrock &amp; Dowson" in page
     with results.open_results(tmp_path / "out" / "film.nc") as data:
         data.load()
@@ -92,7 +92,7 @@ def test_run_and_report(tmp_path):
 def test_curve_over_the_speed(tmp_path):
     """One command: share and friction at each speed, with a figure; the share falls."""
     text = CASE.replace("entrainment = 1.0", "speeds = [1e-4, 1e-2]")
-    text = text.replace("cells_per_radius = 13", "nx = 32\nny = 32\ndx = 10e-6\ndy = 10e-6")
+    text = text.replace("cells_per_radius = 13", "nx = 32\nny = 32\ndx = 14e-6\ndy = 12e-6")
     run(tmp_path, text.replace("[grid]", "boundary = {thickness = 2e-9}\norder = 1\n[grid]"))
     assert (tmp_path / "out" / "stribeck.png").exists()
     with results.open_results(tmp_path / "out" / "film.nc") as data:
