@@ -32,6 +32,7 @@ SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
 ROOTS = {
     cases.Case: "Top of the file",
     cases.AsperityCase: "Top of a file with `[asperities]`",
+    cases.FilmCase: "Top of a file with `[film]`",
 }
 TYPE_NAMES = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}
 
@@ -116,7 +117,7 @@ def titled() -> dict[type[BaseModel], str]:
             title = ", ".join(f"`{heading}`" for heading in headings)
             title += f" with `{word(model)}`" if word(model) else ""
             if model not in titles and title in titles.values():
-                title += ", in a file with `[asperities]`"
+                title += ", in" + ROOTS[root].removeprefix("Top of")
             titles.setdefault(model, title)
     return titles
 

@@ -10,7 +10,7 @@ from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 from samcontact import Grid
-from samcontact.cases import AsperityCase, Case, CaseError, load_case, parse_case
+from samcontact.cases import ALL_KINDS, Case, CaseError, load_case, parse_case
 
 CASES = {
     path.stem: path.read_text(encoding="utf-8")
@@ -39,7 +39,7 @@ values = st.one_of(
 scraps = st.one_of(
     st.text(max_size=6),
     st.sampled_from(
-        ["[grid]", "[[path]]", "[asperities]", "[wear]", " = ", "\n", '"""', "{", "inf"]
+        ["[grid]", "[[path]]", "[asperities]", "[wear]", "[film]", " = ", "\n", '"""', "{", "inf"]
     ),
     values,
 )
@@ -48,7 +48,7 @@ scraps = st.one_of(
 def read(text):
     """Return the case, or None if it is refused correctly."""
     case = unless_refused(lambda: parse_case(text, "case.toml"), CaseError, "case.toml: ")
-    assert case is None or isinstance(case, (Case, AsperityCase))
+    assert case is None or isinstance(case, ALL_KINDS)
     return case
 
 

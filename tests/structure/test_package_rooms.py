@@ -65,6 +65,7 @@ CORE_USERS = {
     "fatigue.criteria",
     "heat_kernels",
     "kernels",
+    "lubrication.balance",
     "lubrication.film_accuracy",
     "lubrication.nested",
     "lubrication.sheared",

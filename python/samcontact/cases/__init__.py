@@ -4,6 +4,18 @@
 from .asperities import AsperityCase
 from .base import CaseError
 from .case import Case
+from .films import FilmCase
+from .kinds import ALL_KINDS, AnyCase, kind_of
 from .reading import load_case, parse_case
 
-__all__ = ["AsperityCase", "Case", "CaseError", "load_case", "parse_case"]
+__all__ = [
+    "ALL_KINDS",
+    "AnyCase",
+    "AsperityCase",
+    "Case",
+    "CaseError",
+    "FilmCase",
+    "kind_of",
+    "load_case",
+    "parse_case",
+]

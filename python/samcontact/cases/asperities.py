@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Annotated, Any, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, cast
 
 from pydantic import Field, model_validator
 
@@ -62,6 +62,8 @@ else:
 
 class AsperityCase(CaseFile):
     """Validated case of `asperities.collide`; all quantities in SI units."""
+
+    KIND: ClassVar[str] = "an asperity collision"
 
     title: Annotated[str, Field(min_length=1)]
     description: str = ""

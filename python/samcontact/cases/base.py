@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     BaseModel,
@@ -116,6 +116,9 @@ class OutputPlace(Section):
 
 class CaseFile(Section):
     """Base class of case files, with the path of the file and the folder of the results."""
+
+    KIND: ClassVar[str] = "one contact"
+    """What the case describes, for messages."""
 
     if TYPE_CHECKING:  # fields that each kind of case file has, first and last
         title: str

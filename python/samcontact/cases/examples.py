@@ -18,6 +18,10 @@ FOLDER = Path(__file__).parent / "example_files"
 FIRST_CASES = {
     "adhesion": "k1_adhering_tip",
     "bearing": "b5_bearing_6208",
+    "bearing_film": "l2_bearing_6208_in_oil",
+    "ehl": "l1_ball_in_oil",
+    "gear_film": "l3_gear_flank_in_oil",
+    "stribeck": "l4_from_full_film_to_dry",
     "roller": "b6_misaligned_roller",
     "gear": "b4_gear_flank",
     "case_depth": "b7_case_depth",

@@ -10,9 +10,8 @@ from pydantic import BaseModel
 
 from ..bodies.hardening_laws import LAWS
 from .allowed import models_in, unit_of
-from .asperities import AsperityCase
-from .case import Case
 from .errors import SHORT_FORMS
+from .kinds import ALL_KINDS
 
 # Units of law constants; microstrain is not converted, as it is stored as a plain number.
 _LAW_UNITS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
@@ -36,7 +35,7 @@ def _units(section: str) -> dict[str, str]:
     """Return the units of all fields within a top-level section, by field name."""
     roots = [
         model
-        for kind in (Case, AsperityCase)
+        for kind in ALL_KINDS
         if section in kind.model_fields
         for model in models_in(kind.model_fields[section].annotation)
     ]

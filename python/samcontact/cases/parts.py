@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
@@ -123,6 +124,15 @@ class GearSurface(SurfaceShape):
         if self.crowning == 0.0 or self.tip_relief is not None:
             return None
         return self.contact().radius, self.face_width**2 / (8.0 * self.crowning)
+
+    @property
+    def straight(self) -> tuple[float, float] | None:
+        if self.crowning > 0.0 or self.tip_relief is not None:
+            return None
+        return self.contact().radius, self.face_width
+
+    def surface_speeds(self, rates: Mapping[str, float]) -> tuple[float, float] | None:
+        return self.contact().speeds(rates["pinion_speed"]) if "pinion_speed" in rates else None
 
     @property
     def reason_for_grid(self) -> str:

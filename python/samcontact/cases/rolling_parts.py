@@ -17,6 +17,7 @@ from .._util.checks import FloatArray
 from .._util.short_text import in_short
 from ..bearings.rating import STEEL_CONTACT_MODULUS
 from ..bodies.layered import softest
+from ..lubrication import bearing_speeds
 from .base import Count, Finite, Length, NonNegative, Radius, in_unit
 from .errors import SHORT_FORMS
 from .surface_shape import FirstGrid, SurfaceShape
@@ -237,6 +238,12 @@ class BearingSurface(_RollingSurface):
             return None
         return _grid_of_roller(self.bearing.race(self.solved_race).Rx, length, load, E_star)
 
+    def surface_speeds(self, rates: Mapping[str, float]) -> tuple[float, float] | None:
+        if "pinion_speed" in rates:
+            return None
+        inner, outer = rates.get("inner_speed", 0.0), rates.get("outer_speed", 0.0)
+        return bearing_speeds(self.bearing, inner, outer)
+
     def nominal_load(self, grid: Grid | None) -> float | None:
         """Load of the most heavily loaded element [N]; None if the bearing has no loads."""
         return self.element_load if self.has_loads else None
@@ -254,11 +261,8 @@ def _tables(given: Any) -> list[Any]:
     return given if isinstance(given, list) else []
 
 
-def in_full(content: Any) -> Any:
-    """Return the content of a case file with [surface] for [roller] or [bearing], and with a path.
-
-    Without [[path]], the contact of a bearing is loaded; elastic-plastic bodies are also unloaded.
-    """
+def with_surface(content: Any) -> Any:
+    """Return the content of a case file with [surface] for [roller] or [bearing]."""
     if not isinstance(content, Mapping):
         return content
     found: dict[str, Any] = dict(content)
@@ -272,6 +276,17 @@ def in_full(content: Any) -> Any:
         elif part is not None:
             remedy = f": write [{name}] instead of [[{name}]]" if isinstance(part, list) else ""
             raise ValueError(f"{name}: must be a table, got {in_short(part)}{remedy}")
+    return found
+
+
+def in_full(content: Any) -> Any:
+    """Return the content of a case file with [surface] for [roller] or [bearing], and with a path.
+
+    Without [[path]], the contact of a bearing is loaded; elastic-plastic bodies are also unloaded.
+    """
+    found = with_surface(content)
+    if not isinstance(found, dict):
+        return found
     surface = found.get("surface")
     if "path" in found or not isinstance(surface, Mapping) or surface.get("shape") != "bearing":
         return found

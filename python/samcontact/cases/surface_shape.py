@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple
 
@@ -83,6 +83,19 @@ class SurfaceShape(Section):
 
     def nominal_load(self, grid: Grid | None) -> float | None:
         """Load on the part [N], or on one period of a periodic grid; None if it has no load."""
+        return None
+
+    @property
+    def straight(self) -> tuple[float, float] | None:
+        """Radius and length [m] of a line contact along y; None for other contacts."""
+        return None
+
+    def surface_speeds(self, rates: Mapping[str, float]) -> tuple[float, float] | None:
+        """Return the speeds of bodies 1 and 2 along x, relative to the contact [m/s].
+
+        rates: angular speeds of the part by the names of [film], e.g. pinion_speed [rad/s]. None if
+        they do not belong to this part.
+        """
         return None
 
     @property

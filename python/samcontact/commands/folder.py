@@ -25,10 +25,11 @@ _FIGURES = (
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
     "fatigue_exposure", "shakedown",
+    "film_map", "film_profile", "interferogram", "regime_chart", "stribeck",
 )  # fmt: skip
-_RESULT_FILES = re.compile(r"(results|series|wear|fatigue|shakedown)\.nc")
+_RESULT_FILES = re.compile(r"(results|series|wear|film|fatigue|shakedown)\.nc")
 _OUTPUT_FILES = re.compile(
-    rf"{_RESULT_FILES.pattern}|(series|wear)\.csv|(report|results)\.html|(rolling|partial_slip)\.gif"
+    rf"{_RESULT_FILES.pattern}|(series|wear|film)\.csv|(report|results)\.html|(rolling|partial_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )

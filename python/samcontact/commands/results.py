@@ -81,7 +81,7 @@ def export(
             if "pressure" not in dataset:
                 raise ValueError(
                     f"{source} contains no contact fields to export: use samcontact report for "
-                    "results of asperity collisions and wear"
+                    "results of asperity collisions, wear and films"
                 )
             if vtk and every:
                 written += results.to_pvd(dataset, target, number)
@@ -113,7 +113,7 @@ def report(run: Path, output: Path | None) -> None:
         from .. import report as reports
         from .. import results
 
-        source = _results_of(run, ("results.nc", "series.nc", "wear.nc"))
+        source = _results_of(run, ("results.nc", "series.nc", "wear.nc", "film.nc"))
         default = source.with_name("report.html")
         target = output or default
         if source.exists():  # a missing file is reported below

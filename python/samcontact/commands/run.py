@@ -15,7 +15,7 @@ from .signals import exit_code
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from ..cases import AsperityCase, Case
+    from ..cases import AnyCase
 
 
 @click.command()
@@ -59,8 +59,12 @@ def run(
         click.echo(str(file))
 
 
+_STUDIES = ("asperities", "film", "wear")
+"""Sections of cases that have no animation."""
+
+
 def _solve(
-    case: Case | AsperityCase,
+    case: AnyCase,
     directory: Path,
     console: Console,
     *,
@@ -68,14 +72,18 @@ def _solve(
     animate: bool,
     resume: bool,
 ) -> list[Path]:
-    """Solve a case of contact, asperity collision or wear, and return the files written."""
-    from ..cases import AsperityCase
+    """Solve a case of any kind, and return the files written."""
+    from ..cases import AsperityCase, FilmCase
 
     if animate and getattr(case, "accuracy", None) is not None:
         raise ValueError("--animate cannot be combined with accuracy")
-    section = "asperities" if isinstance(case, AsperityCase) else "wear" if case.wear else None
+    section = next((name for name in _STUDIES if getattr(case, name, None) is not None), None)
     if animate and section is not None:
         raise ValueError(f"--animate cannot be combined with [{section}]")
+    if isinstance(case, FilmCase):
+        from .solve_film import solve_film
+
+        return solve_film(case, directory, console, figures=figures, resume=resume)
     if isinstance(case, AsperityCase):
         from .solve_study import solve_asperities
 

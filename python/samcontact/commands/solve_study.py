@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from ..asperities import CollisionResult
     from ..cases import Case
     from ..cases.asperities import AsperityCase
+    from ..cases.base import CaseFile
     from ..wear import FrettingResult, WearResult
 
 _PASS_COLUMNS = (
@@ -48,8 +49,8 @@ _CYCLE_COLUMNS = (
 )  # fmt: skip
 
 
-class _StudyKind(NamedTuple):
-    """Functions that solve, write and draw one kind of study: asperity collision or wear."""
+class StudyKind(NamedTuple):
+    """Functions that solve, write and draw one kind of study, e.g. wear."""
 
     file: str
     solve: Callable[[Path], Any]
@@ -72,7 +73,7 @@ def solve_asperities(
         passes = result.series.sizes["pass"]
         return f"{passes} of {case.asperities.passes} passes (the last incomplete)"
 
-    kind = _StudyKind(
+    kind = StudyKind(
         "series",
         lambda folder: case.solve(progress=not console.quiet, checkpoint=folder),
         lambda result: result.series,
@@ -81,7 +82,7 @@ def solve_asperities(
         _increments,
         _draw_asperities,
     )
-    return _solve(case, kind, directory, console, figures=figures, resume=resume)
+    return solve_study(case, kind, directory, console, figures=figures, resume=resume)
 
 
 def solve_wear(
@@ -110,26 +111,30 @@ def solve_wear(
 
     # errors of the case are raised before its folder is written
     _ = case.build() if case.accuracy is None else prepare_search(case)
-    kind = _StudyKind(
+    kind = StudyKind(
         "wear", solved, lambda result: result.to_dataset(), amount, _cycles_sheet, _cycles, draw
     )
-    return _solve(case, kind, directory, console, figures=figures, resume=resume)
+    return solve_study(case, kind, directory, console, figures=figures, resume=resume)
 
 
-def _solve(
-    case: Case | AsperityCase,
-    kind: _StudyKind,
+def solve_study(
+    case: CaseFile,
+    kind: StudyKind,
     directory: Path,
     console: Console,
     *,
     figures: bool,
     resume: bool,
 ) -> list[Path]:
+    """Solve a study of some kind, write results, table and figures, and return the files."""
+
     def write(result: Any, stopped_by: str = "") -> list[Path]:
         attributes = {"title": case.title, "case": case.text, **completeness(stopped_by)}
         dataset = kind.dataset(result).assign_attrs(attributes)
         written = [publish(dataset, directory / f"{kind.file}.nc"), directory / f"{kind.file}.csv"]
         console.print(kind.sheet(dataset))
+        if note := dataset.attrs.get("friction_note", ""):
+            console.print(note, markup=False, highlight=False)
         if (errors := errors_sheet(dataset)) is not None:
             console.print(errors)
         if dataset.attrs.get("stopped", 1) == 0 and not stopped_by:

@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .._util.checks import FloatArray
+from .._util.film_quantities import FILMS
 from .._util.quantities import ASPERITIES, Quantity
 from .._util.sweep_quantities import SWEEP
 from .._util.wear_quantities import WEAR
 from ..cases.asperities import AsperityCase
+from ..cases.films import FilmCase
 from ..files.atomic import replacing
 from ..files.ownership import recording
 from ..solutions.peak import peak_of_dataset
@@ -25,7 +27,7 @@ from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..cases import Case
+    from ..cases import AnyCase
 
 _ASPERITY_COLUMNS = {
     name: ASPERITIES[row]
@@ -114,9 +116,7 @@ def _are_words(column: Sequence[Any]) -> bool:
     return any(isinstance(value, str) for value in column)
 
 
-def summary_of(
-    dataset: xr.Dataset, names: Sequence[str], case: Case | AsperityCase
-) -> SweepSummary:
+def summary_of(dataset: xr.Dataset, names: Sequence[str], case: AnyCase) -> SweepSummary:
     """Return the summary of a sweep over the parameters `names`.
 
     It has the values at the increment of maximum von Mises stress; for asperity collisions, the
@@ -146,10 +146,13 @@ class _Contents(NamedTuple):
     chosen: Callable[[FloatArray, xr.Dataset], float]
 
 
-def _contents(dataset: xr.Dataset, case: Case | AsperityCase) -> _Contents:
+def _contents(dataset: xr.Dataset, case: AnyCase) -> _Contents:
     if isinstance(case, AsperityCase):
         columns = {n: quantity for n, quantity in _ASPERITY_COLUMNS.items() if n in dataset}
         return _Contents("Maxima", columns, lambda values, _: float(np.nanmax(values)))
+    if isinstance(case, FilmCase):
+        columns = {n: quantity for n, quantity in FILMS.items() if quantity.short and n in dataset}
+        return _Contents("At the highest speed", columns, lambda values, _: float(values[-1]))
     of_case = {name: SWEEP[name] for name in SWEEP if name in dataset and SWEEP[name].short}
     if "increment" in dataset.dims:
         columns = contact_columns(dataset, CONTACT_COLUMNS, case.output.body)

@@ -39,6 +39,22 @@ _ENTERING_VOID = 1e-6
 """Void fraction at least given to a cell that the coarser grid found cavitated."""
 
 
+def face_velocities(
+    grid: Grid, velocities: FloatArray, spin: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return the mean velocity of the surfaces normal to the faces of the cells [m/s].
+
+    velocities: of bodies 1 and 2 along x and y [m/s]; spin: mean angular velocity [rad/s].
+    """
+    u, v = velocities.mean(axis=0)
+    nx, ny = grid.surface_shape
+    y = (np.arange(ny) - 0.5 * (ny - 1)) * grid.dy
+    x = (np.arange(nx) - 0.5 * (nx - 1)) * grid.dx
+    along_x = np.broadcast_to(u - spin * y, (nx + 1, ny))
+    along_y = np.broadcast_to((v + spin * x)[:, None], (nx, ny + 1))
+    return np.ascontiguousarray(along_x), np.ascontiguousarray(along_y)
+
+
 @dataclass(frozen=True)
 class FilmTask:
     """Lubricated contact that is solved on several grids."""
@@ -76,13 +92,7 @@ class FilmTask:
 
     def face_velocities(self, grid: Grid) -> tuple[FloatArray, FloatArray]:
         """Return the mean velocity of the surfaces normal to the faces of the cells [m/s]."""
-        u, v = self.velocities.mean(axis=0)
-        nx, ny = grid.surface_shape
-        y = (np.arange(ny) - 0.5 * (ny - 1)) * grid.dy
-        x = (np.arange(nx) - 0.5 * (nx - 1)) * grid.dx
-        along_x = np.broadcast_to(u - self.spin * y, (nx + 1, ny))
-        along_y = np.broadcast_to((v + self.spin * x)[:, None], (nx, ny + 1))
-        return np.ascontiguousarray(along_x), np.ascontiguousarray(along_y)
+        return face_velocities(grid, self.velocities, self.spin)
 
     def layer(self, peak: float) -> tuple[float, float]:
         """Return thickness [m] and pressure [Pa] of the boundary layer; 0, 0 without one.

@@ -31,6 +31,7 @@ from ..bodies.layered import Body, require_bodies
 from ..bodies.viscoelastic import require_no_relaxation
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
+from .balance import cells_per_radius, inlet_pressure
 from .boundary import Boundary
 from .film_accuracy import checked_accuracy, to_accuracy
 from .film_limits import remedy, require_thin_film
@@ -169,7 +170,7 @@ def steady(
     solution, dry, _ = solved_from_dry(task, grid)
     if thermal:
         check_heated(solution, dry.radius)
-    _warn_of_grid(solution, dry, task)
+    _warn_of_grid(solution, dry)
     return solution
 
 
@@ -301,7 +302,9 @@ def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, floa
 
 
 def require_converged(
-    found: Any, task: FilmTask, advice: str = "use smaller cells, a longer inlet, or order = 1"
+    found: Any,
+    task: FilmTask,
+    advice: str = "use smaller cells with nearly equal sides, a longer inlet, or order = 1",
 ) -> None:
     """Raise an error for a state that is not a solution, or is none of the physical problem."""
     target = quantity(task.target, "N" if task.is_load else "m")
@@ -337,11 +340,10 @@ def solution_of(
     )  # fmt: skip
 
 
-def _warn_of_grid(solution: FilmSolution, dry: DryContact, task: FilmTask) -> None:
+def _warn_of_grid(solution: FilmSolution, dry: DryContact) -> None:
     """Warn of cells that are too large, and of a grid that cuts the inlet."""
-    grid, films = solution.grid, [level.central_film for level in solution.levels[-2:]]
-    sizes = [grid.dx] if grid.ny == 1 or "y" in grid.periodic else [grid.dx, grid.dy]
-    cells = dry.radius / max(sizes)
+    films = [level.central_film for level in solution.levels[-2:]]
+    cells = cells_per_radius(dry.pressure, solution.grid)
     if cells < CELLS_PER_RADIUS:
         warnings.warn(
             f"the film is resolved by {cells:.3g} cells per contact radius (at least "
@@ -356,24 +358,13 @@ def _warn_of_grid(solution: FilmSolution, dry: DryContact, task: FilmTask) -> No
             ResolutionWarning,
             stacklevel=3,
         )
-    if (share := _pressure_at_inlet(solution, task)) > MAX_EDGE_PRESSURE:
+    if (share := inlet_pressure(solution)) > MAX_EDGE_PRESSURE:
         warnings.warn(
             f"the pressure at the inlet edge of the grid is {share:.2g} of the largest (at most "
             f"{MAX_EDGE_PRESSURE:g} expected): enlarge the grid towards the inlet",
             GridTooSmallWarning,
             stacklevel=3,
         )
-
-
-def _pressure_at_inlet(solution: FilmSolution, task: FilmTask) -> float:
-    """Return the largest pressure next to an edge through which lubricant enters, relative."""
-    along_x, along_y = task.face_velocities(solution.grid)
-    p = solution.fluid_pressure
-    edges = [(p[0], along_x[0]), (p[-1], -along_x[-1])]
-    if not solution.grid.periodic:
-        edges += [(p[:, 0], along_y[:, 0]), (p[:, -1], -along_y[:, -1])]
-    entering = [float(edge[inward > 0].max()) for edge, inward in edges if np.any(inward > 0)]
-    return max(entering, default=0.0) / float(solution.pressure.max())
 
 
 __all__ = ["steady"]

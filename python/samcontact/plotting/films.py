@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,7 +15,7 @@ from ..lubricants import Lubricant
 from ..lubrication import FilmSolution, StribeckCurve, friction, regime
 from ..lubrication.formulas import regime_of
 from ..lubrication.groups import Contact, film_groups
-from .parts import add_to_title, axes_or_new, finish, prefixed
+from .parts import MIN_LONG_CONTACT_RATIO, add_to_title, axes_or_new, finish, prefixed
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -57,17 +57,18 @@ def film_map(film: FilmSolution, ax: Axes | None = None, *, max_film: float | No
         MAX_SHOWN_FILM * film.central_film if max_film is None else positive("max_film", max_film)
     )
     factor, unit = prefixed(limit, "m")
-    ax, across, along, metres = _plane(film, ax)
+    plane = _Plane(film, ax)
+    ax, field = plane.ax, plane.oriented(film.film) * factor
     shown = ax.pcolormesh(
-        across, along, film.film.T * factor, cmap="viridis", vmin=0.0,
-        vmax=limit * factor, rasterized=True, shading="nearest",
+        plane.across, plane.along, field, cmap="viridis", vmin=0.0, vmax=limit * factor,
+        rasterized=True, shading="nearest",
     )  # fmt: skip
     ax.contour(
-        across, along, film.film.T * factor, levels=np.linspace(0.0, limit * factor, 13)[1:],
+        plane.across, plane.along, field, levels=np.linspace(0.0, limit * factor, 13)[1:],
         colors="white", linewidths=0.5,
     )  # fmt: skip
-    ax.figure.colorbar(shown, ax=ax, label=f"film thickness [{unit}]", extend="max")
-    _label(ax, metres)
+    place: dict[str, Any] = {"location": "bottom"} if plane.is_turned else {}
+    ax.figure.colorbar(shown, ax=ax, label=f"film thickness [{unit}]", extend="max", **place)
     _note_films(ax, film)
     return finish(ax)
 
@@ -141,16 +142,16 @@ def interferogram(
     require_type("film", film, FilmSolution)
     wave = positive("wavelength", wavelength)
     index, shift = positive("refractive_index", refractive_index), finite("phase", phase)
-    ax, across, along, metres = _plane(film, ax)
+    plane = _Plane(film, ax)
+    ax, across, along = plane.ax, plane.across, plane.along
     # between the centres of the cells too, where fringes are narrower than a cell
-    thickness = scipy.ndimage.zoom(film.film, _POINTS_PER_CELL, order=3)
+    thickness = scipy.ndimage.zoom(plane.oriented(film.film), _POINTS_PER_CELL, order=3)
     intensity = np.cos(2.0 * np.pi * index * thickness / wave + shift) ** 2
     ax.pcolormesh(
-        np.linspace(across[0], across[-1], intensity.shape[0]),
-        np.linspace(along[0], along[-1], intensity.shape[1]),
-        intensity.T, cmap="gray", vmin=0.0, vmax=1.0, rasterized=True, shading="nearest",
+        np.linspace(across[0], across[-1], intensity.shape[1]),
+        np.linspace(along[0], along[-1], intensity.shape[0]),
+        intensity, cmap="gray", vmin=0.0, vmax=1.0, rasterized=True, shading="nearest",
     )  # fmt: skip
-    _label(ax, metres)
     add_to_title(ax, f"λ {quantity(wave, 'm')}, n {index:g}")
     return finish(ax)
 
@@ -163,15 +164,25 @@ def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
     TypeError for other objects, ValueError as `samcontact.lubrication.friction`.
     """
     require_type("curve", curve, StribeckCurve)
+    coefficients = np.array([friction(film).coefficient for film in curve.solutions])
+    return stribeck_lines(curve.speed, curve.boundary_share, coefficients, ax)
+
+
+def stribeck_lines(
+    speed: FloatArray, boundary_share: FloatArray, coefficient: FloatArray, ax: Axes | None = None
+) -> Axes:
+    """Draw share of the boundary layer and friction over the mean speed [m/s]; return the axes.
+
+    boundary_share, coefficient: [-], as long as speed. Friction is drawn if it is not zero.
+    """
     ax = axes_or_new(ax)
-    ax.semilogx(curve.speed, 100.0 * curve.boundary_share, "C0o-", markersize=3)
+    ax.semilogx(speed, 100.0 * boundary_share, "C0o-", markersize=3)
     ax.set_xlabel("mean speed [m/s]")
     ax.set_ylabel("load on the boundary layer [%]", color="C0")
     ax.set_ylim(0.0, 105.0)
-    coefficients = np.array([friction(film).coefficient for film in curve.solutions])
-    if coefficients.any():
+    if np.nan_to_num(coefficient).any():
         right = ax.twinx()
-        right.semilogx(curve.speed, coefficients, "C3s-", markersize=3)
+        right.semilogx(speed, coefficient, "C3s-", markersize=3)
         right.set_ylabel("friction coefficient [-]", color="C3")
         right.set_ylim(bottom=0.0)
     return finish(ax)
@@ -233,19 +244,29 @@ def regime_chart(
     return finish(ax)
 
 
-def _plane(film: FilmSolution, ax: Axes | None) -> tuple[Axes, FloatArray, FloatArray, str]:
-    """Return axes, coordinates along x and y in the unit shown, and this unit."""
-    if min(film.film.shape) < 2:
-        raise ValueError("film must have cells along x and y, got a line contact: use film_profile")
-    ax = axes_or_new(ax)
-    factor, metres = prefixed(float(np.abs(film.grid.x).max()), "m")
-    ax.set_aspect("equal")
-    return ax, film.grid.x * factor, film.grid.y * factor, metres
+class _Plane:
+    """Axes of a map, with coordinates in the unit shown; long contacts lie along the page."""
 
+    def __init__(self, film: FilmSolution, ax: Axes | None) -> None:
+        if min(film.film.shape) < 2:
+            raise ValueError(
+                "film must have cells along x and y, got a line contact: use film_profile"
+            )
+        grid = film.grid
+        self.is_turned = grid.ny * grid.dy > MIN_LONG_CONTACT_RATIO * grid.nx * grid.dx
+        self.ax = axes_or_new(ax)
+        shown = grid.y if self.is_turned else grid.x
+        factor, metres = prefixed(float(np.abs(shown).max()), "m")
+        places = {"x": grid.x * factor, "y": grid.y * factor}
+        names = ("y", "x") if self.is_turned else ("x", "y")
+        self.across, self.along = (places[name] for name in names)
+        self.ax.set_aspect("equal")
+        self.ax.set_xlabel(f"{names[0]} [{metres}]")
+        self.ax.set_ylabel(f"{names[1]} [{metres}]")
 
-def _label(ax: Axes, metres: str) -> None:
-    ax.set_xlabel(f"x [{metres}]")
-    ax.set_ylabel(f"y [{metres}]")
+    def oriented(self, field: FloatArray) -> FloatArray:
+        """Return a field with the rows along the page."""
+        return field if self.is_turned else field.T
 
 
 def _note_films(ax: Axes, film: FilmSolution) -> None:

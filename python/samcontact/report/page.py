@@ -12,7 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from .._util.check import Check
 from ..files.atomic import replacing
 from ..results.reading import parts_of_a_run
-from . import asperities, contact, tables, wear
+from . import asperities, contact, films, tables, wear
 from . import fatigue as fatigue_report
 from . import shakedown as shakedown_report
 
@@ -35,7 +35,7 @@ def write(
     The page shows the main results with their estimated errors, a comparison with Hertz contact
     where applicable, figures, the `checks` of the results, the parameters, and the values and the
     convergence of each increment. Reports of asperity collisions contain the values of each pass,
-    and reports of wear the values of each cycle.
+    reports of wear the values of each cycle, and reports of films those of each speed.
 
     Parameters
     ----------
@@ -110,7 +110,8 @@ def checks(dataset: xr.Dataset) -> list[Check]:
         Contact: load balance, complementarity of pressure and gap, yield condition, distance from
         the edge of the grid, small strain, and plausibility of the input (`Check.of_input`); with
         partial slip also the friction law, tangential forces and energy. Asperity collisions:
-        energy balance, and zero force at the end of a pass. Wear: volume balance.
+        energy balance, and zero force at the end of a pass. Wear: volume balance. Lubricated
+        contact: balances of load, flow and mass, cavitation, inlet, resolution.
 
     Raises
     ------
@@ -125,7 +126,7 @@ def _kind(dataset: xr.Dataset) -> ModuleType:
     """Return the module that creates the parts of the page for this dataset."""
     missing: dict[ModuleType, list[str]] = {
         kind: [name for name in kind.REQUIRED_VARIABLES if name not in dataset]
-        for kind in (contact, asperities, wear)
+        for kind in (contact, asperities, wear, films)
     }
     kind, lacking = min(missing.items(), key=lambda item: len(item[1]))
     if lacking:

@@ -8,12 +8,15 @@ labelled xx, yy, zz, yz, xz, xy; shear strains are tensor components (half the e
 from .._util.tensors import COMPONENTS
 from .dataset import to_dataset
 from .file import open_results, save, scalars
+from .films import films_dataset, films_of
 from .pvd import to_pvd
 from .vtk import to_vtk
 from .zones import on_grid
 
 __all__ = [
     "COMPONENTS",
+    "films_dataset",
+    "films_of",
     "on_grid",
     "open_results",
     "save",

@@ -14,7 +14,7 @@ from ..shakedown.results import ELASTIC, PLASTIC, RATCHETING, SHAKEDOWN, UNDECID
 if TYPE_CHECKING:
     import xarray as xr
 
-    from ..cases import Case
+    from ..cases import Case, FilmCase
     from ..solutions.state import State
 
 RESPONSES = (ELASTIC, SHAKEDOWN, PLASTIC, RATCHETING, UNDECIDED)
@@ -40,7 +40,7 @@ def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
         )
     for case in cases:
         if not isinstance(case, Case):
-            raise ValueError("find requires a case of one contact, got an asperity collision")
+            raise ValueError(f"find requires a case of one contact, got {case.KIND}")
         max_load(case)
     require_known(search["quantity"])
     return dict(search)
@@ -80,6 +80,16 @@ def solved(case: Case) -> xr.Dataset:
     found.update(_of_case(_of_fatigue(case, states) | _of_shakedown(case)))
     if "shakedown_response" in found:
         found["shakedown_response"].attrs["flag_meanings"] = MEANINGS
+    return found
+
+
+def film_scalars(case: FilmCase) -> xr.Dataset:
+    """Return the results of a lubricated contact with one value per speed."""
+    from ..results.films import films_dataset
+
+    dataset = films_dataset(case.solve(), case)
+    names = [name for name, field in dataset.data_vars.items() if field.dims == ("increment",)]
+    found: xr.Dataset = dataset[names]
     return found
 
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from .._util.errors import ResolutionWarning
 from .._util.version import version
 from ..restart.identity import digest, identity
-from .tasks import search_results, solved
+from .tasks import film_scalars, search_results, solved
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -47,13 +47,14 @@ def solve_case(
         Exceptions are returned as text, because not every exception can be passed between
         processes.
     """
-    from ..cases import AsperityCase, Case
+    from ..cases import AsperityCase, FilmCase, kind_of
 
     try:
-        kind = AsperityCase if "asperities" in content else Case
-        case = kind.model_validate(content).written_in(Path(source))
+        case = kind_of(content).model_validate(content).written_in(Path(source))
         if isinstance(case, AsperityCase):
             return {"variables": _plain(case.solve(progress=False).series)}
+        if isinstance(case, FilmCase):
+            return {"variables": _plain(film_scalars(case))}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ResolutionWarning)  # the sweep warns once for all cases
             found = solved(case) if search is None else search_results(case, search)

@@ -3,6 +3,7 @@
 
 import copy
 import re
+from types import SimpleNamespace
 from typing import Literal, get_args, get_origin
 
 import numpy as np
@@ -29,12 +30,16 @@ from case_kinds import (
 )
 from samcontact import wear
 from samcontact.cases import (
+    ALL_KINDS,
     AsperityCase,
     Case,
     CaseError,
+    FilmCase,
     asperities,
     dents,
     fatigue,
+    films,
+    kind_of,
     shakedown,
 )
 
@@ -68,6 +73,10 @@ OTHER = {
     "radius_limits": [[24.9e-6, 3e-5]], "misfit": [2e-3], "fraction": [0.1, 0.3], "gap": [0.8],
     "cover": [2e-5], "members": [1.0, 9.0],
     "box": [[[-4e-5, 4e-5], [-4e-5, 4e-5], [0.0, 1.6e-4]]],
+    "contact_x": [8e-5], "contact_y": [6e-5], "speed2": [[0.8, 0.2]], "speeds": [[0.02, 2.0]],
+    "angle": [0.2], "roughness1": [3e-8], "roughness2": [4e-8], "grade": ["ISO VG 100"],
+    "p": [[0.0, 6e8, 1e9]], "eta": [[0.03, 10.0, 1e3]],
+    "rho": [[860.0, 970.0, 1000.0]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -93,6 +102,8 @@ UNSET = {
     "grid": GRID, "load_factor": 0.7, "centre_distance": 91.5e-3,
     "eccentricity": 3e-3, "max_lift": 5e-3, "event_angle": 2.2,
     "lift": [0.0, 1e-3, 2e-3, 1e-3, 0.0], "lift_angle": [-1.0, -0.5, 0.0, 0.5, 1.0],
+    "eyring_stress": 5e6, "limiting_shear": 0.05, "supply": 1e-6, "boundary": {"thickness": 1e-9},
+    "rho": [870.0, 950.0, 1000.0], "pressure": 1e9,
 }  # fmt: skip
 
 
@@ -127,14 +138,20 @@ def computed(tmp_path, monkeypatch):
     monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(asperities, "collide", record)
+    curve = SimpleNamespace(solutions=())
+    monkeypatch.setattr(films, "steady", record)
+    monkeypatch.setattr(films, "stribeck", lambda *given, **named: record(*given, **named) or curve)
     monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
     def compute(content):
-        case = (AsperityCase if "asperities" in content else Case).model_validate(content)
+        case = kind_of(content).model_validate(content)
         case._source = tmp_path / "case.toml"
         if isinstance(case, AsperityCase):
             case.solve(progress=False)
             return seen["arguments"]
+        if isinstance(case, FilmCase):
+            case.solve()
+            return seen["arguments"], case.film.roughness
         simulation, path = case.build()
         if case.wear is not None:
             case.wear.solve(simulation, path, None, False)
@@ -206,7 +223,7 @@ def test_every_field_is_used_or_refused(computed, kind):
     content = KINDS[kind]
     before = computed(content)
     assert computed(copy.deepcopy(content)) == before
-    model = (AsperityCase if "asperities" in content else Case).model_validate(content)
+    model = kind_of(content).model_validate(content)
     dropped, attempted = [], 0
     for place, field, value in leaves(model):
         for other in others(place[-1], field, value):
@@ -229,7 +246,7 @@ def test_every_field_of_every_section_is_tried():
 
     attempted, sections = set(), set()
     for content in KINDS.values():
-        model = (AsperityCase if "asperities" in content else Case).model_validate(content)
+        model = kind_of(content).model_validate(content)
         waiting = [model]
         while waiting:
             part = waiting.pop()
@@ -244,14 +261,14 @@ def test_every_field_of_every_section_is_tried():
     bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer", "VoidRandomInclusions"}
     laws = ("PerfectPlastic", "LinearHardening", "Swift", "Voce", "Tabulated")
     bodies |= {f"{law}{part}" for law in laws for part in ("Inclusion", "RandomInclusions")}
-    missing = {model.__name__ for model in all_models(Case, AsperityCase)} - bodies
+    missing = {model.__name__ for model in all_models(*ALL_KINDS)} - bodies
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
         "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
         "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
-        "dents particles random inclusions random_inclusions cluster"
+        "dents particles random inclusions random_inclusions cluster lubricant film boundary"
     )
     given = (
         "law kind shape title description estimate_error directory column "

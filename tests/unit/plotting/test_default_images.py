@@ -230,6 +230,35 @@ increments = 2
 load = 0.0
 increments = 1
 """
+CASES["film"] = """title = "film"
+[lubricant]
+kind = "roelands"
+viscosity = 0.04
+pressure_viscosity = 22e-9
+eyring_stress = 5e6
+[film]
+load = 20.0
+speeds = [1e-4, 1e-3, 1e-2, 0.1]
+slide_to_roll = 0.05
+order = 1
+boundary = {thickness = 2e-9}
+[grid]
+nx = 32
+ny = 24
+dx = 15e-6
+dy = 14e-6
+[body1]
+law = "elastic"
+E = 207e9
+nu = 0.3
+[body2]
+law = "elastic"
+E = 207e9
+nu = 0.3
+[surface]
+shape = "paraboloid"
+Rx = 0.01
+"""
 EQUAL_IMAGES = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {

@@ -12,7 +12,7 @@ from pydantic import BaseModel, BeforeValidator
 
 import samcontact as sc
 from samcontact import units
-from samcontact.cases import AsperityCase, Case, CaseError, load_case
+from samcontact.cases import ALL_KINDS, CaseError, load_case
 
 
 @pytest.mark.parametrize(
@@ -200,6 +200,7 @@ NUMBERS = {
     *("inner_conformity", "outer_conformity", "profile_shift", "relief_exponent", "load_factor"),
     *("mu_x", "mu_y", "body", "kinetic", "drop"),
     *("misfit", "axes", "fraction", "gap", "members"),
+    *("z", "B", "R0", "modulus_slope", "carreau_exponent", "limiting_shear"),
 }
 
 
@@ -227,5 +228,5 @@ def without_unit(model):
 
 
 def test_every_field_with_a_dimension_takes_units():
-    sections = {model for case in (Case, AsperityCase) for model in models(case)}
+    sections = {model for case in ALL_KINDS for model in models(case)}
     assert {name for model in sections for name in without_unit(model)} == NUMBERS

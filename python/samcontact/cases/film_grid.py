@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Section [grid] of a lubricated contact: cells, and the place of the contact among them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from .base import Count, Length, Position, Section
+from .surface_shape import SurfaceShape
+
+if TYPE_CHECKING:
+    from .._util.checks import FloatArray
+    from ..problem.grid import Grid
+
+CELLS, CELLS_OF_LINE = 24, 64
+"""Cells per semi-axis of a Hertz contact, or per half-width of a line contact, by default."""
+LIGHT = 100.0
+"""Moes' number M below which the inlet is longer."""
+INLETS, INLETS_OF_LINE = (4.5, 3.0), (5.0, 3.5)
+"""Length of the inlet in semi-axes, measured from the centre, of light and of heavy loads."""
+OUTLET, SIDE = 1.5, 1.75
+"""Length of the outlet and of the sides, in semi-axes."""
+MAX_RATIO = 2.0
+"""Largest ratio of the sides of a cell; beyond 2.5, films of long ellipses may not converge."""
+SHARE = 1.0 / 6.0
+"""Distance of the contact from the centre of a given grid, in lengths of the grid."""
+_MULTIPLE = 8  # cells along x and y, for nested grids
+
+
+class FilmGridSection(Section):
+    """[grid]: cells around the contact; the inlet needs more room than the outlet."""
+
+    nx: Count | None = None
+    ny: Count | None = None
+    dx: Length | None = None
+    dy: Length | None = None
+    periodic: Literal["", "y"] = ""
+    contact_x: Position | None = None
+    contact_y: Position | None = None
+    cells_per_radius: Annotated[int, Field(ge=8, le=1000)] | None = None
+
+    @model_validator(mode="after")
+    def _complete(self) -> FilmGridSection:
+        given = {name: getattr(self, name) for name in ("nx", "ny", "dx", "dy")}
+        missing = [name for name, value in given.items() if value is None]
+        if missing and len(missing) < len(given):
+            raise ValueError(f"{', '.join(missing)} must be given too, or none of nx, ny, dx, dy")
+        if not missing and self.cells_per_radius is not None:
+            raise ValueError("cells_per_radius cannot be combined with nx, ny, dx, dy: omit it")
+        if missing:
+            for name in ("periodic", "contact_x", "contact_y"):
+                if name in self.model_fields_set:
+                    raise ValueError(f"{name} requires nx, ny, dx and dy: add them, or omit it")
+        if self.periodic and self.contact_y is not None:
+            raise ValueError('contact_y has no effect with periodic = "y": omit it')
+        return self
+
+    def build(self) -> Grid | None:
+        """Create the grid that the section states; None if its size is chosen automatically."""
+        from ..problem.grid import Grid
+
+        if self.nx is None or self.ny is None or self.dx is None or self.dy is None:
+            return None
+        return Grid(self.nx, self.ny, self.dx, self.dy, periodic=self.periodic)
+
+    def shift(self, grid: Grid, direction: tuple[float, float], is_known: bool) -> tuple[int, int]:
+        """Return the distance of the contact from the centre of the grid, in cells.
+
+        direction: of the entrainment. is_known: whether the surface is defined on every grid; the
+        heights of a file keep their place unless contact_x or contact_y are given.
+        """
+        found = []
+        for place, along, n, step in (
+            (self.contact_x, direction[0], grid.nx, grid.dx),
+            (self.contact_y, direction[1], grid.ny, grid.dy),
+        ):
+            if place is None:
+                place = SHARE * n * step * along if is_known and n > 1 else 0.0
+            found.append(round(place / step))
+        return found[0], 0 if grid.periodic else found[1]
+
+
+def grid_of_contact(
+    semi_axes: tuple[float, float],
+    M: float,
+    direction: tuple[float, float],
+    cells_per_radius: int | None,
+) -> FilmGridSection:
+    """Return a grid around an elliptic Hertz contact.
+
+    semi_axes: along x and y [m]. M: Moes' number of the load. direction: of the entrainment.
+    """
+    inlet, fewest = INLETS[M >= LIGHT], cells_per_radius or CELLS
+    largest = MAX_RATIO * min(semi_axes) / fewest
+    cells = [max(fewest, math.ceil(axis / largest)) for axis in semi_axes]
+    nx, place_x = _extent(cells[0], inlet, direction[0])
+    ny, place_y = _extent(cells[1], inlet, direction[1])
+    dx, dy = (axis / n for axis, n in zip(semi_axes, cells, strict=True))
+    return FilmGridSection(
+        nx=nx, ny=ny, dx=dx, dy=dy, contact_x=place_x * dx, contact_y=place_y * dy
+    )
+
+
+def grid_of_line(
+    half_width: float, length: float, M: float, sign: float, cells_per_radius: int | None
+) -> FilmGridSection:
+    """Return a grid across a line contact of a half-width and a length [m].
+
+    M: Moes' number of the load. sign: of the entrainment along x.
+    """
+    cells = cells_per_radius or CELLS_OF_LINE
+    nx, place = _extent(cells, INLETS_OF_LINE[M >= LIGHT], math.copysign(1.0, sign))
+    dx = half_width / cells
+    return FilmGridSection(nx=nx, ny=1, dx=dx, dy=length, periodic="y", contact_x=place * dx)
+
+
+def _extent(cells: int, inlet: float, along: float) -> tuple[int, int]:
+    """Return the cells along an axis, and those between the contact and the centre.
+
+    along: component of the direction of entrainment along the axis.
+    """
+    share = abs(along)
+    before = SIDE + share * (inlet - SIDE)
+    behind = SIDE + share * (OUTLET - SIDE)
+    n = _MULTIPLE * math.ceil((before + behind) * cells / _MULTIPLE)
+    return n, round(math.copysign(0.5 * (before - behind) * cells, along))
+
+
+def shifted_gap(
+    surface: SurfaceShape, grid: Grid, cells: tuple[int, int], folder: Path
+) -> FloatArray:
+    """Return the gap of a surface whose centre is some cells from that of the grid [m]."""
+    more = [abs(n) for n in cells]
+    larger = replace(grid, nx=grid.nx + 2 * more[0], ny=grid.ny + 2 * more[1])
+    first = [m - n for m, n in zip(more, cells, strict=True)]
+    gap = surface.build(larger, folder)
+    return gap[first[0] : first[0] + grid.nx, first[1] : first[1] + grid.ny]

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lubricants of a case file: one model for each law, and oils by their grade or data sheet."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from .. import lubricants
+from ..lubricants import Lubricant
+from ..lubricants.grades import DENSITY
+from .base import NonNegative, Positive, Section, in_unit
+
+Viscosity = Annotated[Positive, in_unit("Pa*s")]
+PressureViscosity = Annotated[NonNegative, in_unit("1/Pa")]
+Kinematic = Annotated[Positive, in_unit("m**2/s")]
+Temperature = Annotated[Positive, in_unit("K")]
+Stress = Annotated[Positive, in_unit("Pa")]
+Density = Literal["dowson-higginson", "incompressible"]
+
+
+class _Lubricant(Section):
+    """Lubricant, with the shear stress that its friction needs."""
+
+    eyring_stress: Stress | None = None
+    carreau_stress: Stress | None = None
+    carreau_exponent: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
+    limiting_shear: Positive | None = None
+
+    @model_validator(mode="after")
+    def _possible(self) -> _Lubricant:
+        carreau = [self.carreau_stress, self.carreau_exponent]
+        if (carreau[0] is None) != (carreau[1] is None):
+            raise ValueError("carreau_stress and carreau_exponent must be given together")
+        if self.eyring_stress is not None and carreau[0] is not None:
+            raise ValueError("eyring_stress and carreau_stress cannot be combined: omit one")
+        self.build()
+        return self
+
+    @abstractmethod
+    def newtonian(self) -> Lubricant:
+        """Return the lubricant without shear thinning."""
+
+    def build(self) -> Lubricant:
+        """Create the `Lubricant`."""
+        made = self.newtonian()
+        if self.eyring_stress is not None:
+            made = made.with_eyring(self.eyring_stress)
+        if self.carreau_stress is not None and self.carreau_exponent is not None:
+            made = made.with_carreau(self.carreau_stress, self.carreau_exponent)
+        if self.limiting_shear is not None:
+            made = made.with_limiting_shear(self.limiting_shear)
+        return made
+
+
+class RoelandsLubricant(_Lubricant):
+    """Roelands' law, see `Lubricant.roelands`."""
+
+    kind: Literal["roelands"]
+    viscosity: Viscosity
+    pressure_viscosity: PressureViscosity
+    z: Positive | None = None
+    density: Density = "dowson-higginson"
+
+    def newtonian(self) -> Lubricant:
+        return Lubricant.roelands(
+            self.viscosity, self.pressure_viscosity, self.z, density=_law(self.density)
+        )
+
+
+class BarusLubricant(_Lubricant):
+    """Barus' law, see `Lubricant.barus`."""
+
+    kind: Literal["barus"]
+    viscosity: Viscosity
+    pressure_viscosity: PressureViscosity
+    density: Density = "dowson-higginson"
+
+    def newtonian(self) -> Lubricant:
+        return Lubricant.barus(self.viscosity, self.pressure_viscosity, density=_law(self.density))
+
+
+class DoolittleLubricant(_Lubricant):
+    """Law of free volume, see `Lubricant.doolittle`."""
+
+    kind: Literal["doolittle"]
+    viscosity: Viscosity
+    B: Positive
+    R0: Annotated[float, Field(gt=0.0, lt=1.0)]
+    bulk_modulus: Stress
+    modulus_slope: Positive
+
+    def newtonian(self) -> Lubricant:
+        return Lubricant.doolittle(
+            self.viscosity, self.B, self.R0, self.bulk_modulus, self.modulus_slope
+        )
+
+
+class TabulatedLubricant(_Lubricant):
+    """Measured viscosity over the pressure, see `Lubricant.tabulated`."""
+
+    kind: Literal["tabulated"]
+    p: Annotated[list[NonNegative], Field(min_length=3), in_unit("Pa")]
+    eta: Annotated[list[Positive], Field(min_length=3), in_unit("Pa*s")]
+    rho: Annotated[list[Positive], Field(min_length=3), in_unit("kg/m**3")] | None = None
+
+    def newtonian(self) -> Lubricant:
+        return Lubricant.tabulated(self.p, self.eta, self.rho)
+
+
+class GradeLubricant(_Lubricant):
+    """Typical mineral oil of an ISO viscosity grade, see `lubricants.iso_vg`."""
+
+    kind: Literal["grade"]
+    grade: Annotated[
+        str, BeforeValidator(lambda given: str(given) if type(given) is int else given)
+    ]
+    temperature: Temperature
+
+    def newtonian(self) -> Lubricant:
+        return _at(lubricants.iso_vg(self.grade), self.temperature)
+
+
+class OilLubricant(_Lubricant):
+    """Mineral oil by the viscosities of its data sheet, see `lubricants.oil`."""
+
+    kind: Literal["oil"]
+    nu40: Kinematic
+    nu100: Kinematic
+    mass_density: Annotated[Positive, in_unit("kg/m**3")] = DENSITY
+    temperature: Temperature
+
+    def newtonian(self) -> Lubricant:
+        made = lubricants.oil(self.nu40, self.nu100, self.mass_density)
+        return _at(made, self.temperature)
+
+
+def _at(oil: lubricants.Oil, temperature: float) -> Lubricant:
+    try:
+        return oil.lubricant(temperature)
+    except ValueError as error:
+        raise ValueError(str(error).replace("T must", "temperature must", 1)) from None
+
+
+def _law(density: str) -> str | None:
+    return None if density == "incompressible" else density
+
+
+def _with_kind(given: Any) -> Any:
+    """Return a lubricant with its kind, if a grade or the viscosities of a data sheet tell it."""
+    if not isinstance(given, Mapping) or "kind" in given:
+        return given
+    for name, kind in (("grade", "grade"), ("nu40", "oil")):
+        if name in given:
+            return {"kind": kind, **given}
+    return given
+
+
+LubricantSection = Annotated[
+    Annotated[
+        RoelandsLubricant
+        | BarusLubricant
+        | DoolittleLubricant
+        | TabulatedLubricant
+        | GradeLubricant
+        | OilLubricant,
+        Field(discriminator="kind"),
+    ],
+    BeforeValidator(_with_kind),
+]

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Balance of mass, inlet and resolution of a lubricated contact, from its fields."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from .. import _core
+from .._util.checks import FloatArray
+from ..problem.grid import Grid
+from .film_solution import FilmSolution
+from .nested import face_velocities, table_of
+
+
+def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> FloatArray:
+    """Return the volume at zero pressure that flows out of each cell [m^3/s], shape (nx, ny).
+
+    order, supply: as given to `steady`. A steady film has no outflow in any cell.
+    """
+    along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
+    fields = (film.fluid_pressure, film.film, 1.0 - film.filling)
+    found: FloatArray = _core.film_outflow(
+        film.grid._core, table_of(film.lubricant, float(film.pressure.max())), along_x, along_y,
+        order, math.inf if supply is None else supply,
+        0.0 if film.boundary is None else film.boundary.thickness,
+        [np.ascontiguousarray(field) for field in fields],
+    )  # fmt: skip
+    return found
+
+
+def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = None) -> float:
+    """Return the net outflow of the grid, relative to the flow of the central film [-].
+
+    order, supply: as given to `steady`. It measures the balance of mass between the edges of the
+    grid.
+    """
+    grid, mean = film.grid, np.abs(film.velocities.mean(axis=0))
+    length, width = grid.nx * grid.dx, grid.ny * grid.dy
+    swept = float(mean[0]) * width + float(mean[1]) * length + abs(film.spin) * length * width
+    return abs(float(outflow(film, order, supply).sum())) / (swept * film.central_film)
+
+
+def inlet_pressure(film: FilmSolution) -> float:
+    """Return the largest pressure next to an edge through which lubricant enters, relative [-]."""
+    return _edge_pressure(film, 1.0)
+
+
+def outlet_pressure(film: FilmSolution) -> float:
+    """Return the largest pressure next to an edge through which lubricant leaves, relative [-]."""
+    return _edge_pressure(film, -1.0)
+
+
+def _edge_pressure(film: FilmSolution, sign: float) -> float:
+    """Return the largest pressure next to edges at which sign times the inward velocity is > 0."""
+    along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
+    p = film.fluid_pressure
+    edges = [(p[0], along_x[0]), (p[-1], -along_x[-1])]
+    if not film.grid.periodic:
+        edges += [(p[:, 0], along_y[:, 0]), (p[:, -1], -along_y[:, -1])]
+    found = [float(edge[sign * v > 0].max()) for edge, v in edges if np.any(sign * v > 0)]
+    return max(found, default=0.0) / float(film.pressure.max())
+
+
+def cells_per_radius(pressure: FloatArray, grid: Grid) -> float:
+    """Return the smaller ratio of the semi-axes of a contact to the sizes of a cell [-].
+
+    The semi-axes are those of a Hertz contact with the second moments of the pressure. pressure: on
+    cells that cover the area of the grid.
+    """
+    total = float(pressure.sum())
+    is_line = grid.ny == 1 or "y" in grid.periodic
+    found = []
+    for axis, (n, share) in enumerate(((grid.nx, 4.0 if is_line else 5.0), (grid.ny, 5.0))):
+        if axis == 1 and is_line:
+            continue
+        sums = pressure.sum(axis=1 - axis)
+        place = (np.arange(sums.size) + 0.5) * n / sums.size
+        mean = float(place @ sums) / total
+        found.append(math.sqrt(share * float((place - mean) ** 2 @ sums) / total))
+    return min(found)

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Report of a lubricated contact: films, formulas, checks and figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._util.check import Check
+from .._util.film_quantities import FILMS
+from ..lubrication.steady import CELLS_PER_RADIUS, MAX_CHANGE, MAX_EDGE_PRESSURE
+from ..plotting.film_summary import film_figures
+from ..results.reading import cell_size
+from .figures import embedded
+from .tables import Cell, Table, cell, maxima_table, values_table
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from ..cases import FilmCase
+
+REQUIRED_VARIABLES = ("central_film", "minimum_film", "film", "filling", "pressure", "residual")
+DEFAULT_TOL = 1e-6
+MAX_LOAD_ERROR = 1e-5
+"""Limit of the relative difference between the load and the integral of the pressure."""
+MAX_FLOW_IMBALANCE = 1e-4
+"""Limit of the net outflow of the grid: the sum of the residuals of all cells."""
+_VALUES = (
+    "speed", "load", "approach", "max_pressure", "central_film", "minimum_film", "lambda_ratio",
+    "boundary_share", "friction_coefficient", "rolling_resistance", "power",
+)  # fmt: skip
+_CONVERGENCE = (
+    "iterations", "residual", "flow_imbalance", "inlet_pressure", "outlet_pressure",
+    "cells_per_radius", "film_change",
+)  # fmt: skip
+
+
+def content(dataset: xr.Dataset) -> dict[str, Any]:
+    """Return the variables of the template for a lubricated contact."""
+    answers = maxima_table(dataset, "increment", FILMS, _VALUES)
+    note = "Maximum magnitude over the speeds, and the number of the speed at which it occurs."
+    if text := str(dataset.attrs.get("friction_note", "")):
+        note = f"{note} No {text}."
+    found = [("results", "Results", answers._replace(note=note))]
+    if "formula_minimum_film" in dataset:
+        found.append(("formula", "Comparison with the formula", _formula_table(dataset)))
+    drawn = film_figures(dataset, stored_film_case(dataset))
+    return {
+        "file": "film.nc",
+        "answers": found,
+        "values": [("speeds", "Speeds", values_table(dataset, "increment", FILMS, _VALUES))],
+        "convergence": [
+            ("convergence", "Convergence",
+             values_table(dataset, "increment", FILMS, _CONVERGENCE))
+        ],
+        "figures": [embedded(one.caption, one.description, one.figure) for one in drawn],
+    }  # fmt: skip
+
+
+def checks(dataset: xr.Dataset) -> Iterator[Check]:
+    """Check balances, cavitation, inlet and resolution; see `report.checks`."""
+    area = cell_size(dataset, "x") * cell_size(dataset, "y")
+    load, pressure = dataset["load"].values, dataset["pressure"].values
+    carried = pressure.sum(axis=(1, 2)) * area
+    name = "load balance: difference of load and integral of the pressure, relative to the load"
+    yield Check(name, float(np.abs(carried / load - 1.0).max()), MAX_LOAD_ERROR)
+    name = "flow balance: largest imbalance of a cell, relative to the flow of the central film"
+    tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
+    yield Check(name, float(dataset["residual"].max()), tol)
+    name = "mass balance: net outflow of the grid, relative to the flow of the central film"
+    yield Check(name, float(dataset["flow_imbalance"].max()), MAX_FLOW_IMBALANCE)
+    layer = dataset["boundary_pressure"].values if "boundary_pressure" in dataset else 0.0
+    cavitated = np.where(dataset["filling"].values < 1.0, np.abs(pressure - layer), 0.0)
+    name = "cavitation: pressure of the fluid in cavitated cells, relative to the maximum pressure"
+    yield Check(name, float(cavitated.max() / pressure.max()), MAX_LOAD_ERROR)
+    name = "minimum film"
+    yield Check(name, float(dataset["film"].min()), np.finfo(np.float64).tiny, True, "m")
+    name = "inlet: pressure next to the edge where lubricant enters, relative to the maximum"
+    yield Check(name, float(dataset["inlet_pressure"].max()), MAX_EDGE_PRESSURE)
+    name = "outlet: pressure next to the edge where lubricant leaves, relative to the maximum"
+    yield Check(name, float(dataset["outlet_pressure"].max()), MAX_EDGE_PRESSURE)
+    name = "cells per contact radius"
+    yield Check(name, float(dataset["cells_per_radius"].min()), CELLS_PER_RADIUS, True)
+    if "film_change" in dataset:
+        name = "change of the central film between the last two grids, relative to the film"
+        yield Check(name, float(dataset["film_change"].max()), MAX_CHANGE)
+
+
+def stored_film_case(dataset: xr.Dataset) -> FilmCase | None:
+    """Return the case stored with the results; None if it is missing or unreadable."""
+    from ..cases import CaseError, FilmCase, parse_case
+
+    try:
+        case = parse_case(str(dataset.attrs.get("case", "")))
+    except CaseError:
+        return None
+    return case if isinstance(case, FilmCase) else None
+
+
+def _formula_table(dataset: xr.Dataset) -> Table:
+    """Return the films by the formula and by solution at each speed."""
+    names = [name for name in ("central_film", "minimum_film") if f"formula_{name}" in dataset]
+    headings, columns = [], []
+    for name in names:
+        shown = FILMS[name]
+        formula, solved = dataset[f"formula_{name}"].values, dataset[name].values
+        headings += [FILMS[f"formula_{name}"].label, shown.label, "difference [%]"]
+        columns.append((formula, solved, shown.factor))
+    rows = []
+    for n, number in enumerate(dataset["increment"].values):
+        cells: list[Cell] = []
+        for formula, solved, factor in columns:
+            cells += [cell(formula[n], factor), cell(solved[n], factor)]
+            cells.append(cell(solved[n] / formula[n] - 1.0, 100.0))
+        rows.append((str(number), cells))
+    regime = str(dataset.attrs.get("regime", ""))
+    note = f"Formula of {dataset.attrs.get('formula', '')}, regime {regime}, for smooth surfaces."
+    return Table(headings, rows, "increment", note)
