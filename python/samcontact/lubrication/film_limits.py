@@ -14,6 +14,7 @@ from .nested import DryContact, FilmTask
 
 MAX_FILM_OF_RADIUS = 0.1
 """Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
+USUAL_REMEDY = "use smaller cells with nearly equal sides, a longer inlet, or order = 1"
 LEAST_FILM_OF_SLOPE = 0.2
 """Least film relative to the rise of the dry gap over a cell at the edge of the contact, below
 which a failure is explained by the size of the cells."""
@@ -55,7 +56,7 @@ def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
         layer = "" if task.boundary else ", or a boundary layer"
         cells = quantity(thinnest / (LEAST_FILM_OF_SLOPE * slope), "m")
         return f"{expected}, too thin for these cells: use cells of about {cells}{layer}"
-    return "use smaller cells with nearly equal sides, a longer inlet, or order = 1"
+    return USUAL_REMEDY
 
 
 def _inlet_length(task: FilmTask, pressure: FloatArray, grid: Grid) -> float:

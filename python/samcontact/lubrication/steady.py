@@ -34,7 +34,7 @@ from ..problem.grid import Grid
 from .balance import cells_per_radius, inlet_pressure
 from .boundary import Boundary
 from .film_accuracy import checked_accuracy, to_accuracy
-from .film_limits import remedy, require_thin_film
+from .film_limits import USUAL_REMEDY, remedy, require_thin_film
 from .film_solution import FilmLevel, FilmNotResolvedError, FilmSolution
 from .mixed import MixedFilm
 from .nested import (
