@@ -35,6 +35,7 @@ MIN_TABLE_PRESSURE = 1e8
 """Smallest range of these tables [Pa]."""
 MIN_FILM_SHARE = 1e-9
 """Films below this share of the range of the gap conduct as one of this share."""
+_GHOST_CELLS = 3  # beyond the edges of a field that is resampled
 _ENTERING_VOID = 1e-6
 """Void fraction at least given to a cell that the coarser grid found cavitated."""
 
@@ -156,10 +157,18 @@ def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], DryContact]:
 
 
 def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> FloatArray:
-    """Return a field of cells on other cells of the same area, by splines of an order."""
-    places = [(np.arange(n) + 0.5) * m / n - 0.5 for n, m in zip(shape, field.shape, strict=True)]
+    """Return a field of cells on other cells of the same area, by splines of an order.
+
+    Beyond the edges the field goes on as its odd reflection: a pressure then still falls to zero.
+    """
+    ghosts = [min(_GHOST_CELLS, n - 1) for n in field.shape]
+    wide = np.pad(field, [(n, n) for n in ghosts], mode="reflect", reflect_type="odd")
+    places = [
+        (np.arange(n) + 0.5) * m / n - 0.5 + ghost
+        for n, m, ghost in zip(shape, field.shape, ghosts, strict=True)
+    ]
     at = np.meshgrid(*places, indexing="ij")
-    found: FloatArray = scipy.ndimage.map_coordinates(field, at, order=order, mode="nearest")
+    found: FloatArray = scipy.ndimage.map_coordinates(wide, at, order=order, mode="nearest")
     return found
 
 
