@@ -304,7 +304,7 @@ def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, floa
 def require_converged(
     found: Any,
     task: FilmTask,
-    advice: str = "use smaller cells with nearly equal sides, a longer inlet, or order = 1",
+    advice: str = USUAL_REMEDY,
 ) -> None:
     """Raise an error for a state that is not a solution, or is none of the physical problem."""
     target = quantity(task.target, "N" if task.is_load else "m")
