@@ -79,7 +79,7 @@ def test_a_film_excludes_friction_heat_and_adhesion():
     for bodies, settings, name in (
         ((BALL, RACE), {"friction": 0.1}, "friction"),
         ((BALL, RACE), {"friction": sc.Coulomb(0.1)}, "friction"),
-        (warm, {"heat": sc.Heat(factor=0.1, velocity=1.0)}, "heat"),
+        (warm, {"heat": sc.Heat(factor=0.1, velocity=(1.0, 0.0))}, "heat"),
         ((BALL, RACE), {"adhesion": sc.TensileLimit(1e6)}, "adhesion"),
     ):
         simulation = sc.Simulation(GRID, *bodies, GAP, on_border="warn", **settings)
