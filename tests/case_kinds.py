@@ -142,7 +142,7 @@ FILM = {
     "grid": {"nx": 24, "ny": 24, "dx": 2e-5, "dy": 2e-5, "contact_x": 4e-5, "contact_y": 2e-5},
     "surface": {"shape": "paraboloid", "Rx": 1e-2, "Ry": 2e-2},
 }  # fmt: skip
-SMOOTH = FILM | {"body2": BALL}
+SMOOTH_FILM = FILM | {"body2": BALL}
 KINDS = {
     "contact": BASE,
     "flat punch": BASE | PRESSED
@@ -330,25 +330,25 @@ KINDS = {
     | {"wear": WEAR | {"keep_heat": True}, "heat": MARCHED,
        "path": [{"load": 1.0, "duration": 1e-4}]},
     "film": FILM,
-    "film by its grade": SMOOTH
+    "film by its grade": SMOOTH_FILM
     | {"lubricant": {"kind": "grade", "grade": "ISO VG 68", "temperature": 343.0,
                      "carreau_stress": 1e7, "carreau_exponent": 0.4},
        "film": {"load": 20.0, "speed1": 1.0, "speed2": [0.9, 0.1]}, "grid": {}},
-    "film by a data sheet": SMOOTH
+    "film by a data sheet": SMOOTH_FILM
     | {"lubricant": {"kind": "oil", "nu40": 68e-6, "nu100": 8.5e-6, "mass_density": 860.0,
                      "temperature": 343.0},
        "film": {"approach": 1e-6, "entrainment": 1.0, "boundary": {"thickness": 2e-9}},
        "grid": FILM["grid"] | {"nx": 32}},
-    "film of Barus": SMOOTH
+    "film of Barus": SMOOTH_FILM
     | {"lubricant": OIL | {"kind": "barus"}, "grid": {"cells_per_radius": 8},
        "film": {"load": 20.0, "speeds": [0.01, 1.0], "slide_to_roll": 0.1,
                 "boundary": {"thickness": 2e-9}}},
-    "film of Doolittle": SMOOTH
+    "film of Doolittle": SMOOTH_FILM
     | {"lubricant": {"kind": "doolittle", "viscosity": 0.04, "B": 4.0, "R0": 0.7,
                      "bulk_modulus": 1.4e9, "modulus_slope": 11.0},
 "surface": GEAR | {"torque": 10.0},
        "film": {"pinion_speed": 150.0, "load_factor": 0.9}},
-    "film of a table": SMOOTH
+    "film of a table": SMOOTH_FILM
     | {"lubricant": {"kind": "tabulated", "p": [0.0, 5e8, 1e9], "eta": [0.04, 10.0, 1e3],
                      "rho": [870.0, 970.0, 1000.0]},
        "surface": {"shape": "bearing", "designation": "6208", "radial_load": 2e3},

@@ -191,6 +191,10 @@ def _with_setting(name: str, value: object) -> Change:
     return change
 
 
+def _lubricated(contact: Contact) -> None:
+    contact.is_lubricated = True
+
+
 VELOCITY = (-SPEED, 0.0)
 CAPABILITIES: dict[str, Change] = {
     "plastic body": _yields,
@@ -238,6 +242,7 @@ CAPABILITIES: dict[str, Change] = {
     "held tilt": _tilt,
     "automatic sub-increments": _with_setting("increment_tol", 0.01),
     'method "exact"': _with_setting("residual_stress", "exact"),
+    "lubricant film": _lubricated,
 }
 
 ALTERNATIVES = (

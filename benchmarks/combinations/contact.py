@@ -12,6 +12,7 @@ import numpy as np
 import samcontact as sc
 
 from ..stability.materials import slip_error
+from .film import film_faults
 
 CELLS, LAYERS, SIZE = 16, 10, 40e-6
 RADIUS, LOAD, APPROACH = 5e-3, 260.0, 6e-6
@@ -47,6 +48,8 @@ class Contact:
     """Whether a hard particle has been pressed into the lower body before."""
     is_enlarged: bool = False
     """Whether the grid is enlarged when the contact reaches its edge."""
+    is_lubricated: bool = False
+    """Whether a film of oil carries the load."""
     law: float | Law = 0.0
     heat: dict[str, Any] = field(default_factory=dict)
     travels: Sequence[Any] | None = None
@@ -157,6 +160,8 @@ class Contact:
 def faults(contact: Contact) -> list[str]:
     """Run a contact, and return the conditions that its states violate."""
     simulation = contact.simulation()
+    if contact.is_lubricated:
+        return film_faults(simulation, contact.path())
     found = set()
     for step in contact.path():
         found |= set(_faults_of(simulation.step(**step), step, contact))

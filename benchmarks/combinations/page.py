@@ -26,6 +26,8 @@ RETESTED = (
     ("viscoelastic body", "friction that falls with the slip rate"),
     ("plastic body", "friction that depends on the temperature"),
     ("layer of wear particles", "rolling"),
+    ("plastic body", "lubricant film"),
+    ("full sliding", "lubricant film"),
 )
 """Pairs that the tests run again."""
 
@@ -42,6 +44,24 @@ class Reason:
 
 
 REASONS = (
+    Reason(
+        "must not have friction under a film",
+        "The shear of a film follows from its lubricant, so that no friction law of the contact "
+        "applies.",
+        is_limit=True,
+    ),
+    Reason(
+        "lubricant enters and leaves there",
+        "Along x, lubricant enters and leaves a film, whose flow therefore does not repeat.",
+        is_limit=True,
+    ),
+    Reason(
+        r"press\(\) got an unexpected|under a film|must not have reliefs|only Simulation supports|"
+        "got inf at index",
+        "Under a lubricant film: prescribed approach, duration, moments, motion through the grid "
+        "of plastic strain and of reliefs (`sc.lubrication.transient` moves reliefs of elastic "
+        "bodies), heat, adhesion, inclusions, bodies that end inside the contact.",
+    ),
     Reason(
         "is not supported in full sliding",
         "In full sliding, the shear traction is given: it acts in a prescribed direction and "

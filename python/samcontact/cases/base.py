@@ -118,7 +118,7 @@ class CaseFile(Section):
     """Base class of case files, with the path of the file and the folder of the results."""
 
     KIND: ClassVar[str] = "one contact"
-    """What the case describes, for messages."""
+    """Description of the case in messages."""
 
     if TYPE_CHECKING:  # fields that each kind of case file has, first and last
         title: str

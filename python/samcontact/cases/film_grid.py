@@ -27,7 +27,7 @@ OUTLET, SIDE = 1.5, 1.75
 """Length of the outlet and of the sides, in semi-axes."""
 MAX_RATIO = 2.0
 """Largest ratio of the sides of a cell; beyond 2.5, films of long ellipses may not converge."""
-SHARE = 1.0 / 6.0
+CENTRE_SHARE = 1.0 / 6.0
 """Distance of the contact from the centre of a given grid, in lengths of the grid."""
 _MULTIPLE = 8  # cells along x and y, for nested grids
 
@@ -80,7 +80,7 @@ class FilmGridSection(Section):
             (self.contact_y, direction[1], grid.ny, grid.dy),
         ):
             if place is None:
-                place = SHARE * n * step * along if is_known and n > 1 else 0.0
+                place = CENTRE_SHARE * n * step * along if is_known and n > 1 else 0.0
             found.append(round(place / step))
         return found[0], 0 if grid.periodic else found[1]
 

@@ -150,7 +150,7 @@ def _law(density: str) -> str | None:
 
 
 def _with_kind(given: Any) -> Any:
-    """Return a lubricant with its kind, if a grade or the viscosities of a data sheet tell it."""
+    """Return a lubricant with its kind, if a grade or the viscosities of a data sheet imply it."""
     if not isinstance(given, Mapping) or "kind" in given:
         return given
     for name, kind in (("grade", "grade"), ("nu40", "oil")):

@@ -14,6 +14,8 @@ from .._util.checks import FloatArray, positive, require_type
 from .._util.display import ShortRepr
 from .._util.lazy_scipy import scipy
 from ..lubricants.lubricant import Lubricant
+from ..problem.friction import friction_law
+from ..problem.heating import NO_HEAT
 from ..simulation.simulation import Simulation
 from ..solutions.state import State
 from .boundary import Boundary
@@ -66,7 +68,7 @@ def press(
     Parameters
     ----------
     simulation : Simulation
-        Bodies, gap and history. Its friction, heat and moving reliefs are not used.
+        Bodies, gap and history, without friction, heat, adhesion and moving reliefs.
     load : float
         Normal load [N], > 0.
     speed, lubricant, boundary, order, max_iterations
@@ -82,14 +84,13 @@ def press(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments, or a simulation with reliefs.
+        Invalid arguments, or a simulation with friction, heat, adhesion or reliefs.
     ConvergenceError
         No convergence of the film, or of film and plastic flow. The simulation keeps its previous
         state.
     """
     require_type("simulation", simulation, Simulation)
-    if simulation.relief1 is not None or simulation.relief2 is not None:
-        raise ValueError("simulation must not have reliefs: add their heights to the gap")
+    _require_film_alone(simulation)
     tol = positive("tol", tol)
     task = checked_task(
         simulation.grid, (simulation.body1, simulation.body2), simulation.initial_gap, load, None,
@@ -104,6 +105,24 @@ def press(
         raise
     assert coupling.film is not None
     return FilmIncrement(coupling.film, simulation.state, coupling.evaluations)
+
+
+def _require_film_alone(simulation: Simulation) -> None:
+    """Raise ValueError for what a film excludes: moving reliefs, friction, heat, adhesion."""
+    setup = simulation.engine.setup
+    if simulation.relief1 is not None or simulation.relief2 is not None:
+        raise ValueError("simulation must not have reliefs: add their heights to the gap")
+    if setup.friction != friction_law(0.0):
+        raise ValueError(
+            f"simulation must not have friction under a film, got {setup.friction!r}: the shear "
+            "follows from the lubricant, see lubrication.friction"
+        )
+    if simulation.heat != NO_HEAT:
+        raise ValueError("simulation must not have heat under a film, which is isothermal: omit it")
+    if setup.adhesion.attracts:
+        raise ValueError(
+            f"simulation must not have adhesion under a film, got {setup.adhesion!r}: omit it"
+        )
 
 
 class _Coupling:

@@ -71,3 +71,17 @@ def test_an_error_keeps_the_state():
     moving = sc.Simulation(GRID, BALL, RACE, GAP, relief2=sc.Relief(np.zeros((4, 48))))
     with pytest.raises(ValueError, match="must not have reliefs"):
         sc.lubrication.press(moving, load=LOAD, speed=(2.0, 2.0), lubricant=OIL)
+
+
+def test_a_film_excludes_friction_heat_and_adhesion():
+    """None of them is ignored silently."""
+    warm = [body.with_thermal(50.0, 12e-6, 14e-6) for body in (BALL, RACE)]
+    for bodies, settings, name in (
+        ((BALL, RACE), {"friction": 0.1}, "friction"),
+        ((BALL, RACE), {"friction": sc.Coulomb(0.1)}, "friction"),
+        (warm, {"heat": sc.Heat(factor=0.1, velocity=(1.0, 0.0))}, "heat"),
+        ((BALL, RACE), {"adhesion": sc.TensileLimit(1e6)}, "adhesion"),
+    ):
+        simulation = sc.Simulation(GRID, *bodies, GAP, on_border="warn", **settings)
+        with pytest.raises(ValueError, match=f"simulation must not have {name} under a film"):
+            sc.lubrication.press(simulation, load=LOAD, speed=(1.0, 1.0), lubricant=OIL)
