@@ -261,11 +261,19 @@ class Lubricant(HtmlTable):
                 f"p must have a shape compatible with rate, {rate.shape}, got {pressure.shape}"
             ) from None
         newtonian = self.viscosity(pressure, T) * np.abs(rate)
-        stress = self.thinning.stress(newtonian)
-        if self.limiting_coefficient is not None:
-            stress = limited(stress, self.limiting_coefficient * pressure)
-        signed: FloatArray = np.sign(rate) * stress
+        signed: FloatArray = np.sign(rate) * self.thinned(newtonian, pressure)
         return signed
+
+    def thinned(self, newtonian: FloatArray, p: FloatArray) -> FloatArray:
+        """Return the shear stress [Pa] for Newtonian shear stresses >= 0 [Pa].
+
+        p: pressures >= 0 [Pa], of the same shape. Includes shear thinning and the limiting shear
+        stress.
+        """
+        stress = self.thinning.stress(newtonian)
+        if self.limiting_coefficient is None:
+            return stress
+        return limited(stress, self.limiting_coefficient * p)
 
     def tables(self, max_pressure: float) -> LubricantTables:
         """Return density and reduced pressure over the pressure, up to a pressure [Pa].

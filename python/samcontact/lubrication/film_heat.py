@@ -21,7 +21,7 @@ from .through_film import HEIGHTS
 
 FLOW_SHARE = 5.0 / 7.0
 """Uniform heat that increases the flow as much as the heat of the flow, near the walls [-]."""
-BISECTIONS = 60
+BISECTIONS = 50
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -115,12 +115,15 @@ class Conduction:
         """Return the heat per area that warms the middle of the film [W/m^2]."""
         return self.shear(wall_rise, depth) * self.sliding + FLOW_SHARE * self.flow_power
 
+    @cached_property
+    def _newtonian(self) -> FloatArray:
+        """Newtonian shear stress of a film without heat [Pa]."""
+        return self.lubricant.viscosity(self.pressure) * (self.sliding / self.film)
+
     def shear(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
         """Return the shear stress [Pa] of a film with these temperatures."""
-        rate = self.sliding / self.film * shear_factor(depth)
-        return self.filling * self.lubricant.shear_stress(
-            rate, self.pressure, self.constants.temperature + wall_rise
-        )
+        warm = shear_factor(depth) / wall_fluidity(self.constants, wall_rise)
+        return self.filling * self.lubricant.thinned(self._newtonian * warm, self.pressure)
 
     def warming(self, depth: FloatArray, wall_rise: FloatArray) -> FloatArray:
         """Return beta q h/(8 k) of the heat that warms the middle of the film [-]."""

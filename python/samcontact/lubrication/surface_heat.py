@@ -82,6 +82,7 @@ class HeatedSurfaces:
             SurfaceHeat(grid, body, velocity)
             for body, velocity in zip(bodies, velocities, strict=True)
         ]
+        self._last: FloatArray | None = None
 
     def fluxes(self, heat: FloatArray, resistance: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the fluxes into both bodies, and the temperature rises, shape (2, nx, ny).
@@ -109,7 +110,9 @@ class HeatedSurfaces:
             return total.ravel()
 
         operator = scipy.sparse.linalg.LinearOperator((difference.size,) * 2, matvec=apply)
-        found, missing = np.zeros(difference.size), difference.ravel()
+        # nearly that of the last call, which had nearly the same heat
+        found = np.zeros(difference.size) if self._last is None else self._last
+        missing = difference.ravel() - apply(found)
         for _ in range(MAX_CORRECTIONS):
             found = found + scipy.sparse.linalg.gmres(operator, missing, restart=RESTART)[0]
             missing = difference.ravel() - apply(found)
@@ -120,6 +123,7 @@ class HeatedSurfaces:
                 "heat that crosses the film was not found: use a grid with fewer cells outside the "
                 "contact"
             )
+        self._last = found
         crossing: FloatArray = found.reshape(shape) / (resistance + own)
         return crossing
 

@@ -24,8 +24,8 @@ films = sc.lubrication
 
 
 @functools.cache
-def ball(oil=WARM, slide=0.5, body=STEEL, M=200.0, n=48, **more):
-    """Return the film of a ball, L = 10."""
+def ball(oil=WARM, slide=0.5, body=STEEL, M=200.0, n=48, pace=1.0, **more):
+    """Return the film of a ball, L = 10; pace: speed relative to that of L = 10."""
     group = (10 / (ALPHA * 2 * E_STAR)) ** 4
     u, load = 0.5 * group * 2 * E_STAR * R / ETA, M * 2 * E_STAR * R**2 * group**0.75
     a = (0.75 * load * R / E_STAR) ** (1 / 3)
@@ -35,7 +35,7 @@ def ball(oil=WARM, slide=0.5, body=STEEL, M=200.0, n=48, **more):
         warnings.simplefilter("ignore")
         return films.steady(
             grid, body, body, 0.5 * (x**2 + y**2) / R, load=load,
-            speed=(u * (1 + slide / 2), u * (1 - slide / 2)), lubricant=oil, **more,
+            speed=(pace * u * (1 + slide / 2), pace * u * (1 - slide / 2)), lubricant=oil, **more,
         )  # fmt: skip
 
 
@@ -122,6 +122,15 @@ def test_heat_of_both_bodies_is_the_power_of_the_friction():
         film = ball(oil, slide, thermal=True)
         assert film.heat.power == pytest.approx(films.friction(film).power, rel=rel)
     assert film.heat.max_rise < 1.0
+
+
+def test_the_boundary_layer_heats_the_surfaces():
+    layer = sc.lubrication.Boundary(5e-9, friction=0.1)
+    film = ball(n=32, pace=0.02, boundary=layer, thermal=True, shear_thinning=True)
+    found = films.friction(film)
+    assert 0.2 < film.boundary_share < 0.8
+    assert found.boundary_share > 0.5
+    assert film.heat.power == pytest.approx(found.power, rel=1e-3)
 
 
 def test_heat_thins_the_film_and_lowers_the_friction():
