@@ -32,7 +32,7 @@ struct MixedLaw::Phases {
   double first_weight = 1.0, second_weight = 0.0, share = 1.0;
 };
 
-MixedLaw::MixedLaw(const Material& matrix) : matrix_(matrix) {
+MixedLaw::MixedLaw(const Material& matrix, bool strong) : matrix_(matrix), strong_(strong) {
   const double nu = matrix.elastic.nu, G = matrix.elastic.shear_modulus();
   bulk_modulus_ = 2 * G * (1 + nu) / (3 * (1 - 2 * nu));
   shear_modulus_ = G;
@@ -42,8 +42,9 @@ MixedLaw::MixedLaw(const Material& matrix) : matrix_(matrix) {
   sphere_shear_ = {p, 2 * G * p};
 }
 
-MixedLaw::Kept MixedLaw::kept(const Kept& sphere, double ratio) {
-  const double p = ratio < 1 ? 1.0 : ratio > 1 ? 0.5 * sphere.part : sphere.part;
+MixedLaw::Kept MixedLaw::kept(const Kept& sphere, double ratio) const {
+  if (!strong_ || ratio == 1) return sphere;
+  const double p = ratio < 1 ? 1.0 : 0.5 * sphere.part;
   return {p, p / sphere.part * sphere.stiffness};
 }
 

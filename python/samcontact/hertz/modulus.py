@@ -37,7 +37,7 @@ def effective_modulus(body1: Body, body2: Body) -> float:
     ValueError
         A modulus is not positive, or both bodies are rigid.
     TypeError
-        A body is layered.
+        A body is layered or has inclusions.
     """
     compliance = 0.0
     for name, body in (("body1", body1), ("body2", body2)):
@@ -45,6 +45,11 @@ def effective_modulus(body1: Body, body2: Body) -> float:
             raise TypeError(
                 f"{name} must be homogeneous, with E and nu, got {in_short(body)}: a layered body "
                 "has no single modulus"
+            )
+        if hasattr(body, "matrix"):
+            raise TypeError(
+                f"{name} must be homogeneous, got {in_short(body)}: a body with inclusions has no "
+                "single modulus; use its matrix for the contact without inclusions"
             )
         modulus = positive(f"{name}.E", body.E, allow_inf=True)
         if not math.isinf(modulus):

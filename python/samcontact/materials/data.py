@@ -22,6 +22,8 @@ AL_SHEET = "APAC Infrastructure, specification of 7075 T6, apacinfrastructure.co
 BRONZE = "Spectrum Machine, data sheet C93200, www.spectrummachine.com"
 MAKE_IT_FROM = "MakeItFrom, {}, www.makeitfrom.com"
 CARBIDE = MAKE_IT_FROM.format("Tungsten Carbide (WC)")
+ALUMINA = MAKE_IT_FROM.format("97-99% Purity Alumina")
+MUNRO = "Munro (1997), J. Am. Ceram. Soc. 80, 1919-1928; NIST Standard Reference Database 150"
 PEEK = "Sci. Rep. (2024), doi.org/10.1038/s41598-024-79536-3, table 1"
 DLC = "Nat. Commun. (2021), doi.org/10.1038/s41467-021-24766-6, table 1"
 KIM = "Kim et al. (1992), J. Appl. Phys. 72, 1805-1811"
@@ -201,6 +203,18 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
             ("nu", 0.29, BOUCLY, "ceramic ball"),
             ("density", 3200.0, SKF, ""),
             ("expansion", 3e-6, SKF, ""),
+        ),
+    ),
+    "Al2O3": (
+        "alumina, sintered; also oxide inclusions of steel",
+        ("alumina", "corundum", "aluminium oxide"),
+        (
+            ("E", 416e9, MUNRO, "20 °C, at least 99.5 % pure; 220 to 370 GPa in MakeItFrom"),
+            ("nu", 0.23, MUNRO, "from E and the bulk modulus of 257 GPa"),
+            ("density", 3984.0, MUNRO, "20 °C"),
+            ("conductivity", 24.0, ALUMINA, "97 to 99 % pure"),
+            ("expansion", 7.2e-6, ALUMINA, "97 to 99 % pure"),
+            ("specific_heat", 890.0, ALUMINA, "97 to 99 % pure"),
         ),
     ),
     "WC-Co": (

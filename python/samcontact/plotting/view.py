@@ -43,6 +43,7 @@ def view(
     """Show a volume field of a body in three dimensions, with a quarter cut out at the maximum.
 
     Body 2 is at z < 0, body 1 at z > 0. Lines mark the contact edge and the interfaces of layers.
+    Inclusions are grey: those in the removed quarter are seen whole.
     In a notebook, ``view(...).show()`` displays the view.
 
     Parameters
@@ -103,6 +104,10 @@ def _drawn(pv: Any, results: ContactResults, number: int, quantity: str) -> Any:
         lighting=False,
         scalar_bar_args={"title": f"{shown.label}\n", "color": "black"},
     )
+    if results.has("share", number):
+        surface = _inclusions(pv, sides, results.field("share", number))
+        if surface.n_points > 0:
+            plotter.add_mesh(surface, color="lightgrey", smooth_shading=True)
     repulsion = repulsion_of(results.dataset).sel(increment=number).values
     for line in _edge(results, repulsion):
         plotter.add_mesh(pv.lines_from_points(line), color="black", line_width=3)
@@ -127,6 +132,16 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
     low, high = sides[2].min(), sides[2].max()
     quarter = (middle[0], sides[0][-1], sides[1][0], middle[1], low, high)
     return points.clip_box(quarter, invert=True).extract_surface(algorithm="dataset_surface")
+
+
+def _inclusions(pv: Any, sides: tuple[FloatArray, ...], share: FloatArray) -> Any:
+    """Return the surface on which inclusions fill half of a cell."""
+    padded = np.pad(share, 1)  # closes inclusions that the sides of the grid cut
+    centres = [0.5 * (side[1:] + side[:-1]) for side in sides]
+    axes = [np.concatenate([[s[0]], c, [s[-1]]]) for s, c in zip(sides, centres, strict=True)]
+    points = pv.RectilinearGrid(*axes)
+    points.point_data["share"] = padded.ravel(order="F")
+    return points.contour([0.5], scalars="share")
 
 
 def _edge(results: ContactResults, repulsion: FloatArray) -> list[FloatArray]:

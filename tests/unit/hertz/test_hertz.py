@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from scipy.integrate import dblquad, quad
 from scipy.special import ellipe, ellipkm1
 
+import samcontact as sc
 from samcontact import hertz
 
 E_STAR = 115384615384.6154
@@ -330,6 +331,10 @@ def test_effective_modulus():
         hertz.effective_modulus(rigid, rigid)
     with pytest.raises(ValueError, match=r"body2\.E must be a number > 0 .*got -1\.0"):
         hertz.effective_modulus(STEEL, SimpleNamespace(E=-1.0, nu=0.3))
+    steel = sc.Material.elastic(210e9, 0.3)
+    oxide = sc.Inclusion.sphere((0.0, 0.0, 3e-4), 1e-4, sc.Material.elastic(390e9, 0.25))
+    with pytest.raises(TypeError, match=r"body2 must be homogeneous, got .* use its matrix"):
+        hertz.effective_modulus(STEEL, sc.Heterogeneous(steel, [oxide]))
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from samcontact.commands.main import main
 
 USUAL_NAMES = (
     "52100 M50 440C 16MnCr5 18CrNiMo7-6 4140 316L Ti-6Al-4V Al_7075 Inconel_718 bronze PEEK Si3N4 "
-    "WC-Co DLC TiN"
+    "WC-Co DLC TiN Al2O3"
 )
 RANGES = {
     "E": (1e9, 1e12), "nu": (0.1, 0.45), "density": (1e3, 2e4), "conductivity": (0.1, 300),
@@ -70,6 +70,10 @@ def test_gear_steel_has_the_elasticity_factor_of_steel_gears():
 
 
 def test_constants_of_different_sources_agree():
+    # K = E/(3 (1 - 2 nu)) of alumina in the NIST data summary
+    alumina = sc.materials.get("alumina")
+    bulk = alumina.value("E") / (3 * (1 - 2 * alumina.value("nu")))
+    assert bulk == pytest.approx(257e9, rel=5e-3)
     # diffusivity of tungsten carbide [mm^2/s] as MakeItFrom computes it
     assert sc.materials.get("WC-Co").value("diffusivity") == pytest.approx(21e-6, rel=0.05)
     # US units of the data sheets: psi, BTU/(ft h °F), 1/°F, BTU/(lb °F), lb/in^3

@@ -67,6 +67,21 @@ def test_body_1_lies_above():
 
 
 @needs_pyvista
+def test_inclusions_are_surfaces_in_the_view():
+    data = dataset()
+    x, y, z = (data[name].values for name in "xyz")
+    radius, centre = 1.5e-4, np.array([1e-4, -1e-4, 2.4e-4])
+    offset = np.sqrt((x[:, None, None] - centre[0]) ** 2 + (y[:, None] - centre[1]) ** 2
+                     + (z - centre[2]) ** 2)  # fmt: skip
+    share = np.clip((radius - offset) / 5e-5 + 0.5, 0.0, 1.0)
+    data["share_body2"] = (("output_increment", "x", "y", "z"), share[None])
+    sphere = meshes(plotting.view(data))[1]
+    distance = np.linalg.norm(sphere.points * [1, 1, -1] - centre * 1e6, axis=1)
+    assert distance == pytest.approx(radius * 1e6, rel=0.03)
+    assert sphere.volume == pytest.approx(4 / 3 * np.pi * 150**3, rel=0.1)
+
+
+@needs_pyvista
 def test_the_page_in_a_browser_without_a_network(tmp_path):
     file = results.save(dataset(), tmp_path / "results.nc")
     outcome = CliRunner().invoke(main, ["export", str(file), "--html"])

@@ -48,8 +48,11 @@ struct MixedReturn {
 /// the matrix.
 class MixedLaw {
  public:
-  /// The matrix must outlive this object.
-  explicit MixedLaw(const Material& matrix);
+  /// The matrix must outlive this object. strong: whether moduli differ by a large factor.
+  MixedLaw(const Material& matrix, bool strong);
+
+  /// p of the deviatoric part in cells of the matrix.
+  double matrix_part() const { return strong_ ? 1.0 : sphere_shear_.part; }
 
   /// stress: of the present estimate [Pa], six components. inclusion: material of the inclusion;
   /// null: void.
@@ -68,11 +71,13 @@ class MixedLaw {
   struct Kept {
     double part, stiffness;
   };
-  /// p for a ratio of moduli: for softer cells 1, for stiffer ones half of that of a sphere, with
-  /// which the iteration was found to take the fewest steps.
-  static Kept kept(const Kept& sphere, double ratio);
+  /// p for a ratio of moduli: that of a sphere. If moduli differ by a large factor, softer cells
+  /// have 1 and stiffer ones half of that of a sphere, with which the iteration was found to take
+  /// the fewest steps.
+  Kept kept(const Kept& sphere, double ratio) const;
 
   const Material& matrix_;
+  bool strong_;
   double bulk_modulus_, shear_modulus_;  // of the matrix [Pa]
   Kept sphere_bulk_{}, sphere_shear_{};
 };

@@ -70,7 +70,9 @@ std::span<const plasticity::Tensor> CellHistory::backstresses(std::uint32_t cell
 plasticity::Return CellHistory::return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                            const plasticity::Tensor& guess) const {
   plasticity::Tensors place;
-  return plasticity::radial_return(deviator, guess, equivalent_[cell], material(cell),
+  const plasticity::Material& law = material(cell);
+  const double G = mixed_.matrix_part() * law.elastic.shear_modulus();
+  return plasticity::radial_return(deviator, guess, equivalent_[cell], G, law,
                                    backstresses(cell, place), strength_of(cell));
 }
 

@@ -18,7 +18,7 @@ MixedCells::MixedCells(const Setup& setup, int body, int first, fft::Symmetry sy
       symmetry_(symmetry),
       before_{unfolded(before.own, setup.grid, symmetry),
               unfolded(before.of_matrix, setup.grid, symmetry)} {
-  if (inclusions_) law_.emplace(setup.bodies[body].material(0));
+  if (inclusions_) law_.emplace(setup.bodies[body].material(0), are_strong());
 }
 
 Box MixedCells::box() const {

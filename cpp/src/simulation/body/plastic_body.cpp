@@ -140,8 +140,10 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     sources.stress(index_, zones.boxes()[zone], tensor_, given_stress_[zone]);
   }
   if (!history_) return;
-  OutsideStrain outside = split ? outside_strain_in_zones(tables, *history_, zones, setup_.reach)
-                                : outside_strain(setup_, index_, *history_, zones, method_);
+  OutsideStrain outside = known_outside_ ? std::move(*known_outside_)
+                          : split ? outside_strain_in_zones(tables, *history_, zones, setup_.reach)
+                                  : outside_strain(setup_, index_, *history_, zones, method_);
+  known_outside_.reset();
   for (std::size_t zone = 0; zone < outside.stress.size(); ++zone) {
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }

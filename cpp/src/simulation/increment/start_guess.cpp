@@ -7,6 +7,43 @@
 
 namespace samcontact::simulation {
 
+namespace {
+
+/// Whether zones contain a cell with an inclusion.
+bool is_mixed(const PlasticBody& body, const Cell& cell) {
+  const std::ptrdiff_t number = body.zones().number(cell);
+  return number >= 0 && body.cells().mixed().at(static_cast<std::size_t>(number)) != nullptr;
+}
+
+/// Whether the strain of all inclusions of a body follows from its load: without plastic strain and
+/// misfit.
+bool is_elastic(const IncrementTask& task, const PlasticBody& body) {
+  const int b = body.index();
+  const State& from = task.from;
+  return body.cells().mixed().is_on() && !task.setup().inclusions[b]->has_misfit() &&
+         !from.inclusions_flow[b] && !from.matrix_flow[b] && body.history() &&
+         body.history()->tiles().max_equivalent() == 0;
+}
+
+/// Strain of elastic inclusions in proportion to a load that decreases; empty: no estimate.
+Field unloaded(const IncrementTask& task, const std::vector<PlasticBody>& bodies,
+               const ActiveCells& active) {
+  const double before = task.from.load, after = task.target.drive.normal.value;
+  const bool decreases =
+      task.target.is_load() && task.from.advance == Travel{} && after >= 0 && after < before;
+  const auto elastic = [&](const PlasticBody& body) { return is_elastic(task, body); };
+  if (!decreases || active.mixed.empty() || !std::ranges::all_of(bodies, elastic)) return {};
+  Field guess(active.size() * active.components(), 0.0);
+  for (const std::size_t n : active.mixed) {
+    plasticity::Tensor change = active.before(n);
+    for (double& part : change) part *= after / before - 1;
+    active.put(change, guess, n);
+  }
+  return guess;
+}
+
+}  // namespace
+
 double StartGuess::part_of_last_motion() const {
   const auto& last = task_.from.last_flow;
   const Travel& by = task_.from.advance;
@@ -48,19 +85,23 @@ bool StartGuess::is_steady() const {
 Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) const {
   // Motion in the same direction, with increments that may be longer or shorter.
   const double ratio = std::max(part_of_last_motion(), part_of_last_load());
-  if (ratio == 0) return {};
+  if (ratio == 0) return unloaded(task_, bodies, active);
   const std::size_t parts = active.components();
   Field guess(active.size() * parts, 0.0);
   for (PlasticBody& body : bodies) {
     const auto& flow = task_.from.last_flow->bodies[body.index()];
     if (flow.strain.size() != parts * flow.cells.size()) return {};
+    const int steps = static_cast<int>(std::lround(task_.from.advance.x[body.index()]));
     for (std::size_t n = 0; n < flow.cells.size(); ++n) {
-      const std::ptrdiff_t cell = body.zones().number(flow.cells[n]);
+      // Inclusions move with the body, the flow of the matrix stays with the contact.
+      Cell moved = flow.cells[n];
+      moved.i += steps;
+      const bool inclusion = steps != 0 && is_mixed(body, moved);
+      const std::ptrdiff_t cell = body.zones().number(inclusion ? moved : flow.cells[n]);
       if (cell < 0) continue;
       const auto number = static_cast<std::uint32_t>(cell);
       const bool mixed = body.cells().mixed().at(number) != nullptr;
-      // In a motion other inclusions may be there now.
-      if (mixed && task_.from.advance != Travel{}) continue;
+      if (mixed && !inclusion && steps != 0) continue;
       if (!mixed) {
         body.activate(number, {}, active);
         guess.resize(guess.size() + parts);
@@ -90,8 +131,9 @@ void StartGuess::remember(const std::vector<PlasticBody>& bodies, const ActiveCe
     const bool mixed = body.cells().mixed().at(active.cells[n].cell) != nullptr;
     if (active.equivalent[n] == 0 && !mixed) continue;
     if (stands && !body.is_split() && !body.cells().mixed().is_on()) continue;
-    // Strain of inclusions moves with them.
-    if (mixed && !stands) continue;
+    // Inclusions that move by parts of cells have no cells to follow.
+    const double by = task_.from.advance.x[body.index()];
+    if (mixed && by != std::round(by)) continue;
     auto& kept = flow->bodies[body.index()];
     kept.cells.push_back(body.zones().cell(active.cells[n].cell));
     for (std::size_t c = 0; c < parts; ++c) kept.strain.push_back(increment[n * parts + c]);

@@ -2,9 +2,11 @@
 #include "samcontact/simulation/increment/zone_manager.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include "samcontact/simulation/body/far_inclusions.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
 #include "samcontact/simulation/cells/zone_choice.hpp"
 
@@ -14,6 +16,12 @@ namespace {
 /// Material that past flow left at the yield stress creeps during unloading, far from the contact
 /// too: flow below this fraction of the largest strain does not make a box grow beyond the grid.
 constexpr double negligible_flow = 1e-4;
+
+/// Relative change of load or approach up to which far inclusions are renewed by one step.
+constexpr double change = 0.05;
+/// Part of the cells of all inclusions up to which a box near the contact is worth it: the others
+/// need two passes over all cells.
+constexpr double max_near_cells = 0.5;
 
 /// Relative change below which the extent of the pressure hardly changes.
 constexpr double nearly_converged_change = 0.05;
@@ -47,6 +55,7 @@ ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, cons
 
 void ZoneManager::begin() {
   for (PlasticBody& body : bodies_) {
+    if (take_up_near_inclusions(body)) continue;
     if (body.history()) take_up_zones(body);
     take_up_inclusions(body);
   }
@@ -184,6 +193,54 @@ void ZoneManager::take_up_inclusions(PlasticBody& body) {
   const Box now = whole_or_none(body), needed = now.united(choice_.with_margin(mixed));
   if (body.zones().count() == 1 && now.contains(needed)) return;
   set_box(body, choice_.fitted(needed, body.zones().around()));
+}
+
+bool ZoneManager::moves_steadily(const PlasticBody& body) const {
+  const State& from = task_.from;
+  const auto near = [](double a, double b) { return std::fabs(a - b) <= change * std::fabs(b); };
+  const double normal = task_.target.drive.normal.value;
+  const bool steady = task_.target.is_load()       ? near(normal, from.load)
+                      : task_.target.is_approach() ? near(normal, from.approach)
+                                                   : false;
+  const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
+  return steady && body.history() && from.advance.moves(body.index()) &&
+         from.placement().offset[body.index()] == 0 &&
+         !std::ranges::any_of(task_.target.heating, hot);
+}
+
+bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
+  const Grid& grid = task_.setup().grid;
+  const Settings& settings = task_.settings;
+  const bool allowed = body.cells().mixed().is_on() && !settings.one_zone &&
+                       symmetry_ == fft::Symmetry::none && grid.period.x == 0 &&
+                       task_.from.method == operators::ResidualMethod::fast &&
+                       !settings.softening[body.index()];
+  if (!allowed || !moves_steadily(body)) return false;
+  Box near = box_near_tractions(task_.from);
+  const int width = near.nx;
+  if (near.empty() || std::fabs(task_.from.advance.x[body.index()]) > 0.25 * width) return false;
+  if (task_.from.last_flow) {
+    const Inclusions& inclusions = *task_.setup().inclusions[body.index()];
+    const int first = task_.from.placement().first[body.index()];
+    const int steps = static_cast<int>(std::lround(task_.from.advance.x[body.index()]));
+    for (const auto& [i, j, k] : task_.from.last_flow->bodies[body.index()].cells) {
+      // Estimates of inclusions are not flow.
+      if (inclusions.at(i + steps, j, k, first, grid.period) != nullptr) continue;
+      near = near.united({i, j, 1, 1, k + 1});
+    }
+  }
+  near = choice_.fitted(choice_.in_grid_or({}, choice_.with_margin(near)), {});
+  const double cost = static_cast<double>(near.volume_size());
+  if (cost > max_near_cells * static_cast<double>(body.cells().mixed().box().volume_size()))
+    return false;
+  FarInclusions far =
+      renew_far_inclusions(task_.from, body.index(), *body.history(), near, sources_);
+  body.take_history(std::move(far.history), std::move(far.outside));
+  set_box(body, near);
+  if (far.yielding.empty()) return true;
+  const Box needed = choice_.in_grid_or(near, near.united(choice_.with_margin(far.yielding)));
+  if (!near.contains(needed)) set_box(body, choice_.fitted(needed, near));
+  return true;
 }
 
 void ZoneManager::take_up_zones(PlasticBody& body) {

@@ -31,6 +31,9 @@ class MixedCells {
   bool is_on() const { return inclusions_ != nullptr; }
   /// Whether moduli differ from those of the matrix by a large factor, as in a void.
   bool are_strong() const { return inclusions_ && inclusions_->are_strong(); }
+  /// Part of the plastic strain of an estimate that a step keeps in cells of the matrix, see
+  /// MixedLaw; 1 without mixed cells.
+  double matrix_part() const { return law_ ? law_->matrix_part() : 1.0; }
   /// Whole box of the mixed cells that are solved for; empty: none.
   Box box() const;
   /// Sets the zones in which they are numbered.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -29,6 +30,12 @@ class PlasticBody {
   operators::Tensor tensor() const { return tensor_; }
   /// History of the body before the increment; null: no history.
   const std::shared_ptr<const PlasticState>& history() const { return history_; }
+  /// Replaces it, before there are zones. outside: effect of the strain outside the zones that are
+  /// set next.
+  void take_history(std::shared_ptr<const PlasticState> history, OutsideStrain outside) {
+    history_ = std::move(history);
+    known_outside_ = std::move(outside);
+  }
   /// Stored zones: the part on one side of the mirror planes.
   const Zones& zones() const { return cells_.zones(); }
   bool is_split() const { return split_; }
@@ -91,7 +98,8 @@ class PlasticBody {
   CellHistory cells_;
   YieldSearch search_;
   BodySurface surface_;
-  std::unique_ptr<ZoneVolume> volume_;  // null: no zones
+  std::optional<OutsideStrain> known_outside_;  // for the next zones
+  std::unique_ptr<ZoneVolume> volume_;          // null: no zones
   bool split_ = false;
   Field strain_;             // before the increment plus the last estimate
   std::vector<int> active_;  // per cell: its index among the active cells, or -1

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/simulation/body/far_inclusions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "samcontact/base/deviator.hpp"
+#include "samcontact/simulation/body/cell_history.hpp"
+#include "samcontact/simulation/cells/tensor_fields.hpp"
+#include "samcontact/simulation/cells/traction_window.hpp"
+#include "samcontact/simulation/strain/acting_strain.hpp"
+
+namespace samcontact::simulation {
+
+using operators::Tensor;
+
+namespace {
+
+/// Extent of the near box beyond the tractions and its depth, relative to their smaller width.
+constexpr double margin_of_width = 0.25, depth_of_width = 0.75;
+/// Cells of the wake are at the yield stress: less than this excess is an error of the single step.
+constexpr double yield_excess = 0.02;
+
+/// Stress of the cells of a box and displacement of its surface.
+struct Response {
+  Field stress, displacement;  // [component][k][i][j] [Pa] and [i][j] [m]
+
+  /// tractions: on the box.
+  Response(const operators::VolumeOperators& operators, const Box& box, const Field& strain,
+           const operators::Tractions& tractions, double shear_sign)
+      : stress(6 * box.volume_size()), displacement(box.surface_size()) {
+    operators::VolumeSpectrum spectrum = operators.make_spectrum();
+    operators::forward(operators.transform(), strain.data(), spectrum);
+    operators.residual_displacement(operators::Axis::z).apply(spectrum, displacement.data());
+    const std::size_t plane = box.surface_size();
+    operators.for_each_layer(
+        spectrum, strain.data(), &tractions, shear_sign, [&](int k, const double* layer) {
+          for (std::size_t c = 0; c < 6; ++c) {
+            std::copy_n(layer + c * plane, plane, stress.data() + (c * box.nz + k) * plane);
+          }
+        });
+  }
+};
+
+Box layer_of(Box box) {
+  box.nz = 1;
+  return box;
+}
+
+/// Stress, strain and history of the cells of a box around all inclusions.
+class FarStep {
+ public:
+  FarStep(const State& from, int body, const PlasticState& history, const Box& near,
+          const Sources& sources)
+      : from_(from),
+        setup_(from.setup()),
+        body_(body),
+        near_(near),
+        around_(acting_box(history, Box{0, 0, setup_.grid.nx, 1, 1}.united(near), setup_.reach)),
+        zones_({around_}),
+        fields_(history.fields(zones_)),
+        cells_(setup_.bodies[body],
+               MixedCells(setup_, body, from.placement().first[body], fft::Symmetry::none,
+                          {from.inclusions_flow[body], from.matrix_flow[body]})) {
+    cells_.take(zones_, fields_.equivalent, fields_.backstress, setup_.strength(body, from.travel));
+    Response all = response(around_, fields_.strain);
+    outside_ = outside_of_near(all, history);
+    stress_ = std::move(all.stress);
+    sources.stress(body, around_, Tensor::full, stress_);
+  }
+
+  /// Effect of the present strain outside the near box.
+  OutsideStrain take_outside() { return std::move(outside_); }
+
+  /// Renews the strain of far cells; returns a box around those that flow.
+  Box renew() {
+    const CellHistory::Limits limits = cells_.first_limits();
+    Box yielding;
+    for (std::uint32_t n = 0; n < zones_.cells(); ++n) {
+      const Cell cell = zones_.cell(n);
+      if (cell.i < 0 || cell.i >= setup_.grid.nx || is_near(cell)) continue;
+      const bool flows = cells_.mixed().at(n) != nullptr ? !renew(n) : yields(n, limits);
+      if (flows) yielding = yielding.united({cell.i, cell.j, 1, 1, cell.k + 1});
+    }
+    return yielding;
+  }
+
+  /// History with the renewed strain in the grid.
+  std::shared_ptr<const PlasticState> history(const PlasticState& before) const {
+    const Box grid{0, around_.j0, setup_.grid.nx, around_.ny, around_.nz};
+    const Zones stored({around_.intersected(grid)});
+    const auto part = [&](const Field& field) {
+      const std::size_t count = field.size() / zones_.cells();
+      Field out(count * stored.cells());
+      for (std::size_t c = 0; c < count; ++c) {
+        copy_common(field.data() + c * zones_.cells(), zones_, out.data() + c * stored.cells(),
+                    stored);
+      }
+      return out;
+    };
+    const PlasticFields fields{stored, part(fields_.strain), part(fields_.equivalent),
+                               part(fields_.backstress)};
+    return std::make_shared<const PlasticState>(&before, fft::Symmetry::none, Tensor::full, fields);
+  }
+
+ private:
+  Response response(const Box& box, const Field& strain) const {
+    const auto operators =
+        setup_.cache.volume(body_, box, Tensor::full, from_.method, fft::Symmetry::none, {});
+    return {*operators, box, strain, window(from_.tractions, setup_.grid, box),
+            operators::shear_sign(body_)};
+  }
+  /// What remains of the response to all strain without that in the near box.
+  OutsideStrain outside_of_near(const Response& all, const PlasticState& history) const {
+    const Response own = response(near_, history.strain(near_));
+    Field stress = cut(all.stress, around_, near_);
+    for (std::size_t i = 0; i < stress.size(); ++i) stress[i] -= own.stress[i];
+    OutsideStrain outside;
+    outside.surface = {0, around_.j0, setup_.grid.nx, around_.ny, 1};
+    Field& lift = outside.displacement[static_cast<int>(operators::Axis::z)];
+    Field of_near(around_.surface_size(), 0.0), rest = all.displacement;
+    copy_common(own.displacement.data(), layer_of(near_), of_near.data(), layer_of(around_));
+    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= of_near[i];
+    lift.resize(outside.surface.surface_size());
+    extract(rest.data(), layer_of(around_), lift.data(), outside.surface);
+    outside.stress.push_back(std::move(stress));
+    return outside;
+  }
+  bool is_near(const Cell& cell) const {
+    return cell.k < near_.nz && cell.i >= near_.i0 && cell.i < near_.i0 + near_.nx &&
+           cell.j >= near_.j0 && cell.j < near_.j0 + near_.ny;
+  }
+  plasticity::Tensor of(const Field& field, std::uint32_t n) const {
+    plasticity::Tensor t;
+    for (std::size_t c = 0; c < 6; ++c) t[c] = field[c * zones_.cells() + n];
+    return t;
+  }
+  /// Whether a mixed cell does not flow: its strain is then renewed.
+  bool renew(std::uint32_t n) {
+    plasticity::Tensors place;
+    const plasticity::MixedReturn step =
+        cells_.mixed().step(n, of(stress_, n), of(fields_.strain, n), cells_.before(n, place));
+    if (step.overshoot > yield_excess) return false;
+    for (std::size_t c = 0; c < 6; ++c) {
+      fields_.strain[c * zones_.cells() + n] = step.eigenstrain[c];
+    }
+    return true;
+  }
+  bool yields(std::uint32_t n, const CellHistory::Limits& limits) const {
+    const plasticity::Tensor s = of(stress_, n);
+    const double mean = (s[0] + s[1] + s[2]) / 3;
+    std::array<double, 5> effective{s[0] - mean, s[1] - mean, s[3], s[4], s[5]};
+    if (cells_.has_backstress()) {
+      const auto centre = cells_.centre(n);
+      for (int c = 0; c < 5; ++c) effective[c] -= centre[c];
+    }
+    const double second =
+        second_invariant(effective[0], effective[1], effective[2], effective[3], effective[4]);
+    return second > (1 + yield_excess) * (1 + yield_excess) * cells_.limit(n, second, limits);
+  }
+
+  const State& from_;
+  const Setup& setup_;
+  int body_;
+  Box near_, around_;
+  Zones zones_;
+  PlasticFields fields_;
+  CellHistory cells_;
+  OutsideStrain outside_;
+  Field stress_;
+};
+
+}  // namespace
+
+Box box_near_tractions(const State& from) {
+  const Grid& grid = from.setup().grid;
+  Box near = window_of(from.tractions, grid);
+  if (near.empty()) return {};
+  const double width = std::min(near.nx * grid.dx, near.ny * grid.dy);
+  const int more_x = static_cast<int>(std::ceil(margin_of_width * width / grid.dx)),
+            more_y = static_cast<int>(std::ceil(margin_of_width * width / grid.dy));
+  near.nz = static_cast<int>(std::ceil(depth_of_width * width / grid.dz));
+  return {near.i0 - more_x, near.j0 - more_y, near.nx + 2 * more_x, near.ny + 2 * more_y, near.nz};
+}
+
+FarInclusions renew_far_inclusions(const State& from, int body, const PlasticState& history,
+                                   const Box& near, const Sources& sources) {
+  FarStep step(from, body, history, near, sources);
+  const Box yielding = step.renew();
+  return {step.history(history), step.take_outside(), yielding};
+}
+
+}  // namespace samcontact::simulation
