@@ -22,6 +22,8 @@ constexpr double growth = 3.0, reduction = 0.25;
 /// the first one.
 constexpr int max_steps = 200;
 constexpr double smallest_step = 1e-3;
+/// Iterations of a descent under a load, beyond which its approach is searched.
+constexpr int most_under_load = 200;
 /// Jumps of the load from branch to branch that a search follows.
 constexpr int max_jumps = 5;
 
@@ -171,6 +173,21 @@ class LoadSearch {
   int jumps_ = 0;
 };
 
+/// Writes the state of a descent into a solution. spring: compliance of the machine [m/N].
+void describe(const GapDescent& descent, const Drive& drive, double spring, Solution& solution) {
+  const Given normal = drive.normal;
+  const RigidMotion held = drive.held();
+  solution.tractions.pressure = descent.pressure();
+  solution.gap = descent.gap().over_grid();
+  solution.load = normal.is_force() ? normal.value : descent.load();
+  solution.motion = {descent.approach() - spring * solution.load, held.tilt};
+  solution.moment = moments(descent.grid(), solution.tractions.pressure);
+  solution.error = descent.error();
+  solution.iterations = descent.iterations();
+  solution.operator_applications = descent.applications();
+  solution.work = descent.applications();
+}
+
 }  // namespace
 
 AdhesiveContact::AdhesiveContact(const Grid& grid, const operators::SurfaceInfluence& influence,
@@ -187,6 +204,10 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
     for (std::size_t i = 0; i < tilted.size(); ++i) tilted[i] -= lowering(i);
   }
   const double descent_tol = std::min(tol, loosest);
+  if (drive.normal.is_force() && !is_zero(initial_pressure)) {
+    const Solution found = solve_under_load(tilted, drive, initial_pressure, descent_tol);
+    if (found.converged) return found;
+  }
   const bool yields = drive.spring > 0 && !drive.normal.is_force();
   const AdhesiveSurface surface = yields ? surface_.with_spring(drive.spring) : surface_;
   GapDescent descent(surface, *law_, tilted);
@@ -207,16 +228,18 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
   } else {
     solution.converged = descent.descend(drive.normal.value, descent_tol, max_iterations);
   }
-  solution.tractions.pressure = descent.pressure();
-  solution.gap = descent.gap().over_grid();
-  solution.load = drive.normal.is_force() ? drive.normal.value : descent.load();
-  const double compression = yields ? drive.spring * solution.load : 0.0;
-  solution.motion = {descent.gap().approach() - compression, held.tilt};
-  solution.moment = moments(grid, solution.tractions.pressure);
-  solution.error = descent.error();
-  solution.iterations = descent.iterations();
-  solution.operator_applications = descent.applications();
-  solution.work = descent.applications();
+  describe(descent, drive, yields ? drive.spring : 0.0, solution);
+  return solution;
+}
+
+Solution AdhesiveContact::solve_under_load(const Field& gap, const Drive& drive,
+                                           const Field& initial_pressure, double tol) const {
+  const AdhesiveSurface surface = surface_.with_free_approach();
+  GapDescent descent(surface, *law_, gap);
+  descent.start_from(initial_pressure);
+  Solution solution;
+  solution.converged = descent.descend_under(drive.normal.value, tol, most_under_load);
+  if (solution.converged) describe(descent, drive, 0.0, solution);
   return solution;
 }
 

@@ -90,11 +90,14 @@ double AdhesiveGap::largest_approach() const {
          ordered_sum(n, [&](std::size_t i) { return is_body(i) ? 1.0 : 0.0; });
 }
 
+bool AdhesiveGap::touches() const {
+  return largest_of(x_.size(),
+                    [&](std::size_t i) { return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0; }) > 0;
+}
+
 void AdhesiveGap::approach_to(double approach) {
   const std::ptrdiff_t n = std::ssize(x_);
-  const bool touches = has_approach_ && largest_of(n, [&](std::size_t i) {
-                                          return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0;
-                                        }) > 0;
+  const bool touching = has_approach_ && touches();
   // The gap of a contact is kept; separated surfaces, and a start, keep their displacement.
   const double lowering = has_approach_ ? approach - approach_ : 0.0;
   for_each_cell(n, [&](std::ptrdiff_t i) {
@@ -102,7 +105,7 @@ void AdhesiveGap::approach_to(double approach) {
     height_[i] = undeformed_[i] - approach;
     if (!has_approach_) {
       x_[i] = std::max(x_[i] + height_[i], 0.0);
-    } else if (!touches) {
+    } else if (!touching) {
       x_[i] = std::max(x_[i] - lowering, 0.0);
     }
   });

@@ -55,6 +55,9 @@ void GapDescent::start_from(const Field& pressure) {
 void GapDescent::press() {
   gap_.displacement(z_);
   surface_.press(z_, p_, work_);
+  if (mean_pressure_ != 0) {
+    for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] += mean_pressure_; });
+  }
   ++applications_;
   exact_ = true;
 }
@@ -100,7 +103,8 @@ double GapDescent::energy() {
   const Field& x = gap_.values();
   gap_.displacement(scratch_);
   return ordered_sum(p_.size(), [&](std::size_t i) {
-    return 0.5 * scratch_[i] * p_[i] + (gap_.is_body(i) ? law_.energy(x[i]) : 0.0);
+    return 0.5 * scratch_[i] * (p_[i] + mean_pressure_) +
+           (gap_.is_body(i) ? law_.energy(x[i]) : 0.0);
   });
 }
 
@@ -195,8 +199,18 @@ bool GapDescent::descend_once(bool is_first, double& energy_before) {
 }
 
 bool GapDescent::descend(double approach, double tol, int max_iterations) {
-  const bool is_cold = std::exchange(is_cold_, false);
   gap_.approach_to(approach);
+  return iterate(tol, max_iterations);
+}
+
+bool GapDescent::descend_under(double load, double tol, int max_iterations) {
+  mean_pressure_ = load / (surface_.grid().cell_area() * static_cast<double>(gap_.size()));
+  gap_.approach_to(gap_.touching());
+  return gap_.touches() && iterate(tol, max_iterations);
+}
+
+bool GapDescent::iterate(double tol, int max_iterations) {
+  const bool is_cold = std::exchange(is_cold_, false);
   press();
   double before = energy();
   bool restart = true;
@@ -209,6 +223,7 @@ bool GapDescent::descend(double approach, double tol, int max_iterations) {
     }
     if (error_ <= tol) return true;
     if (n >= max_iterations || !std::isfinite(error_)) return false;
+    if (surface_.has_free_approach() && !gap_.touches()) return false;
     find_direction(restart);
     restart = descend_once(n == 0 && is_cold, before);
   }
@@ -223,6 +238,16 @@ Field GapDescent::pressure() const {
 double GapDescent::load() const {
   const Field p = pressure();
   return surface_.grid().cell_area() * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+}
+
+double GapDescent::approach() const {
+  if (!surface_.has_free_approach()) return gap_.approach();
+  Field displacement(gap_.size());
+  gap_.displacement(displacement);
+  const std::size_t n = displacement.size();
+  const double mean =
+      ordered_sum(n, [&](std::size_t i) { return displacement[i]; }) / static_cast<double>(n);
+  return gap_.approach() + surface_.uniform_compliance() * mean_pressure_ - mean;
 }
 
 }  // namespace samcontact::contact
