@@ -13,8 +13,6 @@
 namespace samcontact::contact {
 namespace {
 
-/// Loosest tolerance: above it, repulsion cannot be distinguished from the error of the tension.
-constexpr double loosest = 1e-7;
 /// Growth of the steps of the approach while a load is not yet enclosed, and their reduction after
 /// a step beyond the largest tension.
 constexpr double growth = 3.0, reduction = 0.25;
@@ -203,9 +201,8 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
     const Lowering lowering(grid, held);
     for (std::size_t i = 0; i < tilted.size(); ++i) tilted[i] -= lowering(i);
   }
-  const double descent_tol = std::min(tol, loosest);
   if (drive.normal.is_force() && !is_zero(initial_pressure)) {
-    const Solution found = solve_under_load(tilted, drive, initial_pressure, descent_tol);
+    const Solution found = solve_under_load(tilted, drive, initial_pressure, tol);
     if (found.converged) return found;
   }
   const bool yields = drive.spring > 0 && !drive.normal.is_force();
@@ -222,11 +219,11 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
                    ordered_sum(initial_pressure.size(),
                                [&](std::size_t i) { return std::fabs(initial_pressure[i]); })
              : attraction);
-    LoadSearch search(descent, drive.normal.value, descent_tol, max_iterations);
+    LoadSearch search(descent, drive.normal.value, tol, max_iterations);
     solution.converged = search.run(
         descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
   } else {
-    solution.converged = descent.descend(drive.normal.value, descent_tol, max_iterations);
+    solution.converged = descent.descend(drive.normal.value, tol, max_iterations);
   }
   describe(descent, drive, yields ? drive.spring : 0.0, solution);
   return solution;

@@ -22,7 +22,7 @@ constexpr double least_curvature = 0.02;
 /// attraction is of use.
 constexpr double ranges_per_step = 3.0;
 /// Share of the displacement under its residual by which a cell opens.
-constexpr double opening = 0.5;
+constexpr double opening = 1.0;
 /// Reduction of a step that increases the energy, and the number of reductions.
 constexpr double shorter = 0.25;
 constexpr int most_shorter = 12;
@@ -116,6 +116,7 @@ void GapDescent::find_direction(bool restart) {
   for_each_cell(n, [&](std::ptrdiff_t i) {
     if (!gap_.is_open(i)) z_[i] = 0.0;
   });
+  add_uniform_part();
   remove_mean(z_);
   const double rz = ordered_dot(q_.data(), z_.data(), n);
   const double change = ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
@@ -127,6 +128,24 @@ void GapDescent::find_direction(bool restart) {
   if (ordered_dot(q_.data(), t_.data(), n) <= 0) t_ = z_;
   std::swap(before_, q_);
   rz_ = rz;
+}
+
+void GapDescent::add_uniform_part() {
+  if (!surface_.has_free_approach()) return;
+  const std::ptrdiff_t n = std::ssize(p_);
+  if (uniform_softness_ == 0) {
+    // The contact changes little during a descent: once suffices.
+    Field open(n), pressure(n);
+    for (std::ptrdiff_t i = 0; i < n; ++i) open[i] = gap_.is_open(i) ? 1.0 : 0.0;
+    surface_.press(open, pressure, work_);
+    ++applications_;
+    const double stiffness = ordered_dot(open.data(), pressure.data(), n);
+    uniform_softness_ = stiffness > 0 ? 1.0 / stiffness : 0.0;
+  }
+  const double force = ordered_sum(n, [&](std::size_t i) { return q_[i]; });
+  for_each_cell(n, [&](std::ptrdiff_t i) {
+    if (gap_.is_open(i)) z_[i] += uniform_softness_ * force;
+  });
 }
 
 double GapDescent::step_length(bool is_first) {

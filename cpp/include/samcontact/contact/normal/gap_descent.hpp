@@ -51,6 +51,8 @@ class GapDescent {
   /// Residual of the stationary energy in open cells, and the error.
   void find_residual();
   void find_direction(bool restart);
+  /// Adds the uniform part of the preconditioner to a direction, if the approach is free.
+  void add_uniform_part();
   /// Moves by a step along the direction, and opens cells by a share of the displacement under
   /// their residual. Returns whether cells have opened.
   bool move(double step, double share);
@@ -70,7 +72,8 @@ class GapDescent {
   double work_of_grid_;  // of adhesion, over the cell area
   double rounding_of_pressure_;
   Field p_, residual_, before_, z_, t_, q_, scratch_;
-  double mean_pressure_ = 0.0;  // prescribed, with a free approach
+  double mean_pressure_ = 0.0;   // prescribed, with a free approach
+  double uniform_softness_ = 0;  // uniform displacement of the open cells due to a force on them
   double multiplier_ = 0.0, error_ = 1.0, rz_ = 0.0, energy_rise_ = 0.0;
   bool exact_ = false;   // whether the pressure is that of the gap without accumulated rounding
   bool is_cold_ = true;  // no earlier state whose branch to follow
