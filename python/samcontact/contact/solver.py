@@ -34,6 +34,9 @@ from .interpenetration import require_apart
 from .normal_drive import NormalDrive
 from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
 
+LOOSEST_ADHESIVE = 1e-7
+"""Tolerance above which repulsion cannot be distinguished from the error of an adhesive tension."""
+
 
 class ContactSolver(ContactFields):
     """Solver for the elastic contact of two half-spaces, with or without friction.
@@ -305,14 +308,15 @@ class ContactSolver(ContactFields):
     def _solved(
         self, contact: Pressing, drive: TangentialDriver, start: FloatArray | None
     ) -> tuple[ContactSolution, str]:
-        settings = self.tol, self.max_iterations, self.on_border == "error"
+        tol = min(self.tol, LOOSEST_ADHESIVE) if self.adhesion.varies else self.tol
+        settings = tol, self.max_iterations, self.on_border == "error"
         if self._law.sticks:
             accepts = self.on_stall == "warn"
             return drive.solved(self._core, self.grid, contact, start, (*settings, accepts))
         found = self._core.solve(*contact, start, *settings)
         complaint, bodies = found.pop("border_complaint"), (self.body1, self.body2)
         solution = ContactSolution(grid=self.grid, **found)
-        require_apart(solution, bodies, self._law, self.tol)
+        require_apart(solution, bodies, self._law, tol)
         return solution, complaint
 
 

@@ -13,8 +13,6 @@
 namespace samcontact::contact {
 namespace {
 
-/// Loosest tolerance: above it, repulsion cannot be distinguished from the error of the tension.
-constexpr double loosest = 1e-7;
 /// Growth of the steps of the approach while a load is not yet enclosed, and their reduction after
 /// a step beyond the largest tension.
 constexpr double growth = 3.0, reduction = 0.25;
@@ -22,6 +20,8 @@ constexpr double growth = 3.0, reduction = 0.25;
 /// the first one.
 constexpr int max_steps = 200;
 constexpr double smallest_step = 1e-3;
+/// Iterations of a descent under a load, beyond which its approach is searched.
+constexpr int most_under_load = 200;
 /// Jumps of the load from branch to branch that a search follows.
 constexpr int max_jumps = 5;
 
@@ -171,6 +171,21 @@ class LoadSearch {
   int jumps_ = 0;
 };
 
+/// Writes the state of a descent into a solution. spring: compliance of the machine [m/N].
+void describe(const GapDescent& descent, const Drive& drive, double spring, Solution& solution) {
+  const Given normal = drive.normal;
+  const RigidMotion held = drive.held();
+  solution.tractions.pressure = descent.pressure();
+  solution.gap = descent.gap().over_grid();
+  solution.load = normal.is_force() ? normal.value : descent.load();
+  solution.motion = {descent.approach() - spring * solution.load, held.tilt};
+  solution.moment = moments(descent.grid(), solution.tractions.pressure);
+  solution.error = descent.error();
+  solution.iterations = descent.iterations();
+  solution.operator_applications = descent.applications();
+  solution.work = descent.applications();
+}
+
 }  // namespace
 
 AdhesiveContact::AdhesiveContact(const Grid& grid, const operators::SurfaceInfluence& influence,
@@ -186,7 +201,10 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
     const Lowering lowering(grid, held);
     for (std::size_t i = 0; i < tilted.size(); ++i) tilted[i] -= lowering(i);
   }
-  const double descent_tol = std::min(tol, loosest);
+  if (drive.normal.is_force() && !is_zero(initial_pressure)) {
+    const Solution found = solve_under_load(tilted, drive, initial_pressure, tol);
+    if (found.converged) return found;
+  }
   const bool yields = drive.spring > 0 && !drive.normal.is_force();
   const AdhesiveSurface surface = yields ? surface_.with_spring(drive.spring) : surface_;
   GapDescent descent(surface, *law_, tilted);
@@ -201,22 +219,24 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
                    ordered_sum(initial_pressure.size(),
                                [&](std::size_t i) { return std::fabs(initial_pressure[i]); })
              : attraction);
-    LoadSearch search(descent, drive.normal.value, descent_tol, max_iterations);
+    LoadSearch search(descent, drive.normal.value, tol, max_iterations);
     solution.converged = search.run(
         descent.gap().touching(), law_->largest_attraction() / law_->steepest_fall(), scale, !warm);
   } else {
-    solution.converged = descent.descend(drive.normal.value, descent_tol, max_iterations);
+    solution.converged = descent.descend(drive.normal.value, tol, max_iterations);
   }
-  solution.tractions.pressure = descent.pressure();
-  solution.gap = descent.gap().over_grid();
-  solution.load = drive.normal.is_force() ? drive.normal.value : descent.load();
-  const double compression = yields ? drive.spring * solution.load : 0.0;
-  solution.motion = {descent.gap().approach() - compression, held.tilt};
-  solution.moment = moments(grid, solution.tractions.pressure);
-  solution.error = descent.error();
-  solution.iterations = descent.iterations();
-  solution.operator_applications = descent.applications();
-  solution.work = descent.applications();
+  describe(descent, drive, yields ? drive.spring : 0.0, solution);
+  return solution;
+}
+
+Solution AdhesiveContact::solve_under_load(const Field& gap, const Drive& drive,
+                                           const Field& initial_pressure, double tol) const {
+  const AdhesiveSurface surface = surface_.with_free_approach();
+  GapDescent descent(surface, *law_, gap);
+  descent.start_from(initial_pressure);
+  Solution solution;
+  solution.converged = descent.descend_under(drive.normal.value, tol, most_under_load);
+  if (solution.converged) describe(descent, drive, 0.0, solution);
   return solution;
 }
 

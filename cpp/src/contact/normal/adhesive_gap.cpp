@@ -15,6 +15,8 @@ namespace {
 constexpr double clearly_open = 0.01;
 /// Pressure, as a share of the largest attraction, above which a cell is clearly pressed.
 constexpr double clearly_pressed = 1e-3;
+/// Error of the pressure of a start, relative to the largest repulsion.
+constexpr double error_of_start = 1e-3;
 /// Share of the attraction of touching surfaces that is missing where surfaces do not touch.
 constexpr double missing = 0.05;
 
@@ -39,23 +41,32 @@ void AdhesiveGap::start_from(const Field& pressure, const ContactLaw& law, Compl
   has_approach_ = false;
   if (pressure.empty()) return std::fill(x_.begin(), x_.end(), 0.0);
   surface_.displace(surface_.padded(pressure), x_, work);
-  // Surfaces in contact keep their gap at another approach, and the cells in contact remain closed.
   const double lowest = touching();
   Field gap = x_;
   for (std::size_t i = 0; i < gap.size(); ++i) {
     if (is_body(i)) gap[i] = undeformed_[i] + x_[i] - lowest;
   }
   if (is_separated(law, surface_.padded(pressure), gap)) return;
-  const Field pushed = repulsion(law, pressure, surface_.over_grid(gap));
-  const Field closed = surface_.padded(pushed);
+  Field closed = surface_.padded(repulsion(law, pressure, surface_.over_grid(gap)));
+  const double error =
+      error_of_start * std::max(law.largest_attraction(),
+                                largest_of(closed.size(), [&](auto i) { return closed[i]; }));
+  for (double& r : closed) r = r > error ? r : 0.0;
+  const double cells = ordered_sum(
+      gap.size(), [&](std::size_t i) { return is_body(i) && in_contact(closed[i]) ? 1.0 : 0.0; });
+  if (cells == 0) return;
+  // Surfaces in contact keep their gap at another approach, and the cells in contact remain closed.
+  approach_ =
+      ordered_sum(gap.size(),
+                  [&](std::size_t i) {
+                    return is_body(i) && in_contact(closed[i]) ? undeformed_[i] + x_[i] : 0.0;
+                  }) /
+      cells;
+  has_approach_ = true;
   for (std::size_t i = 0; i < gap.size(); ++i) {
-    if (!in_contact(closed[i])) continue;
-    gap[i] = 0.0;
-    has_approach_ = true;
+    if (!is_body(i)) continue;
+    x_[i] = in_contact(closed[i]) ? 0.0 : std::max(undeformed_[i] + x_[i] - approach_, 0.0);
   }
-  if (!has_approach_) return;
-  x_ = std::move(gap);
-  approach_ = lowest;
 }
 
 bool AdhesiveGap::is_separated(const ContactLaw& law, const Field& pressure,
@@ -90,11 +101,14 @@ double AdhesiveGap::largest_approach() const {
          ordered_sum(n, [&](std::size_t i) { return is_body(i) ? 1.0 : 0.0; });
 }
 
+bool AdhesiveGap::touches() const {
+  return largest_of(x_.size(),
+                    [&](std::size_t i) { return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0; }) > 0;
+}
+
 void AdhesiveGap::approach_to(double approach) {
   const std::ptrdiff_t n = std::ssize(x_);
-  const bool touches = has_approach_ && largest_of(n, [&](std::size_t i) {
-                                          return is_body(i) && x_[i] <= 0 ? 1.0 : 0.0;
-                                        }) > 0;
+  const bool touching = has_approach_ && touches();
   // The gap of a contact is kept; separated surfaces, and a start, keep their displacement.
   const double lowering = has_approach_ ? approach - approach_ : 0.0;
   for_each_cell(n, [&](std::ptrdiff_t i) {
@@ -102,7 +116,7 @@ void AdhesiveGap::approach_to(double approach) {
     height_[i] = undeformed_[i] - approach;
     if (!has_approach_) {
       x_[i] = std::max(x_[i] + height_[i], 0.0);
-    } else if (!touches) {
+    } else if (!touching) {
       x_[i] = std::max(x_[i] - lowering, 0.0);
     }
   });

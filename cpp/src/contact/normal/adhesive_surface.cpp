@@ -48,6 +48,19 @@ AdhesiveSurface AdhesiveSurface::with_spring(double compliance) const {
   return surface;
 }
 
+AdhesiveSurface AdhesiveSurface::with_free_approach() const {
+  AdhesiveSurface surface = *this;
+  const auto points = static_cast<double>(size());
+  surface.uniform_compliance_ = compliance_[0] * points;
+  surface.has_free_mean_ = false;
+  surface.has_free_approach_ = true;
+  surface.stiffness_[0] = 0.0;
+  if (has_free_mean_) {
+    surface.preconditioner_[0] = *std::max_element(preconditioner_.begin(), preconditioner_.end());
+  }
+  return surface;
+}
+
 void AdhesiveSurface::invert() {
   const Grid& grid = grid_;
   const auto points = static_cast<double>(size());

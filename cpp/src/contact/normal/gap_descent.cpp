@@ -22,7 +22,7 @@ constexpr double least_curvature = 0.02;
 /// attraction is of use.
 constexpr double ranges_per_step = 3.0;
 /// Share of the displacement under its residual by which a cell opens.
-constexpr double opening = 0.5;
+constexpr double opening = 1.0;
 /// Reduction of a step that increases the energy, and the number of reductions.
 constexpr double shorter = 0.25;
 constexpr int most_shorter = 12;
@@ -55,6 +55,9 @@ void GapDescent::start_from(const Field& pressure) {
 void GapDescent::press() {
   gap_.displacement(z_);
   surface_.press(z_, p_, work_);
+  if (mean_pressure_ != 0) {
+    for_each_cell(std::ssize(p_), [&](std::ptrdiff_t i) { p_[i] += mean_pressure_; });
+  }
   ++applications_;
   exact_ = true;
 }
@@ -100,7 +103,8 @@ double GapDescent::energy() {
   const Field& x = gap_.values();
   gap_.displacement(scratch_);
   return ordered_sum(p_.size(), [&](std::size_t i) {
-    return 0.5 * scratch_[i] * p_[i] + (gap_.is_body(i) ? law_.energy(x[i]) : 0.0);
+    return 0.5 * scratch_[i] * (p_[i] + mean_pressure_) +
+           (gap_.is_body(i) ? law_.energy(x[i]) : 0.0);
   });
 }
 
@@ -112,6 +116,7 @@ void GapDescent::find_direction(bool restart) {
   for_each_cell(n, [&](std::ptrdiff_t i) {
     if (!gap_.is_open(i)) z_[i] = 0.0;
   });
+  add_uniform_part();
   remove_mean(z_);
   const double rz = ordered_dot(q_.data(), z_.data(), n);
   const double change = ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
@@ -123,6 +128,24 @@ void GapDescent::find_direction(bool restart) {
   if (ordered_dot(q_.data(), t_.data(), n) <= 0) t_ = z_;
   std::swap(before_, q_);
   rz_ = rz;
+}
+
+void GapDescent::add_uniform_part() {
+  if (!surface_.has_free_approach()) return;
+  const std::ptrdiff_t n = std::ssize(p_);
+  if (uniform_softness_ == 0) {
+    // The contact changes little during a descent: once suffices.
+    Field open(n), pressure(n);
+    for (std::ptrdiff_t i = 0; i < n; ++i) open[i] = gap_.is_open(i) ? 1.0 : 0.0;
+    surface_.press(open, pressure, work_);
+    ++applications_;
+    const double stiffness = ordered_dot(open.data(), pressure.data(), n);
+    uniform_softness_ = stiffness > 0 ? 1.0 / stiffness : 0.0;
+  }
+  const double force = ordered_sum(n, [&](std::size_t i) { return q_[i]; });
+  for_each_cell(n, [&](std::ptrdiff_t i) {
+    if (gap_.is_open(i)) z_[i] += uniform_softness_ * force;
+  });
 }
 
 double GapDescent::step_length(bool is_first) {
@@ -195,8 +218,18 @@ bool GapDescent::descend_once(bool is_first, double& energy_before) {
 }
 
 bool GapDescent::descend(double approach, double tol, int max_iterations) {
-  const bool is_cold = std::exchange(is_cold_, false);
   gap_.approach_to(approach);
+  return iterate(tol, max_iterations);
+}
+
+bool GapDescent::descend_under(double load, double tol, int max_iterations) {
+  mean_pressure_ = load / (surface_.grid().cell_area() * static_cast<double>(gap_.size()));
+  gap_.approach_to(gap_.touching());
+  return gap_.touches() && iterate(tol, max_iterations);
+}
+
+bool GapDescent::iterate(double tol, int max_iterations) {
+  const bool is_cold = std::exchange(is_cold_, false);
   press();
   double before = energy();
   bool restart = true;
@@ -209,6 +242,7 @@ bool GapDescent::descend(double approach, double tol, int max_iterations) {
     }
     if (error_ <= tol) return true;
     if (n >= max_iterations || !std::isfinite(error_)) return false;
+    if (surface_.has_free_approach() && !gap_.touches()) return false;
     find_direction(restart);
     restart = descend_once(n == 0 && is_cold, before);
   }
@@ -223,6 +257,16 @@ Field GapDescent::pressure() const {
 double GapDescent::load() const {
   const Field p = pressure();
   return surface_.grid().cell_area() * ordered_sum(p.size(), [&](std::size_t i) { return p[i]; });
+}
+
+double GapDescent::approach() const {
+  if (!surface_.has_free_approach()) return gap_.approach();
+  Field displacement(gap_.size());
+  gap_.displacement(displacement);
+  const std::size_t n = displacement.size();
+  const double mean =
+      ordered_sum(n, [&](std::size_t i) { return displacement[i]; }) / static_cast<double>(n);
+  return gap_.approach() + surface_.uniform_compliance() * mean_pressure_ - mean;
 }
 
 }  // namespace samcontact::contact

@@ -26,6 +26,10 @@ constexpr std::size_t many = 2'000'000;
 constexpr double contact_tol_ratio = 1e-2;
 /// Largest and smallest tolerance of a contact solve inside the fixed-point iteration.
 constexpr double loosest = 1e-6, tightest = 1e-12;
+/// The same with an adhesion that depends on the gap, where a contact takes more iterations; the
+/// largest tolerance with which an iterate is accepted, for which repulsion can be distinguished
+/// from the error of the tension; and this error relative to the tolerance.
+constexpr double loosest_adhesive = 1e-4, accepted_adhesive = 5e-8, error_over_tol = 100.0;
 /// Plastic strain increments below this fraction of the strain at yield are not resolved further:
 /// the relative change refers to the larger of the two.
 constexpr double negligible = 1e-2;
@@ -52,8 +56,9 @@ class FixedPoint {
         counters_(task.counters),
         problem_(task),
         tol_(std::max(settings_.tol, problem_.mismatch_tol())),
-        elastic_tol_(std::max(contact_tol_ratio * settings_.tol, tightest)),
-        contact_tol_(problem_.has_plastic_body() ? loosest : elastic_tol_) {}
+        loosest_(law_.varies() ? loosest_adhesive : loosest),
+        elastic_tol_(accepted(std::max(contact_tol_ratio * settings_.tol, tightest))),
+        contact_tol_(problem_.has_plastic_body() ? loosest_ : elastic_tol_) {}
 
   State solve() {
     x_ = problem_.first_guess();
@@ -67,7 +72,8 @@ class FixedPoint {
     // Plastic flow only widens the contact: a contact that is too large now will not fit later.
     if (settings_.on_border == contact::OnBorder::error && !target_.is_prescribed()) {
       const contact::Solution& contact = result_.contact;
-      const Field repulsion = contact::repulsion(law_, contact.tractions.pressure, contact.gap);
+      const Field repulsion =
+          without_errors(contact::repulsion(law_, contact.tractions.pressure, contact.gap));
       const auto warning = contact::edge_warning(grid_, repulsion, describe(target_));
       if (!warning.empty()) throw contact::too_small(grid_, repulsion, warning);
     }
@@ -92,7 +98,7 @@ class FixedPoint {
       check_interrupt();
       if (!std::exchange(restarted, false)) advance();
       result_.grown = problem_.zones().grow_when_settled(residual_) || result_.grown;
-      const double finest = contact_tolerance(tol_);
+      const double finest = accepted(contact_tolerance(tol_));
       // Cells outside a box that has grown may flow too: check them before accepting.
       if (!result_.grown && residual_ <= tol_ && yields_within_tolerance()) {
         // The required tolerance changes slightly with every iterate: twice its value is close
@@ -125,6 +131,22 @@ class FixedPoint {
             settings_.max_iterations, residual_};
   }
 
+  /// Repulsion without values below the error of an adhesive contact.
+  Field without_errors(Field repulsion) const {
+    if (!law_.varies()) return repulsion;
+    const double largest =
+        std::max(law_.largest_attraction(),
+                 largest_of(repulsion.size(), [&](std::size_t i) { return repulsion[i]; }));
+    const double error = error_over_tol * contact_tol_ * largest;
+    for (double& r : repulsion) r = r > error ? r : 0.0;
+    return repulsion;
+  }
+
+  /// Tolerance of the contact of an accepted iterate.
+  double accepted(double tol) const {
+    return law_.varies() ? std::min(tol, accepted_adhesive) : tol;
+  }
+
   /// The effect of an error of the contact pressure is relative to the excess of the trial stress
   /// over the yield stress, which drives plastic flow: the smaller the excess, the smaller the
   /// contact tolerance must be.
@@ -132,7 +154,7 @@ class FixedPoint {
     // Mismatch of elastic cells is driven by the whole stress.
     const bool elastic = result_.mismatch_norm > 0 && result_.overshoot == 0;
     const double share = elastic ? 1.0 : std::clamp(result_.overshoot, negligible, 1.0);
-    return std::clamp(contact_tol_ratio * share * residual, tightest, loosest);
+    return std::clamp(contact_tol_ratio * share * residual, tightest, loosest_);
   }
 
   /// mapped = G(x).
@@ -221,6 +243,7 @@ class FixedPoint {
   Field x_, mapped_, best_x_, best_f_;
   PlasticIncrement::Result result_;
   const double tol_;          // with inclusions larger than that of the settings
+  const double loosest_;      // of the contact
   const double elastic_tol_;  // of the contact in an elastic increment
   double contact_tol_, change_ = 0.0, residual_ = 1.0, best_ = INFINITY;
   bool is_best_ = false;  // whether the best point is the last one, which the acceleration stores

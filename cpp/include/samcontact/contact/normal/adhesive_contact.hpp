@@ -21,6 +21,11 @@ class AdhesiveContact {
                  int max_iterations) const;
 
  private:
+  /// Solution of a load, by one descent from the contact of a pressure; not converged if the
+  /// contact is lost or many iterations do not suffice.
+  Solution solve_under_load(const Field& gap, const Drive& drive, const Field& initial_pressure,
+                            double tol) const;
+
   AdhesiveSurface surface_;
   SharedContactLaw law_;
 };

@@ -21,6 +21,8 @@ class AdhesiveGap {
   Field& values() { return x_; }
   const Field& values() const { return x_; }
   double approach() const { return approach_; }
+  /// Whether any cell is closed.
+  bool touches() const;
   /// Gap of the undeformed surfaces [m]; 0 in cells without both bodies.
   double undeformed(std::size_t i) const { return undeformed_[i]; }
 

@@ -21,6 +21,9 @@ class AdhesiveSurface {
 
   /// Surface with a spring in series [m/N], under the same resultant.
   AdhesiveSurface with_spring(double compliance) const;
+  /// Surface with a uniform displacement in series that carries no pressure, under a prescribed
+  /// resultant: the limit of a spring of zero stiffness.
+  AdhesiveSurface with_free_approach() const;
 
   const Grid& grid() const { return grid_; }
   std::size_t size() const { return static_cast<std::size_t>(transform_.mx()) * transform_.my(); }
@@ -28,6 +31,10 @@ class AdhesiveSurface {
   /// Whether a uniform pressure causes no displacement (periodic half-spaces): the mean of the
   /// displacement is then zero, and that of the pressure is free.
   bool has_free_mean() const { return has_free_mean_; }
+  /// Whether the displacement contains a free uniform part, and the mean displacement due to a unit
+  /// mean pressure without this part [m/Pa].
+  bool has_free_approach() const { return has_free_approach_; }
+  double uniform_compliance() const { return uniform_compliance_; }
   /// u_z of a cell due to a unit pressure on it [m/Pa].
   double self_influence() const { return self_influence_; }
 
@@ -52,7 +59,8 @@ class AdhesiveSurface {
   Grid grid_;
   fft::PeriodicTransform transform_;
   Field compliance_, stiffness_, preconditioner_;  // real quarter spectra
-  bool has_free_mean_ = false;
+  bool has_free_mean_ = false, has_free_approach_ = false;
+  double uniform_compliance_ = 0.0;
   double self_influence_;
 };
 

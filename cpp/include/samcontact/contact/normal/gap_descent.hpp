@@ -23,12 +23,18 @@ class GapDescent {
   /// Descends at an approach from the present gap, which becomes the solution. Returns whether the
   /// error is at most tol after at most max_iterations.
   bool descend(double approach, double tol, int max_iterations);
+  /// Descends at a load [N] from the gap of the start, which must touch, on a surface with a free
+  /// approach. Returns false if the contact is lost as well: the energy is unbounded below under
+  /// tension.
+  bool descend_under(double load, double tol, int max_iterations);
 
+  const Grid& grid() const { return surface_.grid(); }
   AdhesiveGap& gap() { return gap_; }
   const AdhesiveGap& gap() const { return gap_; }
   /// Pressure over the grid [Pa], tension negative, and its resultant [N].
   Field pressure() const;
   double load() const;
+  double approach() const;
   /// Largest residual of the tractions, relative to the largest traction.
   double error() const { return error_; }
   /// Iterations, and applications of compliance and stiffness, of all descents.
@@ -39,11 +45,14 @@ class GapDescent {
   double energy_rise() const { return energy_rise_; }
 
  private:
+  bool iterate(double tol, int max_iterations);
   /// Pressure of the gap.
   void press();
   /// Residual of the stationary energy in open cells, and the error.
   void find_residual();
   void find_direction(bool restart);
+  /// Adds the uniform part of the preconditioner to a direction, if the approach is free.
+  void add_uniform_part();
   /// Moves by a step along the direction, and opens cells by a share of the displacement under
   /// their residual. Returns whether cells have opened.
   bool move(double step, double share);
@@ -63,6 +72,8 @@ class GapDescent {
   double work_of_grid_;  // of adhesion, over the cell area
   double rounding_of_pressure_;
   Field p_, residual_, before_, z_, t_, q_, scratch_;
+  double mean_pressure_ = 0.0;   // prescribed, with a free approach
+  double uniform_softness_ = 0;  // uniform displacement of the open cells due to a force on them
   double multiplier_ = 0.0, error_ = 1.0, rz_ = 0.0, energy_rise_ = 0.0;
   bool exact_ = false;   // whether the pressure is that of the gap without accumulated rounding
   bool is_cold_ = true;  // no earlier state whose branch to follow
