@@ -129,6 +129,13 @@ ROLLERS = {
 }  # fmt: skip
 PRESSED = {"body1": COLD, "body2": COLD, "heat": None, "path": [{"load": 2.0}]}
 PYRAMID = {"tip_radius": 1e-5, "angle": 0.1, "half_angle": 1.4}
+SLIDING = {
+    "title": "t",
+    "sliding": {"mean_pressure": 1e4, "slowest": 0.1, "fastest": 10.0, "per_decade": 2},
+    "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")} | {"periodic": "xy"},
+    "body1": {"law": "rigid"}, "body2": RELAXING, "surface": FLAT,
+    "contact": {"tol": 1e-7, "on_border": "warn", "max_iterations": 100},
+}  # fmt: skip
 KINDS = {
     "contact": BASE,
     "flat punch": BASE | PRESSED
@@ -315,6 +322,9 @@ KINDS = {
     "marched wear": BASE
     | {"wear": WEAR | {"keep_heat": True}, "heat": MARCHED,
        "path": [{"load": 1.0, "duration": 1e-4}]},
+    "friction over velocity": SLIDING,
+    "friction over velocities": SLIDING
+    | {"sliding": {"load": 0.5, "velocities": [0.1, 1.0]}},
     "asperities": ASPERITIES,
     "tugging on a grid": ASPERITIES
     | {"grid": GRID, "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},

@@ -10,7 +10,8 @@ from fuzzing import try_all, unless_refused, with_trials
 from hypothesis import strategies as st
 
 from samcontact import Grid
-from samcontact.cases import AsperityCase, Case, CaseError, load_case, parse_case
+from samcontact.cases import Case, CaseError, load_case, parse_case
+from samcontact.cases.kinds import KINDS
 
 CASES = {
     path.stem: path.read_text(encoding="utf-8")
@@ -48,7 +49,7 @@ scraps = st.one_of(
 def read(text):
     """Return the case, or None if it is refused correctly."""
     case = unless_refused(lambda: parse_case(text, "case.toml"), CaseError, "case.toml: ")
-    assert case is None or isinstance(case, (Case, AsperityCase))
+    assert case is None or isinstance(case, (Case, *KINDS.values()))
     return case
 
 

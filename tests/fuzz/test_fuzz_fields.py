@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from samcontact.cases import AsperityCase, Case, CaseError, parse_case
+from samcontact.cases import Case, CaseError, parse_case
 from samcontact.cases.allowed import described, is_model, members, opened, tags
+from samcontact.cases.kinds import KINDS, kind_of
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -80,7 +81,7 @@ def chosen(models, given):
 def test_every_field():
     refused, attempts = Counter(), Counter()
     for name, content in BASE.items():
-        kind = AsperityCase if "asperities" in content else Case
+        kind = kind_of(content)
         for case, field, wrong in spoiled(kind, content, lambda new: new, attempts):
             try:
                 kind.model_validate(case)
@@ -97,7 +98,7 @@ def test_every_field():
 def test_each_kind_of_value_is_described():
     """No field falls back to the name of a Python class."""
     found = set()
-    waiting = [Case, AsperityCase]
+    waiting = [Case, *KINDS.values()]
     for model in waiting:
         for field in model.model_fields.values():
             marks = [*field.metadata, field]

@@ -22,7 +22,14 @@ CALLS = [
     (
         "sliding.over_speed",
         sc.sliding.over_speed,
-        {**BODIES, "load": LOAD, "velocities": [0.1, 1.0], **SETTINGS},
+        {
+            **BODIES,
+            "load": LOAD,
+            "velocities": [0.1, 1.0],
+            "checkpoint": None,
+            "progress": False,
+            **SETTINGS,
+        },
     ),
     (
         "rolling.steady",

@@ -5,5 +5,6 @@ from .asperities import AsperityCase
 from .base import CaseError
 from .case import Case
 from .reading import load_case, parse_case
+from .sliding import SlidingCase
 
-__all__ = ["AsperityCase", "Case", "CaseError", "load_case", "parse_case"]
+__all__ = ["AsperityCase", "Case", "CaseError", "SlidingCase", "load_case", "parse_case"]

@@ -183,6 +183,10 @@ class Case(CaseFile):
         return steps
 
     @property
+    def study(self) -> str:
+        return "" if self.wear is None else "wear"
+
+    @property
     def has_volume(self) -> bool:
         """Whether the grid has layers below the surface."""
         return self.grid is None or self.grid.dz is not None

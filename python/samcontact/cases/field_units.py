@@ -10,9 +10,9 @@ from pydantic import BaseModel
 
 from ..bodies.hardening_laws import LAWS
 from .allowed import models_in, unit_of
-from .asperities import AsperityCase
 from .case import Case
 from .errors import SHORT_FORMS
+from .kinds import KINDS
 
 # Units of law constants; microstrain is not converted, as it is stored as a plain number.
 _LAW_UNITS = {name: one.unit for law in LAWS.values() for name, one in law.constants.items()}
@@ -36,7 +36,7 @@ def _units(section: str) -> dict[str, str]:
     """Return the units of all fields within a top-level section, by field name."""
     roots = [
         model
-        for kind in (Case, AsperityCase)
+        for kind in (Case, *KINDS.values())
         if section in kind.model_fields
         for model in models_in(kind.model_fields[section].annotation)
     ]

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from .base import CaseFile
 from .case import Case
 from .reading import load_case, validated
 
@@ -24,7 +25,7 @@ def case_of_contact(name: str, given: object, **defaults: Any) -> Case:
         made = validated({"title": "case", **defaults, **given}, Path(name))
     if not isinstance(made, Case):
         kind = type(made).__name__
-        hint = ", which is an asperity collision" if kind == "AsperityCase" else ""
+        hint = f", which has a section [{made.study}]" if isinstance(made, CaseFile) else ""
         raise ValueError(
             f"{name} must be a case of one contact, the path of its file, or a dict with the "
             f"layout of a case file, got a {kind}{hint}"

@@ -9,9 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from .._util.checks import file_path
-from .asperities import AsperityCase
 from .base import CaseError
-from .case import Case
+from .kinds import AnyCase, kind_of
 from .rolling_parts import short_places
 
 if sys.version_info >= (3, 11):
@@ -23,7 +22,7 @@ MAX_CHARACTERS = 100_000_000
 """Size limit of a case file."""
 
 
-def load_case(path: str | Path) -> Case | AsperityCase:
+def load_case(path: str | Path) -> AnyCase:
     """Read and validate a case file.
 
     Parameters
@@ -33,8 +32,9 @@ def load_case(path: str | Path) -> Case | AsperityCase:
 
     Returns
     -------
-    Case or AsperityCase
-        An `AsperityCase` if the file has a section [asperities].
+    Case, AsperityCase or SlidingCase
+        An `AsperityCase` if the file has a section [asperities], a `SlidingCase` if it has a
+        section [sliding].
 
     Raises
     ------
@@ -64,7 +64,7 @@ def _text_of(source: Path) -> str:
     return text
 
 
-def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCase:
+def parse_case(text: str, source: str | Path = "case.toml") -> AnyCase:
     """Validate the text of a case file, e.g. the text stored with results.
 
     Parameters
@@ -77,8 +77,9 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCa
 
     Returns
     -------
-    Case or AsperityCase
-        An `AsperityCase` if the text has a section [asperities].
+    Case, AsperityCase or SlidingCase
+        An `AsperityCase` if the text has a section [asperities], a `SlidingCase` if it has a
+        section [sliding].
 
     Raises
     ------
@@ -99,11 +100,10 @@ def parse_case(text: str, source: str | Path = "case.toml") -> Case | AsperityCa
     return case.written_in(source, text)
 
 
-def validated(content: Mapping[str, Any], source: Path) -> Case | AsperityCase:
+def validated(content: Mapping[str, Any], source: Path) -> AnyCase:
     """Validate the fields of a case file; raises CaseError for invalid fields."""
-    kind = AsperityCase if "asperities" in content else Case
     try:
-        return kind.model_validate(content)
+        return kind_of(content).model_validate(content)
     except CaseError as error:
         lines = short_places(str(error), content).split("\n")
         raise CaseError("\n".join(f"{source}: {line}" for line in lines)) from None

@@ -15,7 +15,7 @@ from .signals import exit_code
 if TYPE_CHECKING:
     from rich.console import Console
 
-    from ..cases import AsperityCase, Case
+    from ..cases.kinds import AnyCase
 
 
 @click.command()
@@ -60,7 +60,7 @@ def run(
 
 
 def _solve(
-    case: Case | AsperityCase,
+    case: AnyCase,
     directory: Path,
     console: Console,
     *,
@@ -68,24 +68,20 @@ def _solve(
     animate: bool,
     resume: bool,
 ) -> list[Path]:
-    """Solve a case of contact, asperity collision or wear, and return the files written."""
-    from ..cases import AsperityCase
+    """Solve a case of any kind, and return the files written."""
+    from ..cases import Case
 
     if animate and getattr(case, "accuracy", None) is not None:
         raise ValueError("--animate cannot be combined with accuracy")
-    section = "asperities" if isinstance(case, AsperityCase) else "wear" if case.wear else None
-    if animate and section is not None:
-        raise ValueError(f"--animate cannot be combined with [{section}]")
-    if isinstance(case, AsperityCase):
-        from .solve_study import solve_asperities
+    if animate and case.study:
+        raise ValueError(f"--animate cannot be combined with [{case.study}]")
+    if case.study:
+        from .solve_study import solve_study
 
-        return solve_asperities(case, directory, console, figures=figures, resume=resume)
-    if case.wear is not None:
-        from .solve_study import solve_wear
-
-        return solve_wear(case, directory, console, figures=figures, resume=resume)
+        return solve_study(case, directory, console, figures=figures, resume=resume)
     from .solve_contact import solve_contact, solve_to_accuracy
 
+    assert isinstance(case, Case)
     if case.accuracy is not None:
         return solve_to_accuracy(case, directory, console, figures=figures, resume=resume)
     return solve_contact(case, directory, console, figures=figures, animate=animate, resume=resume)

@@ -40,7 +40,8 @@ def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
         )
     for case in cases:
         if not isinstance(case, Case):
-            raise ValueError("find requires a case of one contact, got an asperity collision")
+            section = getattr(case, "study", "")
+            raise ValueError(f"find requires a case of one contact, got a case with [{section}]")
         max_load(case)
     require_known(search["quantity"])
     return dict(search)

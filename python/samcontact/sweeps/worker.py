@@ -47,13 +47,13 @@ def solve_case(
         Exceptions are returned as text, because not every exception can be passed between
         processes.
     """
-    from ..cases import AsperityCase, Case
+    from ..cases import Case
+    from ..cases.kinds import kind_of
 
     try:
-        kind = AsperityCase if "asperities" in content else Case
-        case = kind.model_validate(content).written_in(Path(source))
-        if isinstance(case, AsperityCase):
-            return {"variables": _plain(case.solve(progress=False).series)}
+        case = kind_of(content).model_validate(content).written_in(Path(source))
+        if not isinstance(case, Case):
+            return {"variables": _plain(case.solved())}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ResolutionWarning)  # the sweep warns once for all cases
             found = solved(case) if search is None else search_results(case, search)

@@ -36,7 +36,10 @@ from samcontact.cases import (
     dents,
     fatigue,
     shakedown,
+    sliding,
 )
+from samcontact.cases.kinds import KINDS as KINDS_OF_FILES
+from samcontact.cases.kinds import kind_of
 
 # Fields that do not affect the computation: title, results folder, and output of the command.
 OF_RESULTS = {"title", "description", "estimate_error", "output"}
@@ -68,6 +71,7 @@ OTHER = {
     "radius_limits": [[24.9e-6, 3e-5]], "misfit": [2e-3], "fraction": [0.1, 0.3], "gap": [0.8],
     "cover": [2e-5], "members": [1.0, 9.0],
     "box": [[[-4e-5, 4e-5], [-4e-5, 4e-5], [0.0, 1.6e-4]]],
+    "velocities": [[0.1, 2.0]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -127,12 +131,13 @@ def computed(tmp_path, monkeypatch):
     monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(asperities, "collide", record)
+    monkeypatch.setattr(sliding, "over_speed", record)
     monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
     def compute(content):
-        case = (AsperityCase if "asperities" in content else Case).model_validate(content)
+        case = kind_of(content).model_validate(content)
         case._source = tmp_path / "case.toml"
-        if isinstance(case, AsperityCase):
+        if not isinstance(case, Case):
             case.solve(progress=False)
             return seen["arguments"]
         simulation, path = case.build()
@@ -206,7 +211,7 @@ def test_every_field_is_used_or_refused(computed, kind):
     content = KINDS[kind]
     before = computed(content)
     assert computed(copy.deepcopy(content)) == before
-    model = (AsperityCase if "asperities" in content else Case).model_validate(content)
+    model = kind_of(content).model_validate(content)
     dropped, attempted = [], 0
     for place, field, value in leaves(model):
         for other in others(place[-1], field, value):
@@ -229,7 +234,7 @@ def test_every_field_of_every_section_is_tried():
 
     attempted, sections = set(), set()
     for content in KINDS.values():
-        model = (AsperityCase if "asperities" in content else Case).model_validate(content)
+        model = kind_of(content).model_validate(content)
         waiting = [model]
         while waiting:
             part = waiting.pop()
@@ -244,14 +249,14 @@ def test_every_field_of_every_section_is_tried():
     bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer", "VoidRandomInclusions"}
     laws = ("PerfectPlastic", "LinearHardening", "Swift", "Voce", "Tabulated")
     bodies |= {f"{law}{part}" for law in laws for part in ("Inclusion", "RandomInclusions")}
-    missing = {model.__name__ for model in all_models(Case, AsperityCase)} - bodies
+    missing = {model.__name__ for model in all_models(Case, *KINDS_OF_FILES.values())} - bodies
     assert missing - {model.__name__ for model in sections} == set()
     fields = {name for model in sections for name in model.model_fields}
     sections_in = (
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
         "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
-        "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
-        "dents particles random inclusions random_inclusions cluster"
+        "thermal_coulomb heat asperities sliding output fatigue limit shakedown hardness exposure "
+        "life dents particles random inclusions random_inclusions cluster"
     )
     given = (
         "law kind shape title description estimate_error directory column "

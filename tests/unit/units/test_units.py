@@ -12,7 +12,7 @@ from pydantic import BaseModel, BeforeValidator
 
 import samcontact as sc
 from samcontact import units
-from samcontact.cases import AsperityCase, Case, CaseError, load_case
+from samcontact.cases import AsperityCase, Case, CaseError, SlidingCase, load_case
 
 
 @pytest.mark.parametrize(
@@ -227,5 +227,5 @@ def without_unit(model):
 
 
 def test_every_field_with_a_dimension_takes_units():
-    sections = {model for case in (Case, AsperityCase) for model in models(case)}
+    sections = {model for case in (Case, AsperityCase, SlidingCase) for model in models(case)}
     assert {name for model in sections for name in without_unit(model)} == NUMBERS

@@ -1,26 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Steady sliding over viscoelastic bodies: pressure, contact area and hysteretic friction."""
+"""Contact in steady sliding at one velocity."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._util.checks import FloatArray, exactly_one, finite_array, require_type
-from ._util.frozen import read_only
-from .bodies.layered import Body
-from .contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving, speed_of
-from .contact.normal_drive import NormalDrive
-from .contact.solver import solve_driven
-from .problem.grid import Grid
-from .problem.settings import ContactSettings
-from .solutions.moving_solution import SlidingSolution, slope_along_x
-
-__all__ = ["FrictionCurve", "over_speed", "steady"]
+from .._util.checks import FloatArray, exactly_one, require_type
+from .._util.frozen import read_only
+from ..bodies.layered import Body
+from ..contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving, speed_of
+from ..contact.normal_drive import NormalDrive
+from ..contact.solver import solve_driven
+from ..problem.grid import Grid
+from ..problem.settings import ContactSettings
+from ..solutions.moving_solution import SlidingSolution, slope_along_x
 
 
 def steady(
@@ -121,96 +118,3 @@ def _solution(
         tangential_load=read_only(np.array([force, 0.0])),
         **found,
     )
-
-
-@dataclass(frozen=True, repr=False, eq=False)
-class FrictionCurve:
-    """Friction over velocity, from `over_speed`."""
-
-    solutions: tuple[SlidingSolution, ...]
-    """Solution at each velocity."""
-
-    @property
-    def velocity(self) -> FloatArray:
-        """Velocities [m/s], shape (n,)."""
-        return np.array([s.velocity for s in self.solutions])
-
-    @property
-    def friction(self) -> FloatArray:
-        """Hysteretic friction coefficient at each velocity [-], shape (n,)."""
-        return np.array([s.friction for s in self.solutions])
-
-    @property
-    def contact_area(self) -> FloatArray:
-        """Contact area at each velocity [m^2], shape (n,)."""
-        return np.array([s.contact_area for s in self.solutions])
-
-    @property
-    def max_pressure(self) -> FloatArray:
-        """Largest pressure at each velocity [Pa], shape (n,)."""
-        return np.array([float(s.pressure.max()) for s in self.solutions])
-
-    def __repr__(self) -> str:
-        v, mu = self.velocity, self.friction
-        peak = int(np.argmax(mu))
-        return (
-            f"FrictionCurve({len(v)} velocities from {v[0]:g} to {v[-1]:g} m/s, largest friction "
-            f"{mu[peak]:.4g} at {v[peak]:g} m/s)"
-        )
-
-
-def over_speed(
-    grid: Grid,
-    body1: Body,
-    body2: Body,
-    gap: ArrayLike | Callable[[Grid], ArrayLike],
-    *,
-    load: float,
-    velocities: Sequence[float],
-    tol: float = ContactSettings.tol,
-    on_border: str = ContactSettings.on_border,
-    max_iterations: int = ContactSettings.max_iterations,
-) -> FrictionCurve:
-    """Solve steady sliding at several velocities under one load.
-
-    Each velocity starts from the solution at the previous one. `plotting.friction_curve` draws the
-    result.
-
-    Parameters
-    ----------
-    grid : Grid
-    body1, body2 : Material
-        Upper and lower body; the gap is fixed to body 1.
-    gap : array_like, shape (nx, ny), or callable
-        Initial separation [m], or a function of a grid that returns this array.
-    load : float
-        Normal load [N], >= 0.
-    velocities : sequence of float
-        Velocities of body 1 relative to body 2 along x [m/s].
-    tol, on_border, max_iterations
-        As in `ContactSolver`.
-
-    Returns
-    -------
-    FrictionCurve
-
-    Raises
-    ------
-    ValueError, TypeError, ConvergenceError
-        As for `steady`.
-    """
-    given = finite_array("velocities", velocities)
-    if given.ndim != 1 or given.size == 0:
-        raise ValueError(f"velocities must be a list of numbers [m/s], got shape {given.shape}")
-    speeds = [speed_of("velocities", v) for v in given.tolist()]
-    settings: dict[str, Any] = {
-        "tol": tol,
-        "on_border": on_border,
-        "max_iterations": max_iterations,
-    }
-    solutions: list[SlidingSolution] = []
-    for v in speeds:
-        last = solutions[-1] if solutions and solutions[-1].grid == grid else None
-        found = steady(grid, body1, body2, gap, load=load, velocity=v, start=last, **settings)
-        solutions.append(found)
-    return FrictionCurve(tuple(solutions))
