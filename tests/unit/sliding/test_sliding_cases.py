@@ -140,7 +140,7 @@ def test_a_grid_that_is_too_small_is_enlarged():
         ("relaxation", "#", "body2.relaxation must be given"),
         ('[body1]\nlaw = "rigid"', '[body1]\nlaw = "perfect_plastic"\nE = 1e9\nnu = 0.3\n'
          "yield_stress = 1e6", "body1.law must be"),
-        ("nu = 0.3", "nu = 0.3\nthermal = {conductivity = 1.0, expansion = 1e-4, diffusivity = 1e-7}",
+        ("nu = 0.3", "nu = 0.3\nthermal = {conductivity = 1, expansion = 1e-4, diffusivity = 1e-7}",
          "body2.thermal has no effect with"),
         ('dx = "0.1 mm"', 'dx = "0.1 mm"\ndz = 1e-4', "grid.dz has no effect"),
         ('[surface]', '[contact]\nfriction = 0.2\n[surface]', "contact.friction: unknown field"),
