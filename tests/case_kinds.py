@@ -264,7 +264,8 @@ KINDS = {
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "layer of particles": STICKS
     | {"contact": {"friction": {"third_body": {
-        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6}}},
+        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6,
+        "hardening": 1e12}}},
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "falling friction": STICKS
     | {"contact": {"friction": {"falling_coulomb": {
@@ -305,7 +306,7 @@ KINDS = {
     "friction of the temperature": STICKS
     | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
        "contact": {"friction": {"thermal_coulomb": {
-           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2]}}},
+           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2], "bulk": 20.0}}},
        "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "fretting by motion": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
