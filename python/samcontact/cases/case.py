@@ -207,6 +207,11 @@ class Case(CaseFile):
         return law_of_section(self.contact)
 
     @property
+    def relaxes(self) -> bool:
+        """Whether a body is viscoelastic."""
+        return self.body1.relaxes or self.body2.relaxes
+
+    @property
     def moves(self) -> bool:
         """Whether the surface of a body moves through the contact."""
         return any(both_axes(step["advance"]).any() for step in self.steps() if "advance" in step)
@@ -239,7 +244,7 @@ class Case(CaseFile):
         """Return the Hertz contact at a load [N] > 0; None if Hertz theory does not apply.
 
         Hertz theory applies to smooth paraboloids and spheres with finite radii and to bodies
-        without layers.
+        without layers. Viscoelastic bodies have their instantaneous moduli.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic

@@ -9,7 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .._util.checks import finite_array, require_type
+from .._util.checks import boolean, finite_array, require_type
 from .._util.errors import attach
 from .._util.progress import progress_bar
 from ..bodies.layered import Body
@@ -72,6 +72,7 @@ def over_speed(
         files of another run; a damaged file is solved again.
     """
     require_type("grid", grid, Grid)
+    boolean("progress", progress)
     given = finite_array("velocities", velocities)
     if given.ndim != 1 or given.size == 0:
         raise ValueError(f"velocities must be a list of numbers [m/s], got shape {given.shape}")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -12,12 +13,18 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, exactly_one, require_type
 from .._util.frozen import read_only
 from ..bodies.layered import Body
+from ..bodies.viscoelastic import relaxes
 from ..contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving, speed_of
 from ..contact.normal_drive import NormalDrive
 from ..contact.solver import solve_driven
 from ..problem.grid import Grid
 from ..problem.settings import ContactSettings
 from ..solutions.moving_solution import SlidingSolution, slope_along_x
+
+_AT_REST = (
+    "body 1 is viscoelastic and rests in the contact: the result uses its long-time modulus, and "
+    "the energy lost is that of body 2 alone; if the gap is fixed to body 2, exchange the bodies"
+)
 
 
 def steady(
@@ -38,8 +45,8 @@ def steady(
 
     The gap is fixed to body 1, whose roughness slides over the smooth surface of body 2. The
     material of a viscoelastic body 2 moves through the contact; a viscoelastic body 1 rests in the
-    contact and has its long-time modulus. The energy lost in body 2 is the hysteretic part of
-    friction; a shear of the interface adds to it.
+    contact and has its long-time modulus, of which a warning informs. The energy lost in body 2 is
+    the hysteretic part of friction; a shear of the interface adds to it.
 
     Parameters
     ----------
@@ -88,6 +95,8 @@ def steady(
     moves = speed_of("velocity", velocity)
     name = exactly_one(load=load, approach=approach)
     normal = NormalDrive.of(name, load if approach is None else approach)
+    if moves and relaxes(body1):
+        warnings.warn(_AT_REST, stacklevel=2)
 
     def finish(cells: Grid, displaced: FloatArray, found: dict[str, Any]) -> SlidingSolution:
         return _solution(cells, displaced, moves, found)
