@@ -28,7 +28,7 @@ def test_the_rule_is_of_second_order():
 
 
 def test_tamaas_converges_to_the_same_pressure():
-    """With the backward Euler rule, whose error is halved with the steps."""
+    """The error of the backward Euler rule is halved with the steps."""
     pytest.importorskip("tamaas")
     tamaas = importlib.import_module("benchmarks.viscous_peers.code_tamaas")
     problem = Creep(32)
