@@ -82,7 +82,7 @@ def over_speed(
         "on_border": on_border,
         "max_iterations": max_iterations,
     }
-    problem = {"body1": body1, "body2": body2, "gap": gap, "load": load}
+    problem: dict[str, Any] = {"body1": body1, "body2": body2, "gap": gap, "load": load}
 
     def solve(velocity: float, last: SlidingSolution | None) -> SlidingSolution:
         start = last if last is not None and last.grid == grid else None

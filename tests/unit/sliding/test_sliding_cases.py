@@ -156,3 +156,13 @@ def test_a_sweep_has_the_values_of_each_velocity(case_file):
     assert found.friction.dims == ("sliding.mean_pressure", "point")
     ratio = found.friction.values[0] / found.friction.values[1]
     assert ratio == pytest.approx(1.2, rel=1e-9)  # the same force in full contact
+
+
+def test_the_command_shows_the_maxima_of_a_sweep(case_file, tmp_path):
+    outcome = invoke(
+        "sweep", case_file, "--set", "sliding.mean_pressure=5e4,6e4", "--output", tmp_path / "swept"
+    )
+    assert outcome.exit_code == 0, outcome.output
+    assert "Maxima" in outcome.stdout
+    largest = load_case(case_file).solve(progress=False).friction.max()
+    assert f"{largest:.4f}" in outcome.stdout
