@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._util.checks import FloatArray
+from .._util.checks import FloatArray, boolean
 from .._util.sliding_quantities import SLIDING
 from .._util.version import version
 from ..problem.settings import ContactSettings
@@ -63,6 +63,7 @@ class FrictionCurve:
         """
         import xarray as xr
 
+        boolean("fields", fields)
         area = np.array([s.grid.nx * s.grid.ny * s.grid.cell_area for s in self.solutions])
         data: dict[str, Any] = {
             "velocity": self.velocity,
