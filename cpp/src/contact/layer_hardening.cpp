@@ -14,6 +14,9 @@
 namespace samcontact::contact {
 namespace {
 
+/// Ratio of the strength to mu p from which a cell slips on the layer.
+constexpr double on_layer = 1 - 1e-9;
+
 class LayerHardening : public VaryingBound {
  public:
   LayerHardening(const ThirdBody& law, const Grid& grid, const FrictionConditions& given,
@@ -67,8 +70,11 @@ class LayerHardening : public VaryingBound {
         "solutions; use smaller cells, or a stiffer layer");
   }
 
-  double first_step() const override {
-    return 1 / (1 + std::max(law_.hardening, 0.0) * self_influence_(rolls_));
+  /// Newton's step for a cell whose shear follows its strength; the plastic slip of a cell that
+  /// slips on the layer does not depend on the strength.
+  double step(double plastic, double pressure) const override {
+    const bool flows = law_.strength_after(plastic) < on_layer * law_.coefficient * pressure;
+    return flows ? 1 / (1 + std::max(law_.hardening, 0.0) * self_influence_(rolls_)) : 1.0;
   }
 
   void store(PartialSlipSolution& solution, Field plastic) const override {

@@ -56,6 +56,8 @@ class SlipRate : public VaryingBound {
         "starts");
   }
 
+  double step(double, double) const override { return 1.0; }
+
   void store(PartialSlipSolution& solution, Field rates) const override {
     solution.falling_number = falling_number(solution, of(solution), false);
     solution.slip_rate = std::move(rates);

@@ -41,16 +41,13 @@ PartialSlipSolution solve_with_bound(const VaryingBound& bound, const SolveUnder
   Field quantity = bound.before();
   PartialSlipStart from = start;
   PartialSlipSolution last;
-  double change = 0.0, best = INFINITY, first_step = 1.0, length = 1.0;
+  double change = 0.0, best = INFINITY, length = 1.0;
   for (int n = 1, stalled = 0; n <= max_rate_iterations; ++n) {
     conditions.factor = bound.factors(quantity, pressure);
     PartialSlipSolution found = solve(std::move(pressure), from, conditions);
     add_work(last, found);
     Field next = bound.after(found);
-    if (n == 1) {  // the self-influence is known after a solution
-      bound.require_single(found);
-      first_step = length = bound.first_step();
-    }
+    if (n == 1) bound.require_single(found);
     const Field& pressed = found.normal.tractions.pressure;
     const Field factor = bound.factors(next, pressed);
     change = largest_of(quantity.size(), [&](std::size_t at) {
@@ -63,12 +60,12 @@ PartialSlipSolution solve_with_bound(const VaryingBound& bound, const SolveUnder
     }
     stalled = change < 0.9 * best ? 0 : stalled + 1;
     best = std::min(best, change);
-    if (stalled > rate_patience && length > shortest_rate_step * first_step) {
+    if (stalled > rate_patience && length > shortest_rate_step) {
       length *= 0.5;
       stalled = 0;
     }
     for (std::size_t at = 0; at < quantity.size(); ++at) {
-      quantity[at] += length * (next[at] - quantity[at]);
+      quantity[at] += length * bound.step(next[at], pressed[at]) * (next[at] - quantity[at]);
     }
     pressure = pressed;
     for (double& p : pressure) p = std::max(p, 0.0);

@@ -23,8 +23,8 @@ class VaryingBound {
   /// Throws std::invalid_argument if the increment may have several solutions. first: the first
   /// solution of the iteration.
   virtual void require_single(const PartialSlipSolution& first) const = 0;
-  /// Part of the change of the quantity made by the first steps, in (0, 1].
-  virtual double first_step() const { return 1.0; }
+  /// Part of the change to `next` that a step makes in a cell, in (0, 1].
+  virtual double step(double next, double pressure) const = 0;
   /// Stores the quantity in the solution.
   virtual void store(PartialSlipSolution& solution, Field quantity) const = 0;
   /// Start of the message that the iteration did not converge, and the remedy.
