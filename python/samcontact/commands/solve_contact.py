@@ -268,7 +268,7 @@ def _comparison(
     peak: int,
     reference: hertz.PointContact | hertz.EllipticContact,
     body: int,
-    moduli: str,
+    moduli: str = "",
 ) -> Sheet:
     """Return the table that compares values at increment index `peak` with Hertz theory."""
     number = int(dataset["increment"][peak])

@@ -17,7 +17,6 @@ from .._util.quantities import ASPERITIES, Quantity
 from .._util.sliding_quantities import SLIDING
 from .._util.sweep_quantities import SWEEP
 from .._util.wear_quantities import WEAR
-from ..cases import Case
 from ..files.atomic import replacing
 from ..files.ownership import recording
 from ..solutions.peak import peak_of_dataset
@@ -156,8 +155,8 @@ def _contents(dataset: xr.Dataset, case: AnyCase) -> _Contents:
         return _Contents("Maxima", columns, lambda values, _: float(np.nanmax(values)))
     of_case = {name: SWEEP[name] for name in SWEEP if name in dataset and SWEEP[name].short}
     if "increment" in dataset.dims:
-        assert isinstance(case, Case)
-        columns = contact_columns(dataset, CONTACT_COLUMNS, case.output.body)
+        body = getattr(case.output, "body", 2)  # other kinds have no increments of one contact
+        columns = contact_columns(dataset, CONTACT_COLUMNS, body)
         return _Contents(
             "At maximum von Mises stress",
             columns | of_case,
