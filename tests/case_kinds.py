@@ -143,6 +143,13 @@ FILM = {
     "surface": {"shape": "paraboloid", "Rx": 1e-2, "Ry": 2e-2},
 }  # fmt: skip
 SMOOTH_FILM = FILM | {"body2": BALL}
+SLIDING = {
+    "title": "t",
+    "sliding": {"mean_pressure": 1e4, "slowest": 0.1, "fastest": 10.0, "per_decade": 2},
+    "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")} | {"periodic": "xy"},
+    "body1": {"law": "rigid"}, "body2": RELAXING, "surface": FLAT,
+    "contact": {"tol": 1e-7, "on_border": "warn", "max_iterations": 100},
+}  # fmt: skip
 KINDS = {
     "contact": BASE,
     "flat punch": BASE | PRESSED
@@ -271,7 +278,8 @@ KINDS = {
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "layer of particles": STICKS
     | {"contact": {"friction": {"third_body": {
-        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6}}},
+        "coefficient": 0.3, "strength": 1e8, "shear_modulus": 1e8, "thickness": 1e-6,
+        "hardening": 1e12}}},
        "path": [{"load": 2.0, "shift_x": 1e-8}]},
     "falling friction": STICKS
     | {"contact": {"friction": {"falling_coulomb": {
@@ -312,7 +320,7 @@ KINDS = {
     "friction of the temperature": STICKS
     | {"body1": WARM, "body2": WARM, "heat": {"partition": 0.4, "time": 1e-3},
        "contact": {"friction": {"thermal_coulomb": {
-           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2]}}},
+           "temperature": [1.0, 100.0], "coefficient": [0.3, 0.2], "bulk": 20.0}}},
        "path": [{"load": 2.0, "shift_x": 1e-8, "duration": 1e-3}]},
     "fretting by motion": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
@@ -353,6 +361,9 @@ KINDS = {
                      "rho": [870.0, 970.0, 1000.0]},
        "surface": {"shape": "bearing", "designation": "6208", "radial_load": 2e3},
        "film": {"inner_speed": 300.0, "outer_speed": 10.0}, "grid": {}},
+    "friction over velocity": SLIDING,
+    "friction over velocities": SLIDING
+    | {"sliding": {"load": 0.5, "velocities": [0.1, 1.0]}},
     "asperities": ASPERITIES,
     "tugging on a grid": ASPERITIES
     | {"grid": GRID, "asperities": {"R1": 1e-3, "R2": 2e-3, "interference": 2e-6}},

@@ -98,6 +98,9 @@ Content to_python(contact::PartialSlipSolution solution,
     result["slip_rate"] = surface_array(std::move(solution.slip_rate), grid);
     result["falling_number"] = solution.falling_number;
   }
+  if (!solution.plastic_slip.empty()) {
+    result["plastic_slip"] = surface_array(std::move(solution.plastic_slip), grid);
+  }
   return result;
 }
 
@@ -114,7 +117,7 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                        double approach_before, const contact::AboutAxes& tilt_before,
                        bool has_moved, const MaybeArray& initial_pressure, double tol,
                        int max_iterations, bool error_on_border, bool accept_stall, double duration,
-                       const MaybeArray& slip_rate, bool selects) {
+                       const MaybeArray& slip_rate, bool selects, const MaybeArray& plastic_slip) {
   const Field h = to_field(gap);
   const contact::PartialSlipStart start{.pressure = to_field_or_empty(initial_pressure)};
   const contact::ContactHistory before{to_field_or_empty(pressure),
@@ -123,7 +126,8 @@ Content stick_and_slip(const contact::PartialSlipContact& contact, const Array& 
                                        {approach_before, tilt_before},
                                        has_moved};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
-  const contact::FrictionConditions conditions{{}, duration, to_field_or_empty(slip_rate), selects};
+  const contact::FrictionConditions conditions{
+      {}, duration, to_field_or_empty(slip_rate), to_field_or_empty(plastic_slip), selects};
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
@@ -143,7 +147,7 @@ Content roll(const contact::PartialSlipContact& contact, const Array& gap, const
   const contact::PartialSlipStart start{
       to_field_or_empty(pressure), to_field_or_empty(shear), {}, creepage};
   const auto settings = slip_settings(tol, max_iterations, error_on_border, accept_stall);
-  const contact::FrictionConditions conditions{{}, duration, {}, false};
+  const contact::FrictionConditions conditions{{}, duration, {}, {}, false};
   contact::PartialSlipSolution solution;
   {
     const LongWork work;
@@ -260,7 +264,8 @@ void bind_partial_slip(py::module_& m) {
            py::arg("previous_gap"), py::arg("previous_approach"), py::arg("previous_tilt"),
            py::arg("has_moved"), py::arg("initial_pressure"), py::arg("tol"),
            py::arg("max_iterations"), py::arg("error_on_border"), py::arg("accept_stall"),
-           py::arg("duration") = 0.0, py::arg("slip_rate") = py::none(), py::arg("selects") = false)
+           py::arg("duration") = 0.0, py::arg("slip_rate") = py::none(), py::arg("selects") = false,
+           py::arg("plastic_slip") = py::none())
       .def("roll", &roll, py::arg("gap"), py::arg("drive"), py::arg("is_force"),
            py::arg("tangential"), py::arg("initial_pressure"), py::arg("initial_shear"),
            py::arg("initial_creepage"), py::arg("tol"), py::arg("max_iterations"),

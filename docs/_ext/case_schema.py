@@ -21,6 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from samcontact import cases
 from samcontact.cases.field_units import models_in, unit_of
+from samcontact.cases.kinds import KINDS
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -29,10 +30,10 @@ else:
 
 MEANINGS = Path(__file__).with_name("field_meanings.toml")
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
+SECTIONS = {kind: f"a file with `[{name}]`" for name, kind in KINDS.items()}
 ROOTS = {
     cases.Case: "Top of the file",
-    cases.AsperityCase: "Top of a file with `[asperities]`",
-    cases.FilmCase: "Top of a file with `[film]`",
+    **{kind: f"Top of {where}" for kind, where in SECTIONS.items()},
 }
 TYPE_NAMES = {float: "number", int: "integer", bool: "true or false", str: "text", list: "list"}
 
@@ -117,7 +118,7 @@ def titled() -> dict[type[BaseModel], str]:
             title = ", ".join(f"`{heading}`" for heading in headings)
             title += f" with `{word(model)}`" if word(model) else ""
             if model not in titles and title in titles.values():
-                title += ", in" + ROOTS[root].removeprefix("Top of")
+                title += f", in {SECTIONS[root]}"
             titles.setdefault(model, title)
     return titles
 

@@ -17,7 +17,7 @@ CALLS = [
             sc.Anisotropic(0.3, 0.2, 0.5),
             sc.FallingCoulomb(0.2, 0.1, 1.0, 1e-6),
             sc.ThirdBody(0.3, 1e8, 1e9, 1e-6),
-            sc.ThermalCoulomb([0.0, 100.0], [0.3, 0.2]),
+            sc.ThermalCoulomb([0.0, 100.0], [0.3, 0.2], 20.0),
             sc.MappedCoulomb([0.3, 0.2], y=[0.0, 1e-3]),
         )
         for call, function, arguments in (

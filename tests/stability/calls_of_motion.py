@@ -10,6 +10,7 @@ RUBBER = sc.Material.elastic(2e11, 0.4).with_relaxation(times=[1e-4, 1e-3], shar
 BODIES = {"grid": GRID, "body1": STEEL, "body2": RUBBER, "gap": GAP}
 SETTINGS = {"tol": 1e-6, "on_border": "error", "max_iterations": 500}
 SLID = sc.sliding.steady(**BODIES, load=LOAD, velocity=0.1)
+CURVE = sc.sliding.over_speed(**BODIES, load=LOAD, velocities=[0.1])
 ROLLED = sc.rolling.steady(**BODIES, load=LOAD, friction=0.0, speed=0.1)
 
 CALLS = [
@@ -22,8 +23,16 @@ CALLS = [
     (
         "sliding.over_speed",
         sc.sliding.over_speed,
-        {**BODIES, "load": LOAD, "velocities": [0.1, 1.0], **SETTINGS},
+        {
+            **BODIES,
+            "load": LOAD,
+            "velocities": [0.1, 1.0],
+            "checkpoint": None,
+            "progress": False,
+            **SETTINGS,
+        },
     ),
+    ("sliding.FrictionCurve.to_dataset", CURVE.to_dataset, {"fields": True}),
     (
         "rolling.steady",
         sc.rolling.steady,

@@ -28,7 +28,10 @@ def law_of(draw):
         memory = 0.0 if draw.random() < 0.5 else float(10 ** draw.uniform(-7, -4))
         return sc.FallingCoulomb(mu * ratio, mu * (1 - ratio), 10 ** draw.uniform(-4, 1), memory)
     if kind == 3:
-        return sc.ThirdBody(mu, 10 ** draw.uniform(6, 10), 10 ** draw.uniform(7, 11), 1e-6)
+        hardening = 0.0 if draw.random() < 0.5 else 10 ** draw.uniform(9, 14)
+        return sc.ThirdBody(
+            mu, 10 ** draw.uniform(6, 10), 10 ** draw.uniform(7, 11), 1e-6, hardening
+        )
     return sc.MappedCoulomb(mu * draw.uniform(0.1, 1, 3), y=[-2e-4, 0.0, 1e-4])
 
 

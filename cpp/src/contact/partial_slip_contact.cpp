@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "samcontact/contact/adhesive_slip.hpp"
+#include "samcontact/contact/layer_hardening.hpp"
 #include "samcontact/contact/normal/first_contact.hpp"
 #include "samcontact/contact/slip_rate.hpp"
 #include "samcontact/contact/sweeps.hpp"
@@ -126,11 +127,16 @@ PartialSlipSolution PartialSlipContact::finished(PartialSlipSolution solution, c
   return solution;
 }
 
-/// Solution with the friction of the place and of the slip rate.
+/// Solution with the friction of the place, of the slip rate and of the plastic slip.
 PartialSlipSolution PartialSlipContact::with_conditions(const SolveUnder& solve, Field pressure,
                                                         const PartialSlipStart& start,
                                                         const FrictionConditions& given,
                                                         const RateSettings& settings) const {
+  const auto own = [&](bool rolls) { return self_influence(rolls); };
+  if (const ThirdBody* layer = friction_.hardening()) {
+    return solve_with_hardening(*layer, grid_, solve, std::move(pressure), start, given, settings,
+                                own);
+  }
   if (friction_.map() == nullptr && !friction_.rates().is_on()) {
     return solve(std::move(pressure), start, given);
   }
@@ -146,8 +152,7 @@ PartialSlipSolution PartialSlipContact::with_conditions(const SolveUnder& solve,
   }
   if (!friction_.rates().is_on()) return solve(std::move(pressure), start, conditions);
   return solve_with_slip_rate(friction_.rates(), grid_, solve, std::move(pressure), start,
-                              conditions, settings,
-                              [&](bool rolls) { return self_influence(rolls); });
+                              conditions, settings, own);
 }
 
 PartialSlipSolution PartialSlipContact::solve(const Field& gap, const Drive& drive,

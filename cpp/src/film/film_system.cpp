@@ -26,7 +26,7 @@ constexpr double changed_share = 2e-3, slower = 1.5;
 constexpr int few_steps = 4;
 /// Required accuracy of a system above which the state is too far from the solution.
 constexpr double share_when_close = 1e-3;
-constexpr double tiny = 1e-300;
+constexpr double least_scale = 1e-300;
 
 /// The factors are a part of a preconditioner, for which single precision is enough.
 using Sparse = Eigen::SparseMatrix<double>;
@@ -79,7 +79,7 @@ void FilmSystem::classify(const Linearised& system) {
                                    std::fabs(system.slopes.film.diagonal(i))
                     ? 1
                     : 0;
-    if (stiff_[i] || touched_[i]) damping_[i] = 1 / std::max(k, tiny);
+    if (stiff_[i] || touched_[i]) damping_[i] = 1 / std::max(k, least_scale);
     column_[i] = contact_weight_[i] = 1 / (1 + k * own);
   }
 }
@@ -150,7 +150,7 @@ bool FilmSystem::decompose(const Linearised& system) {
   each([&](auto& it) {
     row_scale_[it.row()] = std::max(row_scale_[it.row()], std::fabs(it.value()));
   });
-  for (double& scale : row_scale_) scale = 1 / std::max(scale, tiny);
+  for (double& scale : row_scale_) scale = 1 / std::max(scale, least_scale);
   each([&](auto& it) { it.valueRef() *= row_scale_[it.row()]; });
   matrix.prune([](Eigen::Index row, Eigen::Index column, double value) {
     return row == column || std::fabs(value) > negligible_entry;
@@ -168,7 +168,7 @@ Field FilmSystem::flow_solution(const Field& residual) const {
     right[places_[i]] = row_scale_[places_[i]] * residual[i];
   }
   // Single precision has a short range.
-  const double unit = std::max(largest(right.data(), n), tiny);
+  const double unit = std::max(largest(right.data(), n), least_scale);
   ShortVector scaled(static_cast<Eigen::Index>(n));
   for (std::size_t i = 0; i < n; ++i) {
     scaled[static_cast<Eigen::Index>(i)] = static_cast<float>(right[i] / unit);
@@ -306,12 +306,12 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
   }
   right[2 * n] = system.has_load ? system.missing_load : 0.0;
   // Flow, contact pressure and load count alike.
-  const double flow_weight = 1 / std::max(largest(right.data(), n), tiny);
+  const double flow_weight = 1 / std::max(largest(right.data(), n), least_scale);
   const double contact_weight =
       1 / std::max({largest(right.data() + n, n),
-                    1e-6 * system.load_scale / cell_area_ / static_cast<double>(n), tiny});
+                    1e-6 * system.load_scale / cell_area_ / static_cast<double>(n), least_scale});
   const double load_weight =
-      1 / std::max({std::fabs(right[2 * n]), 1e-6 * system.load_scale, tiny});
+      1 / std::max({std::fabs(right[2 * n]), 1e-6 * system.load_scale, least_scale});
   const auto scale = [&](Field& field, bool inverse) {
     for (std::size_t i = 0; i <= 2 * n; ++i) {
       const double weight = i < n ? flow_weight : i < 2 * n ? contact_weight : load_weight;

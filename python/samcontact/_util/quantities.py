@@ -181,6 +181,7 @@ CONTACT = {
     "slip_x": Q("m", "slip of body 1 relative to body 2 in the increment, along +x"),
     "slip_y": Q("m", "slip of body 1 relative to body 2 in the increment, along +y"),
     "sticking": Q("1", "1 in contact cells that stick in the increment, else 0"),
+    "plastic_slip": Q("m", "plastic slip of the layer between the bodies so far"),
     "slip_rate": Q("m/s", "slip rate that determines the friction of the cell"),
     "residual_displacement": Q(
         "m", "residual normal surface displacement of body {body}, positive into the body", "µm",

@@ -7,6 +7,7 @@ from .case import Case
 from .films import FilmCase
 from .kinds import ALL_KINDS, AnyCase, kind_of
 from .reading import load_case, parse_case
+from .sliding import SlidingCase
 
 __all__ = [
     "ALL_KINDS",
@@ -15,6 +16,7 @@ __all__ = [
     "Case",
     "CaseError",
     "FilmCase",
+    "SlidingCase",
     "kind_of",
     "load_case",
     "parse_case",

@@ -50,6 +50,8 @@ class AsperitySection(Section):
 
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from ..bodies.material import Material
 
     AsperitySolver = Section
@@ -75,6 +77,10 @@ class AsperityCase(CaseFile):
     relief2: ReliefSection | None = None
     contact: AsperitySolver = AsperitySolver()
     output: OutputPlace = OutputPlace()
+
+    @property
+    def study(self) -> str:
+        return "asperities"
 
     @model_validator(mode="after")
     def _consistent(self) -> AsperityCase:
@@ -123,3 +129,7 @@ class AsperityCase(CaseFile):
             progress=progress,
             **self.contact.model_dump(exclude_none=True),
         )
+
+    def solved(self) -> xr.Dataset:
+        """Solve the case and return the quantities with one value per increment or pass."""
+        return self.solve(progress=False).series

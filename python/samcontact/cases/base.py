@@ -151,6 +151,11 @@ class CaseFile(Section):
         return [("title", self.title[:60]), ("source", str(self._source))]
 
     @property
+    def study(self) -> str:
+        """Section with the kind of study, e.g. "wear"; "" for the path of one contact."""
+        return ""
+
+    @property
     def source(self) -> Path:
         """File from which the case was read."""
         return self._source

@@ -183,6 +183,10 @@ class Case(CaseFile):
         return steps
 
     @property
+    def study(self) -> str:
+        return "" if self.wear is None else "wear"
+
+    @property
     def has_volume(self) -> bool:
         """Whether the grid has layers below the surface."""
         return self.grid is None or self.grid.dz is not None
@@ -201,6 +205,11 @@ class Case(CaseFile):
     def friction(self) -> FrictionLaw:
         """Friction law of the contact."""
         return law_of_section(self.contact)
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether a body is viscoelastic."""
+        return self.body1.relaxes or self.body2.relaxes
 
     @property
     def moves(self) -> bool:
@@ -235,7 +244,7 @@ class Case(CaseFile):
         """Return the Hertz contact at a load [N] > 0; None if Hertz theory does not apply.
 
         Hertz theory applies to smooth paraboloids and spheres with finite radii and to bodies
-        without layers.
+        without layers. Viscoelastic bodies have their instantaneous moduli.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic

@@ -31,6 +31,7 @@ FIRST_CASES = {
     "coating_wear": "w3_coated_wear",
     "inclusion": "i1_oxide_below_raceway",
     "rough": "w2_running_in",
+    "rubber": "p2_rubber_friction",
     "fretting": "s1_fretting_ball",
     "blade": "s5_blade_root",
     "rail": "s6_rail_traction",

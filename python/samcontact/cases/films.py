@@ -221,6 +221,10 @@ class FilmCase(CaseFile):
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self.source}: [surface] {error}") from error
 
+    @property
+    def study(self) -> str:
+        return "film"
+
     def solve(self) -> tuple[FilmSolution, ...]:
         """Return the film at the speed, or at each of `film.speeds`.
 

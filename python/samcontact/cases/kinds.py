@@ -9,15 +9,21 @@ from typing import Any
 from .asperities import AsperityCase
 from .case import Case
 from .films import FilmCase
+from .sliding import SlidingCase
 
-AnyCase = Case | AsperityCase | FilmCase
-ALL_KINDS: tuple[type[AnyCase], ...] = (Case, AsperityCase, FilmCase)
+AnyCase = Case | AsperityCase | FilmCase | SlidingCase
+KINDS: dict[str, type[AnyCase]] = {
+    "asperities": AsperityCase,
+    "film": FilmCase,
+    "sliding": SlidingCase,
+}
+"""Kinds of files other than those of one contact, by the section that only they have."""
+ALL_KINDS: tuple[type[AnyCase], ...] = (Case, *KINDS.values())
 """Classes of all kinds of case files."""
-_BY_SECTION: dict[str, type[AnyCase]] = {
-    "asperities": AsperityCase, "film": FilmCase, "lubricant": FilmCase,
-}  # fmt: skip
 
 
 def kind_of(content: Mapping[str, Any]) -> type[AnyCase]:
     """Return the class of a case with these sections."""
-    return next((kind for name, kind in _BY_SECTION.items() if name in content), Case)
+    if "lubricant" in content:
+        return FilmCase
+    return next((kind for name, kind in KINDS.items() if name in content), Case)

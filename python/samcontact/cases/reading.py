@@ -32,8 +32,9 @@ def load_case(path: str | Path) -> AnyCase:
 
     Returns
     -------
-    Case, AsperityCase or FilmCase
-        An `AsperityCase` if the file has a section [asperities], a `FilmCase` if it has [film].
+    Case, AsperityCase, FilmCase or SlidingCase
+        An `AsperityCase` if the file has a section [asperities], a `FilmCase` if it has [film], a
+        `SlidingCase` if it has [sliding].
 
     Raises
     ------
@@ -76,8 +77,9 @@ def parse_case(text: str, source: str | Path = "case.toml") -> AnyCase:
 
     Returns
     -------
-    Case, AsperityCase or FilmCase
-        An `AsperityCase` if the text has a section [asperities], a `FilmCase` if it has [film].
+    Case, AsperityCase, FilmCase or SlidingCase
+        An `AsperityCase` if the text has a section [asperities], a `FilmCase` if it has [film], a
+        `SlidingCase` if it has [sliding].
 
     Raises
     ------

@@ -20,16 +20,17 @@ _FIGURES = (
     "partial_slip", "fretting_loop", "rolling_force", "creep_curve",
     "pressure", "pressure_map", "gap_map", "load_approach", "axis_stress", "interface", "sections",
     "imprint", "imprint_map", "residual", "over_time", "cohesive_zone",
-    "pull_off",
+    "pull_off", "friction_over_velocity", "pressure_over_velocity",
     "flash_temperature", "temperature", "track_imprint", "track_sections", "force_x", "force_z",
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
     "fatigue_exposure", "shakedown",
     "film_map", "film_profile", "interferogram", "regime_chart", "stribeck",
 )  # fmt: skip
-_RESULT_FILES = re.compile(r"(results|series|wear|film|fatigue|shakedown)\.nc")
+_RESULT_FILES = re.compile(r"(results|series|wear|film|sliding|fatigue|shakedown)\.nc")
 _OUTPUT_FILES = re.compile(
-    rf"{_RESULT_FILES.pattern}|(series|wear|film)\.csv|(report|results)\.html|(rolling|partial_slip)\.gif"
+    rf"{_RESULT_FILES.pattern}|(series|wear|film|sliding)\.csv|(report|results)\.html"
+    r"|(rolling|partial_slip)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )

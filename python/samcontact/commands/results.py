@@ -78,10 +78,10 @@ def export(
         # a file named by the user is replaced in any case
         listed = recording(source.parent) if output is None else nullcontext()
         with results.open_results(source) as dataset, listed:
-            if "pressure" not in dataset:
+            if "pressure" not in dataset or "increment" not in dataset.dims:
                 raise ValueError(
                     f"{source} contains no contact fields to export: use samcontact report for "
-                    "results of asperity collisions, wear and films"
+                    "results of asperity collisions, wear, films and sliding"
                 )
             if vtk and every:
                 written += results.to_pvd(dataset, target, number)
@@ -113,7 +113,8 @@ def report(run: Path, output: Path | None) -> None:
         from .. import report as reports
         from .. import results
 
-        source = _results_of(run, ("results.nc", "series.nc", "wear.nc", "film.nc"))
+        names = ("results.nc", "series.nc", "wear.nc", "film.nc", "sliding.nc")
+        source = _results_of(run, names)
         default = source.with_name("report.html")
         target = output or default
         if source.exists():  # a missing file is reported below

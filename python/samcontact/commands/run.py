@@ -59,10 +59,6 @@ def run(
         click.echo(str(file))
 
 
-_STUDIES = ("asperities", "film", "wear")
-"""Sections of cases that have no animation."""
-
-
 def _solve(
     case: AnyCase,
     directory: Path,
@@ -73,27 +69,23 @@ def _solve(
     resume: bool,
 ) -> list[Path]:
     """Solve a case of any kind, and return the files written."""
-    from ..cases import AsperityCase, FilmCase
+    from ..cases import Case, FilmCase
 
     if animate and getattr(case, "accuracy", None) is not None:
         raise ValueError("--animate cannot be combined with accuracy")
-    section = next((name for name in _STUDIES if getattr(case, name, None) is not None), None)
-    if animate and section is not None:
-        raise ValueError(f"--animate cannot be combined with [{section}]")
+    if animate and case.study:
+        raise ValueError(f"--animate cannot be combined with [{case.study}]")
     if isinstance(case, FilmCase):
         from .solve_film import solve_film
 
         return solve_film(case, directory, console, figures=figures, resume=resume)
-    if isinstance(case, AsperityCase):
-        from .solve_study import solve_asperities
+    if case.study:
+        from .solve_study import solve_study
 
-        return solve_asperities(case, directory, console, figures=figures, resume=resume)
-    if case.wear is not None:
-        from .solve_study import solve_wear
-
-        return solve_wear(case, directory, console, figures=figures, resume=resume)
+        return solve_study(case, directory, console, figures=figures, resume=resume)
     from .solve_contact import solve_contact, solve_to_accuracy
 
+    assert isinstance(case, Case)
     if case.accuracy is not None:
         return solve_to_accuracy(case, directory, console, figures=figures, resume=resume)
     return solve_contact(case, directory, console, figures=figures, animate=animate, resume=resume)

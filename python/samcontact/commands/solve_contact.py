@@ -179,7 +179,8 @@ class _ContactRun:
         load = float(dataset["load"].values[peak])
         reference = case.hertz(load) if load > 0.0 else None
         if reference is not None:
-            console.print(_comparison(dataset, peak, reference, body))
+            moduli = ", instantaneous moduli" if case.relaxes else ""
+            console.print(_comparison(dataset, peak, reference, body, moduli))
         if case.fatigue is not None and not stopped_by:
             shown = case.output.figures and figures
             written += write_fatigue(case, states, self.directory, console, figures=shown)
@@ -267,6 +268,7 @@ def _comparison(
     peak: int,
     reference: hertz.PointContact | hertz.EllipticContact,
     body: int,
+    moduli: str = "",
 ) -> Sheet:
     """Return the table that compares values at increment index `peak` with Hertz theory."""
     number = int(dataset["increment"][peak])
@@ -276,7 +278,7 @@ def _comparison(
         label = shown.column().replace("\n", " ")
         rows.append((label, *numbers([exact * shown.factor, here * shown.factor], 6)))
     labels, elastic, computed = zip(*rows, strict=True)
-    where = f"increment {number}, {reference.load:.6g} N"
+    where = f"increment {number}, {reference.load:.6g} N{moduli}"
     sheet = Sheet(f"Comparison with elastic Hertz contact, {where}")
     sheet.add("", labels)
     sheet.add("Hertz", elastic)

@@ -12,7 +12,7 @@ from .._util.film_quantities import FILMS
 from ..plotting.film_summary import film_figures
 from ..results.file import scalars
 from ..results.films import films_dataset
-from .solve_study import StudyKind, solve_study
+from .solve_study import StudyKind, solve_kind
 from .tables import Sheet, values_sheet
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def solve_film(
         scalars,
         lambda _, dataset: {one.name: one.figure for one in film_figures(dataset, case)},
     )
-    return solve_study(case, kind, directory, console, figures=figures, resume=resume)
+    return solve_kind(case, kind, directory, console, figures=figures, resume=resume)
 
 
 def _sheet(dataset: xr.Dataset) -> Sheet:

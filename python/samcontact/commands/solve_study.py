@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of a case of asperity collision or of wear: tables, results and figures.
+"""Solution of a case of a study (collision, wear, sliding): tables, results and figures.
 
-A checkpoint is written after each increment of a collision and after each cycle of wear.
+A checkpoint is written after each increment of a collision, cycle of wear or velocity of sliding.
 """
 
 from __future__ import annotations
@@ -15,12 +15,13 @@ from matplotlib.figure import Figure
 from rich.console import Console
 
 from .._util.quantities import ASPERITIES
+from .._util.sliding_quantities import SLIDING
 from .._util.wear_quantities import WEAR
 from ..accuracy import AccuracyResult, to_accuracy
 from ..accuracy.prescribed import prepare_search
 from ..asperities.series import pass_results
 from ..files.atomic import replacing
-from ..plotting import asperities, wear
+from ..plotting import asperities, sliding, wear
 from ..plotting.parts import journal_column
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
@@ -38,6 +39,9 @@ if TYPE_CHECKING:
     from ..cases import Case
     from ..cases.asperities import AsperityCase
     from ..cases.base import CaseFile
+    from ..cases.kinds import AnyCase
+    from ..cases.sliding import SlidingCase
+    from ..sliding import FrictionCurve
     from ..wear import FrettingResult, WearResult
 
 _PASS_COLUMNS = (
@@ -46,6 +50,9 @@ _PASS_COLUMNS = (
 _CYCLE_COLUMNS = (
     "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
     "slip_distance", "stick_area", "coating_worn_share",
+)  # fmt: skip
+_VELOCITY_COLUMNS = (
+    "velocity", "friction", "friction_force", "power", "contact_share", "max_pressure", "approach",
 )  # fmt: skip
 
 
@@ -64,35 +71,55 @@ class StudyKind(NamedTuple):
     draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
 
 
-def solve_asperities(
-    case: AsperityCase, directory: Path, console: Console, *, figures: bool, resume: bool
+def solve_study(
+    case: AnyCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve a collision; write series.nc, series.csv, figures of pass 1; return the files."""
+    """Solve a case, write its .nc and .csv files and figures, and return the files."""
+    kind: StudyKind = _KINDS[case.study](case, not console.quiet)
+    return solve_kind(case, kind, directory, console, figures=figures, resume=resume)
+
+
+def _asperities(case: AsperityCase, progress: bool) -> StudyKind:
+    """Files series.nc and series.csv, and figures of pass 1."""
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
         return f"{passes} of {case.asperities.passes} passes (the last incomplete)"
 
-    kind = StudyKind(
+    return StudyKind(
         "series",
-        lambda folder: case.solve(progress=not console.quiet, checkpoint=folder),
+        lambda folder: case.solve(progress=progress, checkpoint=folder),
         lambda result: result.series,
         amount,
         _passes_sheet,
         _increments,
         _draw_asperities,
     )
-    return solve_study(case, kind, directory, console, figures=figures, resume=resume)
 
 
-def solve_wear(
-    case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
-) -> list[Path]:
-    """Solve a case of wear, write wear.nc, wear.csv and figures, and return the files.
+def _sliding(case: SlidingCase, progress: bool) -> StudyKind:
+    """Files sliding.nc and sliding.csv, and figures over the velocity."""
+
+    def amount(result: FrictionCurve) -> str:
+        return f"{len(result.solutions)} of {len(case.sliding.speeds())} velocities"
+
+    return StudyKind(
+        "sliding",
+        lambda folder: case.solve(progress=progress, checkpoint=folder),
+        lambda result: result.to_dataset(),
+        amount,
+        _velocities_sheet,
+        _velocities,
+        lambda _, dataset: sliding.figures(dataset),
+    )
+
+
+def _wear(case: Case, progress: bool) -> StudyKind:
+    """Files wear.nc and wear.csv, and figures.
 
     A case with an accuracy is solved on finer and finer grids; the files describe the finest one.
     """
-    settings, progress = case.wear, not console.quiet
+    settings = case.wear
     assert settings is not None
 
     def solved(folder: Path) -> AccuracyResult | WearResult | FrettingResult:
@@ -111,13 +138,19 @@ def solve_wear(
 
     # errors of the case are raised before its folder is written
     _ = case.build() if case.accuracy is None else prepare_search(case)
-    kind = StudyKind(
+    return StudyKind(
         "wear", solved, lambda result: result.to_dataset(), amount, _cycles_sheet, _cycles, draw
     )
-    return solve_study(case, kind, directory, console, figures=figures, resume=resume)
 
 
-def solve_study(
+_KINDS: dict[str, Callable[[Any, bool], StudyKind]] = {
+    "asperities": _asperities,
+    "sliding": _sliding,
+    "wear": _wear,
+}
+
+
+def solve_kind(
     case: CaseFile,
     kind: StudyKind,
     directory: Path,
@@ -177,6 +210,15 @@ def _passes_sheet(series: xr.Dataset) -> Sheet:
     name = "residual_displacement"
     prints = [(ASPERITIES[name], passes[name].sel(body=b).values, b) for b in (1, 2)]
     return values_sheet("Passes", passes["pass"].values, [*columns, *prints])
+
+
+def _velocities(dataset: xr.Dataset) -> pd.DataFrame:
+    return dataset[[n for n, field in dataset.items() if field.dims == ("point",)]].to_dataframe()
+
+
+def _velocities_sheet(dataset: xr.Dataset) -> Sheet:
+    columns = [(SLIDING[name], dataset[name].values, None) for name in _VELOCITY_COLUMNS]
+    return values_sheet("Velocities", dataset["point"].values, columns)
 
 
 def _draw_asperities(_: CollisionResult, series: xr.Dataset) -> dict[str, Figure]:

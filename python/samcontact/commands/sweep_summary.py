@@ -15,9 +15,9 @@ import numpy as np
 from .._util.checks import FloatArray
 from .._util.film_quantities import FILMS
 from .._util.quantities import ASPERITIES, Quantity
+from .._util.sliding_quantities import SLIDING
 from .._util.sweep_quantities import SWEEP
 from .._util.wear_quantities import WEAR
-from ..cases.asperities import AsperityCase
 from ..cases.films import FilmCase
 from ..files.atomic import replacing
 from ..files.ownership import recording
@@ -29,16 +29,20 @@ if TYPE_CHECKING:
 
     from ..cases import AnyCase
 
-_ASPERITY_COLUMNS = {
-    name: ASPERITIES[row]
-    for name, row in (
-        ("force_x", "max_force_x"),
-        ("force_z", "max_force_z"),
-        ("max_pressure", "max_pressure"),
-        ("net_energy", "net_energy"),
-        ("residual_displacement", "residual_displacement"),
-    )
+_COLUMNS_OF_MAXIMA = {
+    "asperities": {
+        name: ASPERITIES[row]
+        for name, row in (
+            ("force_x", "max_force_x"),
+            ("force_z", "max_force_z"),
+            ("max_pressure", "max_pressure"),
+            ("net_energy", "net_energy"),
+            ("residual_displacement", "residual_displacement"),
+        )
+    },
+    "sliding": {name: SLIDING[name] for name in ("friction", "contact_share", "max_pressure")},
 }
+"""Columns of studies whose maxima are shown."""
 
 
 @dataclass(frozen=True)
@@ -119,8 +123,8 @@ def _are_words(column: Sequence[Any]) -> bool:
 def summary_of(dataset: xr.Dataset, names: Sequence[str], case: AnyCase) -> SweepSummary:
     """Return the summary of a sweep over the parameters `names`.
 
-    It has the values at the increment of maximum von Mises stress; for asperity collisions, the
-    maxima of all increments; for wear, the values of the last cycle.
+    It has the values at the increment of maximum von Mises stress; for asperity collisions and
+    sliding, the maxima of all increments or velocities; for wear, the values of the last cycle.
     """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
@@ -147,15 +151,17 @@ class _Contents(NamedTuple):
 
 
 def _contents(dataset: xr.Dataset, case: AnyCase) -> _Contents:
-    if isinstance(case, AsperityCase):
-        columns = {n: quantity for n, quantity in _ASPERITY_COLUMNS.items() if n in dataset}
+    if case.study in _COLUMNS_OF_MAXIMA:
+        shown = _COLUMNS_OF_MAXIMA[case.study]
+        columns = {n: quantity for n, quantity in shown.items() if n in dataset}
         return _Contents("Maxima", columns, lambda values, _: float(np.nanmax(values)))
     if isinstance(case, FilmCase):
         columns = {n: quantity for n, quantity in FILMS.items() if quantity.short and n in dataset}
         return _Contents("At the highest speed", columns, lambda values, _: float(values[-1]))
     of_case = {name: SWEEP[name] for name in SWEEP if name in dataset and SWEEP[name].short}
     if "increment" in dataset.dims:
-        columns = contact_columns(dataset, CONTACT_COLUMNS, case.output.body)
+        body = getattr(case.output, "body", 2)  # other kinds have no increments of one contact
+        columns = contact_columns(dataset, CONTACT_COLUMNS, body)
         return _Contents(
             "At maximum von Mises stress",
             columns | of_case,

@@ -21,6 +21,7 @@ from ..solutions.contact_solution import (
     PartialSlipSolution,
     ShearedSolution,
     before_on,
+    plastic_slip_on,
     slip_rate_on,
 )
 
@@ -120,7 +121,16 @@ class TangentialDrive:
             return None
         if self.slip_rate is not None:
             return np.full(grid.surface_shape, self.slip_rate)
-        over = None if self.previous is None else slip_rate_on(self.previous, grid)
+        known = None if self.previous is None else slip_rate_on(self.previous, grid)
+        return self._carried(known, grid)
+
+    def _plastic(self, grid: Grid) -> FloatArray | None:
+        """Return the plastic slip of a layer before the increment [m]; None: 0."""
+        known = None if self.previous is None else plastic_slip_on(self.previous, grid)
+        return self._carried(known, grid)
+
+    def _carried(self, over: FloatArray | None, grid: Grid) -> FloatArray | None:
+        """Return a field of the preceding increment at the present positions of its points."""
         if over is None:
             return None
         cells = round(self.mean_travel / grid.dx)
@@ -150,7 +160,7 @@ class TangentialDrive:
         tol, most, refuse, accept = settings
         found = core.solve(
             *contact, *drive, p, s, g, d, tilt, moves, start, tol, most, refuse, accept,
-            self.duration, self._rate(grid), self.slip_rate is not None,
+            self.duration, self._rate(grid), self.slip_rate is not None, self._plastic(grid),
         )  # fmt: skip
         dx, dy, turned = found.pop("motion")
         return self._total(grid, found, (dx, dy + lead * turned), turned)

@@ -6,7 +6,7 @@ does not change the pyplot state. Lengths are in micrometres, stresses in MPa or
 downward.
 """
 
-from . import asperities, wear
+from . import asperities, sliding, wear
 from .adhesion import cohesive_zone, pull_off_over_tabor
 from .animation import rolling_animation, save_animation
 from .contact import (
@@ -73,6 +73,7 @@ __all__ = [
     "section",
     "shakedown_map",
     "shear_profile",
+    "sliding",
     "strain_per_cycle",
     "stribeck_curve",
     "summary_figures",

@@ -6,12 +6,19 @@ The functions are also available from `samcontact.plotting`: each takes an `ax` 
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from .._util.checks import finite_array
-from .parts import axes_or_new
+from .._util.display import quantity
+from .parts import axes_or_new, edges, new_figure
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 _AREA_COLOUR = "tab:orange"
 
@@ -74,3 +81,59 @@ def friction_curve(
     ax.grid(True, linewidth=0.4, alpha=0.5)
     ax.set_axisbelow(True)
     return ax
+
+
+def figures(dataset: xr.Dataset) -> dict[str, Figure]:
+    """Draw the figures of a run over velocities: friction with contact area, and pressures.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Result of `FrictionCurve.to_dataset`.
+
+    Returns
+    -------
+    dict of str to matplotlib.figure.Figure
+        Figures by name.
+    """
+    made = {"friction_over_velocity": new_figure()}
+    friction_curve(
+        dataset["velocity"].values,
+        dataset["friction"].values,
+        made["friction_over_velocity"].subplots(),
+        contact_share=dataset["contact_share"].values,
+    )
+    if "pressure" in dataset and dataset.sizes["y"] > 1:
+        made["pressure_over_velocity"] = pressure_panels(dataset)
+    return made
+
+
+def pressure_panels(dataset: xr.Dataset) -> Figure:
+    """Draw maps of the pressure at the lowest velocity, at the largest friction and at the highest.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Result of `FrictionCurve.to_dataset`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+    """
+    speeds = np.abs(dataset["velocity"].values)
+    chosen = (np.argmin(speeds), np.argmax(dataset["friction"].values), np.argmax(speeds))
+    points = list(dict.fromkeys(int(index) for index in chosen))
+    figure = new_figure(3.0 * len(points) + 0.6, 3.2)
+    panels = figure.subplots(1, len(points), sharey=True, squeeze=False)[0]
+    highest = float(dataset["pressure"].isel(point=points).max()) * 1e-6
+    sides = [1e6 * edges(dataset[axis].values, dataset.attrs[f"d{axis}"]) for axis in "xy"]
+    for ax, index in zip(panels, points, strict=True):
+        values = 1e-6 * dataset["pressure"].values[index]
+        values = np.where(values > 0, values, np.nan)  # white: no contact
+        shown = ax.pcolormesh(*sides, values.T, cmap="viridis", vmin=0.0, vmax=highest or 1.0)
+        ax.set_aspect("equal")
+        ax.set_title(quantity(float(dataset["velocity"].values[index]), "m/s", digits=3))
+        ax.set_xlabel("x [µm]")
+    panels[0].set_ylabel("y [µm]")
+    figure.colorbar(shown, ax=list(panels), label="pressure [MPa]")
+    return figure

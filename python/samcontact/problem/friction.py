@@ -100,6 +100,11 @@ class FrictionLaw(HtmlTable):
         return 0.0
 
     @property
+    def hardens(self) -> bool:
+        """Whether the strength of a layer depends on its plastic slip."""
+        return False
+
+    @property
     def needs_temperature(self) -> bool:
         """Whether the shear depends on the temperature of the surfaces."""
         return False

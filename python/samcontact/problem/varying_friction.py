@@ -96,6 +96,10 @@ class ThermalCoulomb(FrictionLaw):
         bodies.
     coefficient : sequence of float
         Coefficients of friction at these temperature rises [-], >= 0.
+    bulk : float, optional
+        Temperature of the contact without frictional heat [K], on the scale of `temperature`, to
+        which the rise is added. Bodies with the bulk temperatures T1 and T2 and the thermal
+        effusivities e1 and e2 touch at (e1 T1 + e2 T2)/(e1 + e2).
 
     Raises
     ------
@@ -106,6 +110,7 @@ class ThermalCoulomb(FrictionLaw):
 
     temperature: tuple[float, ...]
     coefficient: tuple[float, ...]
+    bulk: float = 0.0
 
     @property
     def needs_temperature(self) -> bool:
@@ -161,7 +166,10 @@ class ThirdBody(FrictionLaw):
     Below its strength, the layer adds thickness/shear_modulus times the shear traction to the
     relative tangential displacement of each cell. The shear traction is at most min(mu p,
     strength); at this limit the layer flows or slips, which counts as slip. The layer has no normal
-    compliance.
+    compliance. With hardening k, the strength of a cell changes with the plastic slip of the layer,
+    strength + k plastic_slip (at least 0); the part of the slip at the limit mu p is not plastic.
+    Prescribed tangential forces must be below the strength before the increment: prescribe a shift
+    to make the whole layer flow.
 
     Attributes
     ----------
@@ -173,22 +181,31 @@ class ThirdBody(FrictionLaw):
         Shear modulus of the layer [Pa], > 0.
     thickness : float
         Thickness of the layer [m], >= 0, much smaller than the contact.
+    hardening : float, optional
+        Change of the strength per plastic slip [Pa/m]; negative: the layer softens. A layer that
+        softens faster than 1/C, the inverse of the displacement of a cell under its own unit shear,
+        is refused when the contact is solved.
 
     Raises
     ------
     ValueError, TypeError
-        A parameter is out of its range or not a number.
+        A parameter is out of its range or not a number, or a layer that does not yield hardens.
 
     Notes
     -----
-    K. Hou, J. Kalousek and E. Magel (1997), Wear 211, 134; the third-body layer of CONTACT without
-    hardening.
+    K. Hou, J. Kalousek and E. Magel (1997), Wear 211, 134; the third-body layer of CONTACT.
     """
 
     coefficient: float
     strength: float
     shear_modulus: float
     thickness: float
+    hardening: float = 0.0
+
+    @property
+    def hardens(self) -> bool:
+        """Whether the strength depends on the plastic slip of the layer."""
+        return self.hardening != 0
 
     @property
     def compliance(self) -> float:

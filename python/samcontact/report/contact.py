@@ -19,6 +19,11 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("load", "approach", "pressure", "gap", "initial_gap")
 
+_MODULI = (
+    "The Hertz contact has the instantaneous moduli, so that relaxation before this increment is "
+    "a further difference. "
+)
+
 
 def checks(dataset: xr.Dataset) -> list[Check]:
     return all_checks(dataset, stored_case(dataset))
@@ -46,6 +51,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
         "answers": [("results", title, answers)],
         "hertz": tables.hertz_table(dataset, peak, hertz, body) if hertz else [],
         "hertz_load": f"{load:.6g}",
+        "hertz_moduli": _MODULI if case is not None and case.relaxes else "",
         "hertz_increment": int(dataset["increment"][peak]),
         "values": values,
         "convergence": [("convergence", "Convergence", tables.convergence_table(dataset))],

@@ -12,7 +12,7 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from .._util.check import Check
 from ..files.atomic import replacing
 from ..results.reading import parts_of_a_run
-from . import asperities, contact, films, tables, wear
+from . import asperities, contact, films, sliding, tables, wear
 from . import fatigue as fatigue_report
 from . import shakedown as shakedown_report
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-_PLURALS = {"increment": "increments", "pass": "passes", "cycle": "cycles"}
+_PLURALS = {"increment": "increments", "pass": "passes", "cycle": "cycles", "point": "velocities"}
 
 
 def write(
@@ -35,13 +35,14 @@ def write(
     The page shows the main results with their estimated errors, a comparison with Hertz contact
     where applicable, figures, the `checks` of the results, the parameters, and the values and the
     convergence of each increment. Reports of asperity collisions contain the values of each pass,
-    reports of wear the values of each cycle, and reports of films those of each speed.
+    reports of wear the values of each cycle, and reports of films and of sliding the values at each
+    speed.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results from `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
-        `WearResult.to_dataset`.
+        Results from `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series`,
+        `WearResult.to_dataset` or `FrictionCurve.to_dataset`.
     path : str or Path
         File to write, customarily ending in .html, in an existing folder. An existing file is
         replaced.
@@ -100,8 +101,8 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results from `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series` or
-        `WearResult.to_dataset`.
+        Results from `samcontact.results.to_dataset`, `open_results`, `CollisionResult.series`,
+        `WearResult.to_dataset` or `FrictionCurve.to_dataset`.
 
     Returns
     -------
@@ -111,7 +112,8 @@ def checks(dataset: xr.Dataset) -> list[Check]:
         the edge of the grid, small strain, and plausibility of the input (`Check.of_input`); with
         partial slip also the friction law, tangential forces and energy. Asperity collisions:
         energy balance, and zero force at the end of a pass. Wear: volume balance. Lubricated
-        contact: balances of load, flow and mass, cavitation, inlet, resolution.
+        contact: balances of load, flow and mass, cavitation, inlet, resolution. Sliding: load
+        balance, complementarity and energy that is lost, not gained.
 
     Raises
     ------
@@ -126,7 +128,7 @@ def _kind(dataset: xr.Dataset) -> ModuleType:
     """Return the module that creates the parts of the page for this dataset."""
     missing: dict[ModuleType, list[str]] = {
         kind: [name for name in kind.REQUIRED_VARIABLES if name not in dataset]
-        for kind in (contact, asperities, wear, films)
+        for kind in (contact, asperities, wear, films, sliding)
     }
     kind, lacking = min(missing.items(), key=lambda item: len(item[1]))
     if lacking:
@@ -138,7 +140,7 @@ def _end(dataset: xr.Dataset) -> list[Check]:
     """Return a failed check if the run is incomplete, and an empty list if it is complete."""
     if dataset.attrs.get("complete", 1):
         return []
-    dim = next(dim for dim in ("pass", "cycle", "increment") if dim in dataset.sizes)
+    dim = next(dim for dim in ("pass", "cycle", "increment", "point") if dim in dataset.sizes)
     name = f"{_PLURALS[dim]}: complete path (1) or part of it (0)"
     return [Check(name, 0.0, 1.0, at_least=True)]
 

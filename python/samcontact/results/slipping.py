@@ -57,6 +57,8 @@ def add_slipping(
     if law.needs_duration:
         add(dataset, "slip_rate", _SURFACE, np.stack([s.slip_rate for s in states]))
         add(dataset, "falling_number", "increment", [s.falling_number for s in states])
+    if law.hardens:
+        add(dataset, "plastic_slip", _SURFACE, np.stack([s.plastic_slip for s in states]))
     if any(state.joint_steps for state in states):
         add(dataset, "joint_steps", "increment", [state.joint_steps for state in states])
     if not all(state.converged for state in states):

@@ -130,6 +130,7 @@ class ShearedSolution(ContactSolution):
     tangential_work: float
     slip_rate: FloatArray | None = field(default=None, kw_only=True)
     falling_number: float = field(default=0.0, kw_only=True)
+    plastic_slip: FloatArray | None = field(default=None, kw_only=True)
 
     @property
     def stall_text(self) -> str:
@@ -210,6 +211,8 @@ class PartialSlipSolution(ShearedSolution):
         With `FallingCoulomb`: largest -dmu/dv p C/t of a cell, with the displacement C of a cell
         under its own unit shear and the duration t. Solutions of an increment are unique for values
         below 1 at all slip rates.
+    plastic_slip : ndarray, shape (nx, ny), or None
+        With a `ThirdBody` that hardens: plastic slip of the layer so far [m].
     """
 
     shift: FloatArray
@@ -308,10 +311,20 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
 
 def slip_rate_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
     """Return the slip rate of a solution on a grid with equal cells [m/s]; None: no slip rate."""
-    if solution.slip_rate is None:
+    return _centred_on(solution.slip_rate, solution.grid, grid)
+
+
+def plastic_slip_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
+    """Return the plastic slip of a solution on a grid with equal cells [m]; None: none."""
+    return _centred_on(solution.plastic_slip, solution.grid, grid)
+
+
+def _centred_on(field: FloatArray | None, before: Grid, grid: Grid) -> FloatArray | None:
+    """Return a field of a grid on a larger one, with 0 in the cells beyond the first."""
+    if field is None:
         return None
     margins = [
         ((n - m) // 2, (n - m) // 2)
-        for n, m in zip(grid.surface_shape, solution.grid.surface_shape, strict=True)
+        for n, m in zip(grid.surface_shape, before.surface_shape, strict=True)
     ]
-    return np.pad(solution.slip_rate, margins)
+    return np.pad(field, margins)

@@ -49,7 +49,7 @@ class RigidMotionState:
 
 
 class SlipRateState(RigidMotionState):
-    """Slip rate on which the friction depends."""
+    """Slip rate, or plastic slip of a layer, on which the friction depends."""
 
     grid: Grid
 
@@ -60,6 +60,16 @@ class SlipRateState(RigidMotionState):
         It is zero with friction that does not depend on the slip rate.
         """
         field = self._core.slip_rate
+        shape = self.grid.surface_shape
+        return np.zeros(shape) if field is None else field.reshape(shape)
+
+    @property
+    def plastic_slip(self) -> FloatArray:
+        """Plastic slip of the layer between the bodies so far [m], shape (nx, ny).
+
+        It is zero without a `ThirdBody` that hardens.
+        """
+        field = self._core.plastic_slip
         shape = self.grid.surface_shape
         return np.zeros(shape) if field is None else field.reshape(shape)
 

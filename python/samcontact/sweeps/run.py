@@ -62,7 +62,7 @@ def sweep(
 
     Parameters
     ----------
-    case : Case, AsperityCase or path
+    case : Case, AsperityCase, SlidingCase or path
         Base case, or case file.
     parameters : mapping of str to sequence
         Values of each field in SI units, by dotted name: "body2.yield_stress", "path[0].load". The

@@ -47,14 +47,14 @@ def solve_case(
         Exceptions are returned as text, because not every exception can be passed between
         processes.
     """
-    from ..cases import AsperityCase, FilmCase, kind_of
+    from ..cases import Case, FilmCase, kind_of
 
     try:
         case = kind_of(content).model_validate(content).written_in(Path(source))
-        if isinstance(case, AsperityCase):
-            return {"variables": _plain(case.solve(progress=False).series)}
         if isinstance(case, FilmCase):
             return {"variables": _plain(film_scalars(case))}
+        if not isinstance(case, Case):
+            return {"variables": _plain(case.solved())}
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ResolutionWarning)  # the sweep warns once for all cases
             found = solved(case) if search is None else search_results(case, search)

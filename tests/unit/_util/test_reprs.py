@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from objects_of_films import lubricants_and_films
 from objects_of_inclusions import inclusions_and_lives
+from objects_of_motion import viscoelastic_motion
 
 import samcontact as sc
 from samcontact import accuracy, results
@@ -339,15 +340,6 @@ def adhesive_contacts():
     ]  # fmt: skip
     on = laws[0].on(sc.Grid(9, 9, 1e-9, 1e-9), BALL, BALL)
     return [*laws, on, *forms, sc.paths.PullOff([1.0] * 200, 1e-6 / 3, 1e-9 / 3, 1e-15 / 3, True)]
-
-
-def viscoelastic_motion():
-    """Return solutions of a polymer that slides and rolls over a rigid body."""
-    grid = sc.Grid(9, 9, 5e-5, 5e-5)
-    polymer = sc.Material.elastic(2e9, 0.4).with_relaxation(times=[1e-3], shares=[1 / 3])
-    given = (grid, sc.Material.rigid(), polymer, sc.surfaces.paraboloid(grid, 7.5e-3))
-    curve = sc.sliding.over_speed(*given, load=1.0, velocities=[0.1, 1 / 3])
-    return curve, curve.solutions[0], sc.rolling.steady(*given, load=1.0, friction=0.0, speed=0.1)
 
 
 def hardened_flank():

@@ -47,6 +47,7 @@ GIVEN = {
               "sent per displacement and process [GB]",
               "size of a message [MB]"},
     "static_capacity": {"p₀ of ISO 76 [GPa]"},
+    "viscous_peers": {"allowed error"},
     "wear_convergence": {"dz [µm]", "increments"},
 }  # fmt: skip
 NUMBER = re.compile(r"\d+\.?\d*(?:e[-+]\d+)?")

@@ -41,6 +41,7 @@ from samcontact.cases import (
     films,
     kind_of,
     shakedown,
+    sliding,
 )
 
 # Fields that do not affect the computation: title, results folder, and output of the command.
@@ -77,6 +78,7 @@ OTHER = {
     "angle": [0.2], "roughness1": [3e-8], "roughness2": [4e-8], "grade": ["ISO VG 100"],
     "p": [[0.0, 6e8, 1e9]], "eta": [[0.03, 10.0, 1e3]],
     "rho": [[860.0, 970.0, 1000.0]],
+    "velocities": [[0.1, 2.0]],
     "width": [1.4], "depth": [1.1], "plastic_strain": [[0.0, 2e-3]], "stress": [[1e9, 3e9]],
 }  # fmt: skip
 UNSET = {
@@ -141,17 +143,18 @@ def computed(tmp_path, monkeypatch):
     curve = SimpleNamespace(solutions=())
     monkeypatch.setattr(films, "steady", record)
     monkeypatch.setattr(films, "stribeck", lambda *given, **named: record(*given, **named) or curve)
+    monkeypatch.setattr(sliding, "over_speed", record)
     monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
     def compute(content):
         case = kind_of(content).model_validate(content)
         case._source = tmp_path / "case.toml"
-        if isinstance(case, AsperityCase):
-            case.solve(progress=False)
-            return seen["arguments"]
         if isinstance(case, FilmCase):
             case.solve()
             return seen["arguments"], case.film.roughness
+        if not isinstance(case, Case):
+            case.solve(progress=False)
+            return seen["arguments"]
         simulation, path = case.build()
         if case.wear is not None:
             case.wear.solve(simulation, path, None, False)
@@ -267,7 +270,7 @@ def test_every_field_of_every_section_is_tried():
     sections_in = (
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
         "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
-        "thermal_coulomb heat asperities output fatigue limit shakedown hardness exposure life "
+        "thermal_coulomb heat asperities sliding output fatigue limit shakedown hardness exposure life "
         "dents particles random inclusions random_inclusions cluster lubricant film boundary"
     )
     given = (

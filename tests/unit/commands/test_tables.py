@@ -20,7 +20,7 @@ from samcontact.commands.tables import MIN_WIDTH, UNLIMITED_WIDTH, Sheet, new_co
 from samcontact.wear import Cycle, FrettingCycle
 
 SIZES = (1e-12, 1e-6, 1.0, 1e6, 1e12)
-CASE = SimpleNamespace(output=SimpleNamespace(body=2))
+CASE = SimpleNamespace(study="", output=SimpleNamespace(body=2))
 
 
 def values(count, generator):

@@ -102,6 +102,20 @@ def test_a_constant_table_is_coulomb_friction():
     np.testing.assert_allclose(one.shear, other.shear, atol=1e-6 * np.abs(one.shear).max())
 
 
+def test_a_bulk_temperature_is_added_to_the_rise():
+    """Cases 2 and 3 of CONTACT: a wheel of 150 K on a cold rail, at rest and sliding."""
+    warm = sc.ThermalCoulomb(FALLING.temperature, FALLING.coefficient, bulk=75.0)
+    shifted = sc.ThermalCoulomb([-75.0, 125.0], FALLING.coefficient)
+    one, other = (wheel_on_rail(law, (24, 18)) for law in (warm, shifted))
+    np.testing.assert_allclose(one.shear, other.shear, atol=1e-9 * np.abs(one.shear).max())
+    slips = one.in_contact & ~one.sticking
+    rise = np.maximum(one.surface_temperature(1), one.surface_temperature(2))
+    mu = np.interp(75.0 + rise, FALLING.temperature, FALLING.coefficient)
+    size = np.hypot(*one.shear)
+    np.testing.assert_allclose(size[slips], (mu * one.pressure)[slips], rtol=1e-4)
+    assert upwind_flash(own_cell=2.0)[0] + 75.0 == pytest.approx(241.8, abs=0.05)
+
+
 def test_friction_of_the_temperature_needs_heat_due_to_slip():
     grid = sc.Grid(8, 8, 1e-3, 1e-3)
     for make in (sc.ContactSolver, lambda *a: sc.Simulation(*a[:3], np.zeros((8, 8)), a[3])):

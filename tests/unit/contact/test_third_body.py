@@ -32,6 +32,127 @@ def test_a_single_cell_of_contact():
     assert found[-1] / (0.7 * 900) == pytest.approx(0.8889, abs=5e-5)
 
 
+CLAY = sc.ThirdBody(0.7, 200e6, 106.25e6, 20e-6, hardening=435e9)
+SAND = sc.ThirdBody(0.7, 400e6, 176.63e6, 20e-6, hardening=-195e9)
+MOLYBDENUM_SULPHIDE = sc.ThirdBody(0.7, 20e6, 20.238e6, 20e-6, hardening=20.4e9)
+PRINTED = {
+    "clay": (
+        CLAY,
+        [40, 40, 40, 40, 36, 0, -36, 0, 46, 44, *[50] * 7],
+        [200.0, 216.0, 232.0, 248.0, 262.4, 262.4, 82.43, 82.43, 266.4, 284.0, 304.0, 324.1, 344.1,
+         364.1, 384.1, 404.1, 424.1],
+    ),
+    "sand": (SAND, [25, 25, *[50] * 5], [200.0, 400.0, 390.0, 380.0, 370.0, 360.0, 350.0]),
+    "MoS2": (
+        MOLYBDENUM_SULPHIDE, [20, 40, 40, 50, 50, 50], [20.00, 20.80, 21.60, 22.60, 23.60, 24.60],
+    ),
+}  # fmt: skip
+"""Shifts [um] and tangential forces [N] that CONTACT prints for the example "plastic_3bl"."""
+
+
+@quiet
+@pytest.mark.parametrize("name", PRINTED)
+def test_hardening_of_a_single_cell_of_contact(name):
+    law, shifts, printed = PRINTED[name]
+    solver, last, found = sc.ContactSolver(CELL, STEEL, STEEL, law, on_border="warn"), None, []
+    simulation = sc.Simulation(CELL, STEEL, STEEL, np.zeros((1, 1)), law, on_border="warn")
+    for shift in shifts:
+        drive = {"load": 900.0, "shift": (1e-6 * shift, 0.0)}
+        last = solver.solve(np.zeros((1, 1)), previous=last, **drive)
+        found.append(last.tangential_load[0])
+        state = simulation.step(**drive)
+        assert state.tangential_load[0] == pytest.approx(found[-1], rel=1e-6)
+        assert state.plastic_slip == pytest.approx(last.plastic_slip, abs=1e-13)
+    # printed with four digits
+    np.testing.assert_allclose(found, printed, atol=0.055 if name != "MoS2" else 0.0055)
+
+
+def flowing(law, body1=BRASS, **settings):
+    """Return the solution of a ball that is shifted in three steps, and the solver."""
+    solver = sc.ContactSolver(SPOT, body1, STEEL, law, tol=1e-10, **settings)
+    last = solver.solve(BALL, load=300.0)
+    for _ in range(3):
+        last = solver.solve(BALL, load=300.0, shift=(2e-6, 1e-6), previous=last)
+    return last, solver
+
+
+@pytest.mark.parametrize("hardening", [1e13, 1e14, -2e12])
+@pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["identical", "dissimilar"])
+def test_flowing_cells_have_the_strength_at_their_plastic_slip(body1, hardening):
+    law = sc.ThirdBody(0.4, 2e8, 1e8, 1e-6, hardening)
+    found, _ = flowing(law, body1)
+    size, pressed = np.hypot(*found.shear), found.pressure > 0
+    strength = np.maximum(law.strength + hardening * found.plastic_slip, 0.0)
+    bound = np.minimum(0.4 * found.pressure, strength)
+    assert (size[pressed] <= bound[pressed] * (1 + 1e-7)).all()
+    slips = pressed & (np.hypot(*found.slip) > 0)
+    np.testing.assert_allclose(size[slips], bound[slips], rtol=1e-7)
+    assert (found.plastic_slip > 0).sum() > 30
+    assert ((bound == 0.4 * found.pressure) & slips).any()  # cells that slip on the layer
+
+
+def test_no_hardening_is_the_limit_of_little():
+    one, _ = flowing(sc.ThirdBody(0.4, 2e8, 1e8, 1e-6))
+    other, _ = flowing(sc.ThirdBody(0.4, 2e8, 1e8, 1e-6, 1e6))
+    np.testing.assert_allclose(other.shear, one.shear, atol=1e-6 * np.abs(one.shear).max())
+    assert one.plastic_slip is None
+
+
+def test_small_steps_and_one_step_have_the_same_plastic_slip():
+    """The shift is monotonic along x, and nu = 0 of identical bodies: no cell unloads."""
+    body = sc.Material.elastic(2e11, 0.0)
+    law = sc.ThirdBody(0.4, 2e8, 1e8, 1e-6, 5e13)
+    solver = sc.ContactSolver(SPOT, body, body, law, tol=1e-10)
+    start = solver.solve(BALL, load=300.0)
+    whole = solver.solve(BALL, load=300.0, shift=(6e-6, 0.0), previous=start)
+    last = start
+    for _ in range(6):
+        last = solver.solve(BALL, load=300.0, shift=(1e-6, 0.0), previous=last)
+    scale = whole.plastic_slip.max()
+    np.testing.assert_allclose(last.plastic_slip, whole.plastic_slip, atol=2e-2 * scale)
+
+
+def test_plastic_slip_moves_with_the_layer_and_is_kept(tmp_path):
+    law = sc.ThirdBody(0.4, 1e8, 1e9, 1e-6, 2e13)
+    run = sc.Simulation(SPOT, BRASS, STEEL, BALL, law)
+    run.step(load=300.0)
+    slid = run.step(load=300.0, shift=(2e-6, 0.0))
+    assert slid.plastic_slip.max() > 1e-7
+    run.save(tmp_path / "kept.h5")
+    again = sc.Simulation.load(tmp_path / "kept.h5")
+    moves = {"load": 300.0, "advance": (-2 * SPOT.dx, -2 * SPOT.dx)}
+    rolled, other = run.step(**moves), again.step(**moves)
+    np.testing.assert_array_equal(rolled.plastic_slip, other.plastic_slip)
+    carried = np.zeros_like(slid.plastic_slip)
+    carried[:-2] = slid.plastic_slip[2:]
+    assert (rolled.plastic_slip >= carried - 1e-15).all()
+    assert (rolled.plastic_slip == carried).sum() > 0.5 * carried.size
+
+
+def test_steady_rolling_hardens_along_the_path():
+    """A march by cells reaches the steady state."""
+    law = sc.ThirdBody(0.4, 1e8, 1e9, 1e-6, 5e12)
+    drive = {"load": 300.0, "creepage": (3e-3, 0.0)}
+    steady = sc.rolling.steady(SPOT, BRASS, STEEL, BALL, friction=law, **drive)
+    inside = steady.in_contact.any(axis=1).nonzero()[0]
+    assert (np.diff(steady.plastic_slip[: inside.max()], axis=0) <= 1e-18).all()
+    solver, last = sc.ContactSolver(SPOT, BRASS, STEEL, law), steady
+    step = {"advance": (-SPOT.dx, -SPOT.dx), "shift": (3e-3 * SPOT.dx, 0.0)}
+    for _ in range(2):
+        last = solver.solve(BALL, load=300.0, previous=last, **step)
+    np.testing.assert_allclose(last.shear, steady.shear, atol=1e-4 * np.abs(steady.shear).max())
+    soft = sc.rolling.steady(SPOT, BRASS, STEEL, BALL, friction=sc.ThirdBody(0.4, 1e8, 1e9, 1e-6),
+                             **drive)  # fmt: skip
+    assert steady.tangential_load[0] > 1.02 * soft.tangential_load[0]
+
+
+def test_a_layer_that_softens_too_fast_is_refused():
+    with pytest.raises(ValueError, match=r"hardening of the layer must be more than -.* Pa/m"):
+        flowing(sc.ThirdBody(0.4, 2e8, 1e8, 1e-6, -1.2e14))
+    with pytest.raises(ValueError, match="hardening must be 0 with infinite strength"):
+        sc.ThirdBody(0.4, np.inf, 1e8, 1e-6, 1e12)
+
+
 @pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["identical", "dissimilar"])
 def test_the_layer_is_sheared_by_the_part_of_the_shift_that_the_bodies_do_not_take(body1):
     law = sc.ThirdBody(0.4, 3e8, 1e8, 1e-6)

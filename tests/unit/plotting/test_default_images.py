@@ -259,6 +259,36 @@ nu = 0.3
 shape = "paraboloid"
 Rx = 0.01
 """
+CASES["friction"] = """title = "friction over velocity"
+[sliding]
+mean_pressure = 1e6
+slowest = 1e-4
+fastest = 1e3
+per_decade = 2
+[grid]
+nx = 32
+ny = 32
+dx = 31.25e-6
+dy = 31.25e-6
+periodic = "xy"
+[body1]
+law = "rigid"
+[body2]
+law = "elastic"
+E = 200e6
+nu = 0.49
+relaxation = {times = [1e-5, 1e-4, 1e-3, 1e-2], shares = [0.3, 0.3, 0.2, 0.1]}
+[surface]
+shape = "paraboloid"
+Rx = inf
+[surface.roughness]
+kind = "self_affine"
+rms_height = 15e-6
+hurst = 0.8
+wavelength_min = 125e-6
+wavelength_max = 500e-6
+seed = 3
+"""
 EQUAL_IMAGES = {("wear", "last_cycle_body2"): "wear/first_cycle_body2"}
 """Figures that look as others, which are stored."""
 FIRST_IN_OTHERS = {

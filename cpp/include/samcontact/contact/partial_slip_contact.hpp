@@ -56,11 +56,13 @@ struct PartialSlipSolution {
   /// Slip rate that the friction of each cell follows [i][j] [m/s]; empty: the law does not depend
   /// on it.
   Field slip_rate = {};
+  /// Plastic slip of the layer between the bodies so far [i][j] [m]; empty: it does not harden.
+  Field plastic_slip = {};
   /// Largest decrease of the bound of a cell due to the slip that a unit decrease of its shear
   /// causes. If it is 1 or more, there may be one solution in which the cell sticks and another in
   /// which it slips.
   double falling_number = 0.0;
-  int rate_iterations = 0;  // of the slip rate
+  int rate_iterations = 0;  // of the slip rate or the plastic slip
 };
 
 /// Solution for an initial pressure, a start and the conditions of friction.

@@ -73,6 +73,12 @@ double MappedCoulomb::factor(double at_x, double at_y) const {
   return most > 0 ? mu / most : 1.0;
 }
 
+void ThirdBody::check() const {
+  if (hardening == 0 || std::isfinite(strength)) return;
+  throw std::invalid_argument("hardening must be 0 with infinite strength, got " +
+                              to_text(hardening) + ": a layer that never yields does not harden");
+}
+
 void ThermalCoulomb::check() const {
   require_increasing("temperature", temperature);
   if (temperature.empty() || coefficient.size() != temperature.size()) {
@@ -87,7 +93,7 @@ double ThermalCoulomb::largest() const {
 }
 
 double ThermalCoulomb::factor(double rise) const {
-  const auto [n, weight] = between(temperature, rise);
+  const auto [n, weight] = between(temperature, bulk + rise);
   const double mu =
       weight > 0 ? (1 - weight) * coefficient[n] + weight * coefficient[n + 1] : coefficient[n];
   const double most = largest();

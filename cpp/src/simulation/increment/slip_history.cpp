@@ -141,7 +141,8 @@ Field hotter_surface(const IncrementTask& task) {
   return rise;
 }
 
-/// Place, temperature and slip rate of the cells, as far as the friction law depends on them.
+/// Place, temperature, slip rate and plastic slip of the cells, as far as the friction law depends
+/// on them.
 contact::FrictionConditions conditions_of(const IncrementTask& task) {
   const Setup& setup = task.setup();
   contact::FrictionConditions conditions;
@@ -158,6 +159,9 @@ contact::FrictionConditions conditions_of(const IncrementTask& task) {
   if (setup.friction.rates().is_on()) {
     conditions.duration = task.target.lasts;
     conditions.slip_rate = moved(task.from.slip_rate, setup.grid, cells_moved(task));
+  }
+  if (setup.friction.hardening() != nullptr) {
+    conditions.plastic_slip = moved(task.from.plastic_slip, setup.grid, cells_moved(task));
   }
   return conditions;
 }
@@ -222,6 +226,7 @@ SlipHistory::SlipHistory(const IncrementTask& task, const RelaxingBodies& relaxi
   contact_ = task.setup().slipping(relaxing.compliances());
   before_ = contact_before(task);
   conditions_ = conditions_of(task);
+  plastic_slip_ = conditions_.plastic_slip;  // kept by an increment without shear
   travel_slip_ = before_.free_slip;
   const Field of_memory =
       relaxing.slip(task.from.advance == Travel{}
@@ -278,6 +283,7 @@ contact::Solution SlipHistory::solve_cold(const Field& gap, const Field& start,
   shear_ = std::move(found.tangential);
   stall_warning_ = std::move(found.stall_warning);
   slip_rate_ = std::move(found.slip_rate);
+  plastic_slip_ = std::move(found.plastic_slip);
   falling_number_ = found.falling_number;
   jointly_ = found.joint.steps > 0;
   joint_steps_ += found.joint.steps;
@@ -300,6 +306,7 @@ void SlipHistory::remember(const operators::Tractions& tractions, State& state) 
   }
   state.slip = shear_.slip;
   state.slip_rate = slip_rate_;
+  state.plastic_slip = plastic_slip_;
   state.falling_number = falling_number_;
   state.joint_steps = joint_steps_;
   state.stall_warning = stall_warning_;

@@ -109,6 +109,7 @@ State State::moved(const Travel& to) const {
   state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
   state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
   state.slip_rate = simulation::moved(slip_rate, grid, cells);
+  state.plastic_slip = simulation::moved(plastic_slip, grid, cells);
   state.contact_gap.clear();
   require_followed(eigenstrain, *setup_, to);
   for (int b = 0; b < 2; ++b) {

@@ -29,7 +29,7 @@ State State::widened(std::shared_ptr<const Setup> to) const {
   const Box before = Box::surface(from).moved(i, j);
   for (Field* field :
        {&state.tractions.pressure, &state.tractions.shear_x, &state.tractions.shear_y, &state.slip,
-        &state.slip_power, &state.slip_rate}) {
+        &state.slip_power, &state.slip_rate, &state.plastic_slip}) {
     const std::size_t parts = field->size() / from.surface_size(), n = grid.surface_size();
     const Field known = std::exchange(*field, Field(parts * n, 0.0));
     for (std::size_t part = 0; part < parts; ++part) {

@@ -20,6 +20,8 @@ struct FrictionConditions {
   /// Slip rate that the friction of each cell has followed so far, at the present positions of its
   /// material points [m/s]; empty: 0.
   Field slip_rate = {};
+  /// Plastic slip of the layer between the bodies so far, likewise [m]; empty: 0.
+  Field plastic_slip = {};
   /// Whether slip_rate selects one of several possible solutions; otherwise an increment that may
   /// have several is refused.
   bool selects = false;

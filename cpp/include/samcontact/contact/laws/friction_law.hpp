@@ -107,12 +107,12 @@ struct CappedCoulomb {
 };
 
 /// Elastic layer of wear particles between the bodies, which yields at a shear strength; the shear
-/// is at most mu p.
+/// is at most mu p. The strength increases with the plastic slip of the layer, or decreases.
 struct ThirdBody {
   static constexpr auto name = "third_body",
                         says = "Elastic layer between the bodies that yields at a shear strength.";
   static constexpr bool sticks = true;
-  double coefficient, strength, shear_modulus, thickness;
+  double coefficient, strength, shear_modulus, thickness, hardening;
 
   template <class Self, class Visit>
   static void parameters(Self& law, const Visit& visit) {
@@ -120,10 +120,30 @@ struct ThirdBody {
     visit("strength", law.strength, Allowed{.unit = "Pa", .infinite = "an elastic layer"});
     visit("shear_modulus", law.shear_modulus, Allowed::positive("Pa"));
     visit("thickness", law.thickness, Allowed{"m"});
+    visit("hardening", law.hardening,
+          Allowed{.unit = "Pa/m", .low = -std::numeric_limits<double>::infinity()});
   }
-  double bound(double pressure) const { return std::min(coefficient * pressure, strength); }
+  /// Throws std::invalid_argument for a hardening of a layer that never yields.
+  void check() const;
+  /// Maximum shear at any plastic slip.
+  double bound(double pressure) const { return std::min(coefficient * pressure, limit()); }
   double ratio(double pressure) const {
-    return strength > 0 ? std::min(coefficient, strength / pressure) : 0.0;
+    return limit() > 0 ? std::min(coefficient, limit() / pressure) : 0.0;
+  }
+  double limit() const {
+    return hardening > 0 ? std::numeric_limits<double>::infinity() : strength;
+  }
+  bool hardens() const { return hardening != 0; }
+  /// Strength after a plastic slip [m].
+  double strength_after(double plastic) const {
+    return std::max(strength + hardening * plastic, 0.0);
+  }
+  /// Part of a slip by which the layer flows [m]; it slips on its surface where its strength is
+  /// above mu p. plastic: plastic slip before.
+  double plastic_part(double slip, double plastic, double pressure) const {
+    const double reserve = coefficient * pressure - strength_after(plastic);
+    if (!(reserve > 0)) return 0.0;
+    return hardening > 0 ? std::min(slip, reserve / hardening) : slip;
   }
   double compliance() const { return thickness / shear_modulus; }
   bool operator==(const ThirdBody&) const = default;
@@ -184,19 +204,21 @@ struct ThermalCoulomb {
                         says = "Coulomb friction with a coefficient that depends on temperature.";
   static constexpr bool sticks = true;
   std::vector<double> temperature, coefficient;
+  double bulk;  // temperature of the contact without friction [K]
 
   template <class Self, class Visit>
   static void parameters(Self& law, const Visit& visit) {
     visit("temperature", law.temperature,
           Allowed{.unit = "K", .low = -std::numeric_limits<double>::infinity()});
     visit("coefficient", law.coefficient, Allowed{""});
+    visit("bulk", law.bulk, Allowed{.unit = "K", .low = -std::numeric_limits<double>::infinity()});
   }
   /// Throws std::invalid_argument for temperatures that do not increase or do not match.
   void check() const;
   double largest() const;
   double bound(double pressure) const { return largest() * pressure; }
   double ratio(double) const { return largest(); }
-  /// Coefficient at a temperature rise [K], relative to the largest.
+  /// Coefficient at a temperature rise above `bulk` [K], relative to the largest.
   double factor(double rise) const;
   bool operator==(const ThermalCoulomb&) const = default;
 };
@@ -260,6 +282,11 @@ class FrictionLaw {
   const ThermalCoulomb* thermal() const { return std::get_if<ThermalCoulomb>(&law_); }
   /// Tangential displacement of a layer between the bodies per unit shear [m/Pa].
   double compliance() const;
+  /// Layer whose strength depends on its plastic slip; null: none.
+  const ThirdBody* hardening() const {
+    const auto* layer = std::get_if<ThirdBody>(&law_);
+    return layer != nullptr && layer->hardens() ? layer : nullptr;
+  }
   /// Dependence on the slip rate.
   SlipRateLaw rates() const;
   bool is_frictionless() const { return bound(1.0) == 0; }

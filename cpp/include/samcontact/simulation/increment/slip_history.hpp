@@ -47,6 +47,7 @@ class SlipHistory {
   std::shared_ptr<const contact::PartialSlipContact> contact_;  // null: no effect
   contact::FrictionConditions conditions_;
   Field slip_rate_;               // of the last solution
+  Field plastic_slip_;            // likewise
   double falling_number_ = 0.0;   // likewise
   Field travel_slip_;             // slip due to different travel of the bodies, and to their memory
   contact::ShearSolution shear_;  // of the last solution

@@ -109,6 +109,7 @@ void describe(S& s, Visitor& visit) {
   visit("tilt", s.tilt);
   visit("slip", s.slip);
   visit("slip_rate", s.slip_rate);
+  visit("plastic_slip", s.plastic_slip);
   visit("falling_number", s.falling_number);
   visit("motion", s.motion);
   visit("friction_work", s.friction_work);

@@ -62,6 +62,7 @@ class State {
   /// Slip rate that the friction of each cell follows [i][j] [m/s]; empty: the friction law does
   /// not depend on it.
   Field slip_rate;
+  Field plastic_slip;              // of a layer that hardens so far [i][j] [m]; empty: none
   double falling_number = 0.0;     // of the last increment, see contact::PartialSlipSolution
   std::array<double, 3> motion{};  // accumulated tangential rigid-body motion [m, m, rad]
   double friction_work = 0.0;      // accumulated since the start [J]
