@@ -270,8 +270,8 @@ def test_every_field_of_every_section_is_tried():
     sections_in = (
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
         "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
-        "thermal_coulomb heat asperities sliding output fatigue limit shakedown hardness exposure life "
-        "dents particles random inclusions random_inclusions cluster lubricant film boundary"
+        "thermal_coulomb heat asperities sliding output fatigue limit shakedown hardness exposure "
+        "life dents particles random inclusions random_inclusions cluster lubricant film boundary"
     )
     given = (
         "law kind shape title description estimate_error directory column "
