@@ -15,7 +15,7 @@ from .nested import DryContact, FilmTask
 MAX_FILM_OF_RADIUS = 0.1
 """Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
 USUAL_REMEDY = "use smaller cells with nearly equal sides, a longer inlet, or order = 1"
-LEAST_FILM_OF_SLOPE = 0.2
+MIN_FILM_OF_RISE = 0.2
 """Least film relative to the rise of the dry gap over a cell at the edge of the contact, below
 which a failure is explained by the size of the cells."""
 
@@ -52,9 +52,9 @@ def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
     size = grid.dx if grid.ny == 1 else max(grid.dx, grid.dy)
     slope = 2.0 * dry.radius / (math.pi * dry.gap_radius)
     thinnest = max(film, 0.0 if task.boundary is None else task.boundary.thickness)
-    if thinnest < LEAST_FILM_OF_SLOPE * slope * size:
+    if thinnest < MIN_FILM_OF_RISE * slope * size:
         layer = "" if task.boundary else ", or a boundary layer"
-        cells = quantity(thinnest / (LEAST_FILM_OF_SLOPE * slope), "m")
+        cells = quantity(thinnest / (MIN_FILM_OF_RISE * slope), "m")
         return f"{expected}, too thin for these cells: use cells of about {cells}{layer}"
     return USUAL_REMEDY
 
