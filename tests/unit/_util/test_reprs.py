@@ -238,6 +238,24 @@ R = 1.0
 [[path]]
 load = 1.0
 """
+FILM = """title = "{title}"
+description = "{long}"
+[lubricant]
+grade = "ISO VG 68"
+temperature = 343.0
+[film]
+load = 20.0
+entrainment = 1.0
+[body1]
+law = "elastic"
+E = 210e9
+nu = 0.3
+[body2]
+law = "rigid"
+[surface]
+shape = "sphere"
+R = 0.01
+"""
 ASPERITIES = "[asperities]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
 
 
@@ -320,6 +338,7 @@ def public_objects():
         *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
+        parse_case(FILM.format(**fields)),
         *(parse_case(CASE.format(asperities=kind, **fields)) for kind in (CONTACT, ASPERITIES)),
         *viscoelastic_motion(), *inclusions_and_lives(), *lubricants_and_films(),
     ]  # fmt: skip
