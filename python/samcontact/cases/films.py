@@ -9,6 +9,7 @@ import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from .. import hertz as _hertz
+from .._util.errors import attach
 from ..bodies.layered import softest
 from ..lubrication import FilmEstimate, FilmSolution, estimate, moes, steady, stribeck
 from ..lubrication.steady import checked_task
@@ -228,15 +229,21 @@ class FilmCase(CaseFile):
     def solve(self) -> tuple[FilmSolution, ...]:
         """Return the film at the speed, or at each of `film.speeds`.
 
-        Raises the errors of `lubrication.steady` and `lubrication.stribeck`.
+        Raises the errors of `lubrication.steady` and `lubrication.stribeck`; the attribute `result`
+        of an error contains the films at lower speeds.
         """
         film, grid, gap = self.film, self.cells, self.gap()
         lubricant = self.build_lubricant()
         if film.speeds is not None:
-            curve = stribeck(
-                grid, *self._bodies, gap, load=self.load_on(grid), speeds=film.speeds,
-                slide_to_roll=film.slide_to_roll, lubricant=lubricant, **film.settings(),
-            )  # fmt: skip
+            try:
+                curve = stribeck(
+                    grid, *self._bodies, gap, load=self.load_on(grid), speeds=film.speeds,
+                    slide_to_roll=film.slide_to_roll, lubricant=lubricant, **film.settings(),
+                )  # fmt: skip
+            except RuntimeError as error:
+                if (done := getattr(error, "curve", None)) is not None:
+                    attach(error, result=done.solutions)
+                raise
             return curve.solutions
         load = None if film.approach is not None else self.load_on(grid)
         return (

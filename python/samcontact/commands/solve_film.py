@@ -35,7 +35,7 @@ def solve_film(
         "film",
         lambda _: case.solve(),
         lambda films: films_dataset(films, case),
-        lambda films: f"{len(films)} speeds",
+        lambda films: f"{len(films)} of {len(case.film.speeds or [0.0])} speeds",
         _sheet,
         scalars,
         lambda _, dataset: {one.name: one.figure for one in film_figures(dataset, case)},

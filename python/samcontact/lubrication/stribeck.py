@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, finite, finite_array
 from .._util.display import ShortRepr
+from .._util.errors import attach
 from ..bodies.layered import Body
 from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
@@ -96,8 +97,10 @@ def stribeck(
 
     Raises
     ------
-    ValueError, TypeError, ConvergenceError
+    ValueError, TypeError
         As `steady`; speeds that are not positive and increasing.
+    ConvergenceError
+        No convergence; its attribute `curve` contains the films at the speeds before, if any.
     """
     given = finite_array("speeds", speeds)
     if given.ndim != 1 or not given.size or given[0] <= 0 or np.any(np.diff(given) <= 0):
@@ -113,11 +116,16 @@ def stribeck(
     if task.boundary is None:
         raise ValueError("boundary is required: without it dry surfaces bear nothing at low speeds")
     mixed = MixedFilm(task, grid)
-    solutions = []
-    for speed in map(float, given):
-        found = mixed.at(speed)
-        level = mixed.level(found)
-        moving = mixed.task_at(speed)
-        require_converged(found, moving)
-        solutions.append(solution_of(grid, mixed.gap, moving, found, [level]))
+    solutions: list[FilmSolution] = []
+    try:
+        for speed in map(float, given):
+            found = mixed.at(speed)
+            level = mixed.level(found)
+            moving = mixed.task_at(speed)
+            require_converged(found, moving)
+            solutions.append(solution_of(grid, mixed.gap, moving, found, [level]))
+    except BaseException as error:  # Ctrl-C too
+        if solutions:
+            attach(error, curve=StribeckCurve(tuple(solutions), mixed.dry.pressure))
+        raise
     return StribeckCurve(tuple(solutions), mixed.dry.pressure)

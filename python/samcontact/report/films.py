@@ -116,5 +116,7 @@ def _formula_table(dataset: xr.Dataset) -> Table:
             cells.append(cell(solved[n] / formula[n] - 1.0, 100.0))
         rows.append((str(number), cells))
     regime = str(dataset.attrs.get("regime", ""))
-    note = f"Formula of {dataset.attrs.get('formula', '')}, regime {regime}, for smooth surfaces."
+    note = (
+        f"Formula of {dataset.attrs.get('formula', '')}, regime {regime}, without a boundary layer."
+    )
     return Table(headings, rows, "increment", note)

@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from long_cases import long_cases
 from objects_of_films import lubricants_and_films
 from objects_of_inclusions import inclusions_and_lives
 from objects_of_motion import viscoelastic_motion
@@ -24,7 +25,6 @@ from samcontact._util.display import (
     in_short,
     quantity,
 )
-from samcontact.cases import parse_case
 
 E_STAR = 115384615384.6154
 BALL = sc.Material.elastic(210e9, 0.3)
@@ -216,32 +216,6 @@ def test_plain_text_reprs_are_unchanged():
     assert repr(CLOSED_FORMS[0]).startswith("PointContact(R=0.0075, E_star=")
 
 
-CASE = """
-title = "{title}"
-description = "{long}"
-{asperities}
-[body1]
-law = "rigid"
-[body2]
-law = "elastic"
-E = 1e9
-nu = 0.3
-"""
-CONTACT = """
-[grid]
-nx = 4
-ny = 4
-dx = 1e-6
-dy = 1e-6
-[surface]
-shape = "sphere"
-R = 1.0
-[[path]]
-load = 1.0
-"""
-ASPERITIES = "[asperities]\nR1 = 1.0\nR2 = 1.0\ninterference = 1e-3"
-
-
 GEARS = sc.parts.GearPair(0.013 / 3, (16, 24), 0.043 / 3, 1 / 3, (0.1, 0.1), crowning=1e-5 / 3)
 CAM = sc.parts.Cam.harmonic(0.1 / 3, 0.01 / 3, 2.5)
 LINE = np.column_stack([np.linspace(-0.03, 0.03, 31), np.linspace(-0.03, 0.03, 31) ** 2])
@@ -287,7 +261,6 @@ def public_objects():
     bent.set_plastic_strain(2, np.full((6, 40, 30, 3), 1e-3))
     load = sc.flattening.kogut_etsion(np.linspace(1e-9, 1e-7, 500), 1e-3, 1e11, 0.3, 1e9)
     series = results.to_dataset(simulation, [state])
-    fields = {"title": "t" * 500, "long": "d" * 5000}
     balls = {
         "body1": {"law": "rigid"},
         "body2": {"law": "elastic", "E": 210e9, "nu": 0.3},
@@ -321,7 +294,7 @@ def public_objects():
         *PARTS, steel.softening, *CLOSED_FORMS, sc.bearings.load_zone(1e3, 500.0, 9, 0.4),
         sc.bearings.standard("6208"), sc.bearings.standard("6208").element_loads(1e3),
         sc.bearings.ball_on_race(0.01, 0.05, conformity=0.52),
-        *(parse_case(CASE.format(asperities=kind, **fields)) for kind in (CONTACT, ASPERITIES)),
+        *long_cases(),
         *viscoelastic_motion(), *inclusions_and_lives(), *lubricants_and_films(),
     ]  # fmt: skip
 

@@ -13,6 +13,7 @@ from samcontact import report, results
 from samcontact.cases import CaseError, FilmCase, load_case
 from samcontact.lubricants.stored import restored, stored
 from samcontact.lubrication.balance import outflow
+from samcontact.lubrication.mixed import MixedFilm
 
 CASE = """
 title = "Ball on a disc"
@@ -102,6 +103,27 @@ def test_curve_over_the_speed(tmp_path):
         assert films[0].boundary == sc.lubrication.Boundary(2e-9)
         np.testing.assert_allclose([film.boundary_share for film in films], share, rtol=1e-12)
         np.testing.assert_allclose(data["speed"], [1e-4, 1e-2])
+
+
+def test_films_before_an_error_are_written(tmp_path, monkeypatch):
+    """The curve of a run that fails at its third speed has the first two."""
+    text = CASE.replace("entrainment = 1.0", "speeds = [1e-4, 1e-3, 1e-2]")
+    text = text.replace("cells_per_radius = 13", "nx = 32\nny = 32\ndx = 14e-6\ndy = 12e-6")
+    file = tmp_path / "case.toml"
+    file.write_text(text.replace("[grid]", "boundary = {thickness = 2e-9}\norder = 1\n[grid]"))
+    solve = MixedFilm.at
+
+    def fails(mixed, factor):
+        return solve(mixed, factor) | {"converged": factor < 5e-3}
+
+    monkeypatch.setattr(MixedFilm, "at", fails)
+    outcome = invoke("run", file, "--output", tmp_path / "out", "--no-figures")
+    assert outcome.exit_code != 0
+    assert "2 of 3 speeds" in " ".join(outcome.stderr.split())
+    with results.open_results(tmp_path / "out" / "film.nc") as data:
+        np.testing.assert_allclose(data["speed"], [1e-4, 1e-3])
+        (failed,) = [check.name for check in report.checks(data) if not check.passed][:1]
+        assert failed == "increments: complete path (1) or part of it (0)"
 
 
 def test_impossible_friction_is_stated_not_stored(tmp_path):

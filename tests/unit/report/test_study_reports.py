@@ -182,9 +182,8 @@ def test_a_series_without_a_case(collision, tmp_path, undrawn):
 def test_choice_of_the_file_in_a_folder(tmp_path, collision, wear, undrawn):
     outcome = invoke("report", tmp_path)
     assert outcome.exit_code == 2
-    assert (
-        "must contain one of results.nc, series.nc, wear.nc, sliding.nc, got none" in outcome.stderr
-    )
+    names = "results.nc, series.nc, wear.nc, film.nc, sliding.nc"
+    assert f"must contain one of {names}, got none" in outcome.stderr
     for folder, name in ((collision[0], "series.nc"), (wear[0], "wear.nc")):
         (tmp_path / name).write_bytes((folder / name).read_bytes())
     outcome = invoke("report", tmp_path)
