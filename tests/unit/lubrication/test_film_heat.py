@@ -80,7 +80,7 @@ def test_heat_of_the_pressure_flow_increases_the_flow(loss, rel):
         warmed, lambda a, b, g: np.array([a[1], b[0], a[2], b[2] - loss]), t,
         np.zeros((3, t.size)), p=[3 * loss],
     )  # fmt: skip
-    exact = 3 * np.trapezoid(t**2 * np.exp(found.sol(t)[0]), t)
+    exact = 3 * scipy.integrate.trapezoid(t**2 * np.exp(found.sol(t)[0]), t)
     flow = depth_of(4 * loss * FLOW_SHARE / 8)
     assert 3 * (WEIGHTS * HEIGHTS**2) @ warm_fluidity(flow)[:, 0] == pytest.approx(exact, rel=rel)
 
