@@ -60,8 +60,6 @@ CALLS = [
     ("Lubricant.density", OIL.density, {"p": PRESSURES}),
     ("Lubricant.shear_stress", OIL.shear_stress,
      {"rate": [1e5, -1e6, 0.0], "p": PRESSURES, "T": [300.0, 310.0, 320.0]}),
-    ("Lubricant.thinned", OIL.thinned,
-     {"newtonian": np.array([0.0, 1e6, 1e7]), "p": np.array(PRESSURES)}),
     ("Lubricant.tables", OIL.tables, {"max_pressure": 1e9}),
     ("lubricants.LubricantHeat", sc.lubricants.LubricantHeat,
      {"conductivity": 0.14, "capacity": 1.7e6, "beta": 0.04, "temperature": 320.0}),
