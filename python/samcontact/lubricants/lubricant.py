@@ -14,7 +14,7 @@ from .._util.display import HtmlTable, Rows, quantity
 from .._util.errors import UnitWarning
 from .._util.short_text import in_short
 from .density import DensityLaw, TabulatedDensity, Tait, density_law, pressures
-from .shear import Carreau, Eyring, Newtonian, ShearThinning, limited
+from .shear import Carreau, Eyring, Newtonian, ShearThinning, thinned
 from .tables import LubricantTables, reduced_pressure
 from .viscosity import Barus, Doolittle, Tabulated, ViscosityLaw, roelands
 
@@ -261,19 +261,9 @@ class Lubricant(HtmlTable):
                 f"p must have a shape compatible with rate, {rate.shape}, got {pressure.shape}"
             ) from None
         newtonian = self.viscosity(pressure, T) * np.abs(rate)
-        signed: FloatArray = np.sign(rate) * self.thinned(newtonian, pressure)
+        stress = thinned(self.thinning, self.limiting_coefficient, newtonian, pressure)
+        signed: FloatArray = np.sign(rate) * stress
         return signed
-
-    def thinned(self, newtonian: FloatArray, p: FloatArray) -> FloatArray:
-        """Return the shear stress [Pa] for Newtonian shear stresses >= 0 [Pa].
-
-        p: pressures >= 0 [Pa], of the same shape. Includes shear thinning and the limiting shear
-        stress.
-        """
-        stress = self.thinning.stress(newtonian)
-        if self.limiting_coefficient is None:
-            return stress
-        return limited(stress, self.limiting_coefficient * p)
 
     def tables(self, max_pressure: float) -> LubricantTables:
         """Return density and reduced pressure over the pressure, up to a pressure [Pa].

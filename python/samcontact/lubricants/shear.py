@@ -151,3 +151,14 @@ def limited(stress: FloatArray, limit: FloatArray) -> FloatArray:
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = np.where(high > 0.0, low / high, 0.0)
     return low * (1.0 + ratio**LIMIT_EXPONENT) ** (-1.0 / LIMIT_EXPONENT)
+
+
+def thinned(
+    law: ShearThinning, coefficient: float | None, newtonian: FloatArray, p: FloatArray
+) -> FloatArray:
+    """Return the shear stress [Pa] by a law and a limit, for Newtonian shear stresses [Pa].
+
+    coefficient: ratio of the limiting shear stress to the pressure p [Pa], or None.
+    """
+    stress = law.stress(newtonian)
+    return stress if coefficient is None else limited(stress, coefficient * p)

@@ -17,6 +17,7 @@ from .._util.cached_property import cached_property
 from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, quantity
 from ..lubricants.lubricant import Lubricant, LubricantHeat
+from ..lubricants.shear import thinned
 from .through_film import HEIGHTS
 
 FLOW_SHARE = 5.0 / 7.0
@@ -123,7 +124,11 @@ class Conduction:
     def shear(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
         """Return the shear stress [Pa] of a film with these temperatures."""
         warm = shear_factor(depth) / wall_fluidity(self.constants, wall_rise)
-        return self.filling * self.lubricant.thinned(self._newtonian * warm, self.pressure)
+        oil = self.lubricant
+        stress = thinned(
+            oil.thinning, oil.limiting_coefficient, self._newtonian * warm, self.pressure
+        )
+        return self.filling * stress
 
     def warming(self, depth: FloatArray, wall_rise: FloatArray) -> FloatArray:
         """Return beta q h/(8 k) of the heat that warms the middle of the film [-]."""

@@ -18,6 +18,7 @@ from ..problem.grid import Grid
 from .boundary import Boundary
 from .film_solution import FilmSolution
 from .mixed import MixedFilm
+from .sheared import ShearedLevel, check_heated, with_shear
 from .steady import checked_task, require_converged, solution_of
 
 
@@ -69,6 +70,8 @@ def stribeck(
     lubricant: Lubricant,
     boundary: Boundary,
     order: int = 3,
+    shear_thinning: bool = False,
+    thermal: bool = False,
     tol: float = 1e-6,
     max_iterations: int = 40,
 ) -> StribeckCurve:
@@ -79,12 +82,13 @@ def stribeck(
 
     Parameters
     ----------
-    grid, body1, body2, gap, load, lubricant, tol, max_iterations
+    grid, body1, body2, gap, load, lubricant, shear_thinning, thermal, tol, max_iterations
         As in `steady`.
     speeds : sequence of float
         Mean speeds (u1 + u2)/2 of the surfaces along x, increasing [m/s], > 0.
     slide_to_roll : float, optional
-        Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) [-]. It does not change an isothermal film.
+        Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) [-]. It changes films with `shear_thinning` or
+        `thermal` only.
     boundary : Boundary
         Boundary layer, which bears at low speeds.
     order : {1, 2, 3}, optional
@@ -113,6 +117,7 @@ def stribeck(
         grid, (body1, body2), gap, load, None, unit, 0.0, lubricant, None, boundary, order, tol,
         max_iterations,
     )  # fmt: skip
+    task = with_shear(task, grid, shear_thinning, thermal)
     if task.boundary is None:
         raise ValueError("boundary is required: without it dry surfaces bear nothing at low speeds")
     mixed = MixedFilm(task, grid)
@@ -120,10 +125,14 @@ def stribeck(
     try:
         for speed in map(float, given):
             found = mixed.at(speed)
-            level = mixed.level(found)
             moving = mixed.task_at(speed)
+            if moving.is_sheared and found["converged"]:
+                found = ShearedLevel(mixed.solver_of(moving)).solve(found, mixed.layer)
+            level = mixed.level(found)
             require_converged(found, moving)
             solutions.append(solution_of(grid, mixed.gap, moving, found, [level]))
+            if thermal:
+                check_heated(solutions[-1], mixed.dry.radius)
     except BaseException as error:  # Ctrl-C too
         if solutions:
             attach(error, curve=StribeckCurve(tuple(solutions), mixed.dry.pressure))

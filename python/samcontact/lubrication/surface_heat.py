@@ -114,7 +114,9 @@ class HeatedSurfaces:
         found = np.zeros(difference.size) if self._last is None else self._last
         missing = difference.ravel() - apply(found)
         for _ in range(MAX_CORRECTIONS):
-            found = found + scipy.sparse.linalg.gmres(operator, missing, restart=RESTART)[0]
+            found = (
+                found + scipy.sparse.linalg.gmres(operator, missing, restart=RESTART, atol=0.0)[0]
+            )
             missing = difference.ravel() - apply(found)
             if np.abs(missing).max() <= EXCHANGE_TOL * np.abs(difference).max():
                 break

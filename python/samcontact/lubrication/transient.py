@@ -99,6 +99,11 @@ def transient(
         No convergence; its attribute `history` contains the solutions so far.
     """
     require_type("start", start, FilmSolution)
+    if start.shear_thinning or start.heat is not None:
+        raise ValueError(
+            "start must be a film without shear thinning in the flow and without heat: transient "
+            "films are isothermal; solve it with shear_thinning = False and thermal = False"
+        )
     duration, steps = positive("duration", duration), integer("steps", steps, 1)
     functions = {"relief1": relief1, "relief2": relief2, "load": load, "speed": speed}
     for name, given in functions.items():

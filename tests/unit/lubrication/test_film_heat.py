@@ -20,6 +20,7 @@ ELASTIC = sc.Material.elastic(2 * E_STAR * 0.91, 0.3)
 STEEL = ELASTIC.with_thermal(46.0, 12e-6, 12.5e-6)
 OIL = sc.Lubricant.roelands(ETA, ALPHA)
 WARM = OIL.with_thermal(0.14, 1.7e6, 0.04).with_eyring(5e6)
+LAYER = sc.lubrication.Boundary(5e-9, friction=0.1)
 films = sc.lubrication
 
 
@@ -80,7 +81,7 @@ def test_heat_of_the_pressure_flow_increases_the_flow(loss, rel):
         warmed, lambda a, b, g: np.array([a[1], b[0], a[2], b[2] - loss]), t,
         np.zeros((3, t.size)), p=[3 * loss],
     )  # fmt: skip
-    exact = 3 * np.trapezoid(t**2 * np.exp(found.sol(t)[0]), t)
+    exact = 3 * scipy.integrate.trapezoid(t**2 * np.exp(found.sol(t)[0]), t)
     flow = depth_of(4 * loss * FLOW_SHARE / 8)
     assert 3 * (WEIGHTS * HEIGHTS**2) @ warm_fluidity(flow)[:, 0] == pytest.approx(exact, rel=rel)
 
@@ -125,12 +126,25 @@ def test_heat_of_both_bodies_is_the_power_of_the_friction():
 
 
 def test_the_boundary_layer_heats_the_surfaces():
-    layer = sc.lubrication.Boundary(5e-9, friction=0.1)
-    film = ball(n=32, pace=0.02, boundary=layer, thermal=True, shear_thinning=True)
+    film = ball(n=32, pace=0.02, thermal=True, shear_thinning=True, boundary=LAYER)
     found = films.friction(film)
     assert 0.2 < film.boundary_share < 0.8
     assert found.boundary_share > 0.5
     assert film.heat.power == pytest.approx(found.power, rel=1e-3)
+
+
+def test_films_over_the_speed_are_those_of_each_speed():
+    alone = ball(n=32, pace=0.02, thermal=True, shear_thinning=True, boundary=LAYER)
+    u = float(alone.velocities[:, 0].mean())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        curve = films.stribeck(
+            alone.grid, STEEL, STEEL, alone.gap, load=alone.load, speeds=[0.1 * u, u],
+            slide_to_roll=0.5, lubricant=WARM, boundary=LAYER, thermal=True, shear_thinning=True,
+        )  # fmt: skip
+    np.testing.assert_allclose(curve.solutions[1].film, alone.film, rtol=1e-3)
+    assert curve.solutions[1].heat.max_rise == pytest.approx(alone.heat.max_rise, rel=1e-3)
+    assert curve.solutions[0].heat.max_rise < curve.solutions[1].heat.max_rise
 
 
 def test_heat_thins_the_film_and_lowers_the_friction():
@@ -211,6 +225,11 @@ def test_heat_of_the_inlet_thins_a_fast_rolling_film():
 def test_wrong_arguments_are_refused(more, error, words):
     with pytest.raises(error, match=words):
         ball(**more)
+
+
+def test_a_heated_film_does_not_start_a_transient_one():
+    with pytest.raises(ValueError, match="start must be a film without"):
+        films.transient(ball(M=20.0, n=24, thermal=True), duration=1e-6, steps=1)
 
 
 def test_a_line_contact_needs_moving_bodies():
