@@ -52,7 +52,8 @@ _CYCLE_COLUMNS = (
     "slip_distance", "stick_area", "coating_worn_share",
 )  # fmt: skip
 _VELOCITY_COLUMNS = (
-    "velocity", "friction", "friction_force", "power", "contact_share", "max_pressure", "approach",
+    "velocity", "friction", "friction_force", "power", "contact_area", "contact_share",
+    "max_pressure", "approach",
 )  # fmt: skip
 
 
@@ -217,7 +218,11 @@ def _velocities(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _velocities_sheet(dataset: xr.Dataset) -> Sheet:
-    columns = [(SLIDING[name], dataset[name].values, None) for name in _VELOCITY_COLUMNS]
+    columns = [
+        (SLIDING[name].fitting(float(dataset[name].max())), dataset[name].values, None)
+        for name in _VELOCITY_COLUMNS
+        if name in dataset
+    ]
     return values_sheet("Velocities", dataset["point"].values, columns)
 
 

@@ -40,7 +40,10 @@ _COLUMNS_OF_MAXIMA = {
             ("residual_displacement", "residual_displacement"),
         )
     },
-    "sliding": {name: SLIDING[name] for name in ("friction", "contact_share", "max_pressure")},
+    "sliding": {
+        name: SLIDING[name]
+        for name in ("friction", "contact_area", "contact_share", "max_pressure")
+    },
 }
 """Columns of studies whose maxima are shown."""
 

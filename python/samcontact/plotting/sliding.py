@@ -101,7 +101,7 @@ def figures(dataset: xr.Dataset) -> dict[str, Figure]:
         dataset["velocity"].values,
         dataset["friction"].values,
         made["friction_over_velocity"].subplots(),
-        contact_share=dataset["contact_share"].values,
+        contact_share=dataset["contact_share"].values if "contact_share" in dataset else None,
     )
     if "pressure" in dataset and dataset.sizes["y"] > 1:
         made["pressure_over_velocity"] = pressure_panels(dataset)

@@ -17,7 +17,7 @@ from .tables import maxima_table, values_table
 if TYPE_CHECKING:
     import xarray as xr
 
-REQUIRED_VARIABLES = ("velocity", "friction", "contact_share", "max_pressure")
+REQUIRED_VARIABLES = ("velocity", "friction", "friction_force", "max_pressure")
 MIN_FRICTION = -1e-3
 """Limit of the smallest friction coefficient, relative to the largest: no energy is gained."""
 ROUNDING_ERROR = 1e-9

@@ -56,6 +56,7 @@ class FrictionCurve:
         ----------
         fields : bool, optional
             Whether to include the pressure of all cells; it is 0 outside the grid of a solution.
+            The contact share is included on grids that are periodic along x and y.
 
         Returns
         -------
@@ -69,11 +70,12 @@ class FrictionCurve:
             "velocity": self.velocity,
             "friction": self.friction,
             "contact_area": self.contact_area,
-            "contact_share": self.contact_area / area,
             "max_pressure": self.max_pressure,
         }
         for name in ("load", "approach", "power", "iterations", "error"):
             data[name] = np.array([getattr(s, name) for s in self.solutions])
+        if self.solutions[0].grid.periodic == "xy":  # the area of another grid is arbitrary
+            data["contact_share"] = self.contact_area / area
         data["friction_force"] = data["friction"] * data["load"]
         made = xr.Dataset(
             {name: SLIDING[name].variable(("point",), data[name]) for name in SLIDING

@@ -122,6 +122,7 @@ def test_a_grid_that_is_too_small_is_enlarged():
     )
     curve = parse_case(text).solve(progress=False)
     found = curve.to_dataset()
+    assert "contact_share" not in found  # the area of the grid is arbitrary
     carried = found.pressure.sum(("x", "y")).values * 1e-8
     assert carried == pytest.approx(1.0, rel=1e-9)
     assert found.sizes["x"] == max(s.grid.nx for s in curve.solutions)
