@@ -15,9 +15,14 @@ using Vector = Eigen::Matrix<double, 6, 1>;
 using Matrix = Eigen::Matrix<double, 6, 6>;
 using Jump = Eigen::Matrix<double, 6, 3>;
 
-/// Relative residual at convergence, and limits of the number of steps and of halvings of a step.
+/// Relative residual at convergence, and limits of the number of steps and of halvings of the
+/// interval in which a step ends.
 constexpr double residual_tol = 1e-10;
-constexpr int max_steps = 40, max_step_halvings = 8;
+constexpr int max_steps = 40, max_halvings = 12;
+/// Ratio of residuals up to which a whole step is accepted.
+constexpr double sufficient = 0.8;
+/// Least 1 - p in the slope along a step.
+constexpr double min_weight = 1e-4;
 /// Least hardening in the derivatives, relative to the shear modulus: two perfectly plastic phases
 /// have singular derivatives. It changes the steps of the iteration, not its result.
 constexpr double min_slope = 1e-3;
@@ -90,6 +95,8 @@ class Laminate {
         share_(share),
         jumps_(jumps(normal)),
         mean_weight_(isotropic(1 - p[0], 1 - p[1])),
+        slope_weight_(
+            isotropic(1 / std::max(1 - p[0], min_weight), 1 / std::max(1 - p[1], min_weight))),
         strain_weight_(isotropic(3 * phases[0].bulk * p[0], 2 * phases[0].shear * p[1])),
         kept_(to_vector(kept)) {}
 
@@ -123,6 +130,13 @@ class Laminate {
     slope.bottomRightCorner<3, 3>() = jumps_.transpose() * ((1 - f) * b + f * a) * jumps_;
     return slope.partialPivLu().solve(state.residual);
   }
+  /// Slope of the potential of the residual along a step, which decreases it: the potential is
+  /// convex.
+  double slope(const State& state, const Unknowns& step) const {
+    const double f = share_;
+    return step.head<6>().dot(slope_weight_ * state.residual.head<6>()) +
+           f * (1 - f) * step.tail<3>().dot(state.residual.tail<3>());
+  }
   double scale() const { return std::max(kept_.norm(), smallest); }
 
  private:
@@ -130,7 +144,7 @@ class Laminate {
   const std::array<Phase, 2>& phases_;
   double share_;
   Jump jumps_;
-  Matrix mean_weight_, strain_weight_;
+  Matrix mean_weight_, slope_weight_, strain_weight_;
   Vector kept_;
 };
 
@@ -146,13 +160,19 @@ TwoPhaseStep two_phase_step(const std::array<Phase, 2>& phases, double share,
   for (int n = 0; n < max_steps; ++n) {
     const double before = state.residual.norm();
     if (before <= residual_tol * laminate.scale()) break;
-    Laminate::Unknowns step = laminate.step(state);
-    for (int halvings = 0;; ++halvings) {
-      state = laminate.at(x - step);
-      if (state.residual.norm() < before || halvings == max_step_halvings) break;
-      step *= 0.5;
+    const Laminate::Unknowns step = laminate.step(state);
+    state = laminate.at(x - step);
+    double part = 1.0;
+    if (!(state.residual.norm() < sufficient * before) && laminate.slope(state, step) < 0) {
+      // The step passes the minimum of the potential along it.
+      double low = 0.0, high = 1.0;
+      for (int halvings = 0; halvings < max_halvings; ++halvings) {
+        part = 0.5 * (low + high);
+        state = laminate.at(x - part * step);
+        (laminate.slope(state, step) < 0 ? high : low) = part;
+      }
     }
-    x -= step;
+    x -= part * step;
   }
   TwoPhaseStep result;
   result.stress = to_tensor(state.stress);
