@@ -14,8 +14,8 @@ PULL_OFF = {
     (5.0, 20.0): (1.77, 1.44), (20.0, 5.0): (3.27, 1.64), (20.0, 20.0): (3.27, 1.51),
     (60.0, 5.0): (5.65, 1.64), (60.0, 20.0): (5.65, 1.57),
 }  # fmt: skip
-"""Of load over yield load and work of adhesion: R_eff/R and pull-off/(pi w R_eff), from NumPy code
-for adhesive contact on the same cells."""
+"""Effective radius R_eff/R and pull-off/(pi w R_eff), by load over yield load and work of adhesion,
+from NumPy code for adhesive contact on the same cells."""
 
 
 def check(crater, ratio, w, **more):
