@@ -64,6 +64,44 @@ def test_a_finely_refined_range_equals_jkr():
     assert -extrapolated.min() == pytest.approx(1.5, rel=0.02)
 
 
+def wavy_sphere_errors(cells):
+    """Return the largest errors of the load of a wavy sphere relative to pi w R, by cells.
+
+    The reference follows the branch of retraction, with its jumps over unstable radii.
+    """
+    length, amplitude = 0.8 * RADIUS, 0.05 * LENGTH
+    wave = 2 * math.pi / length
+    radii = np.linspace(0.05, 2.2, 3000) * RADIUS
+    exact = sc.adhesion.jkr_profile(
+        lambda r: r / R + amplitude * wave * np.sin(wave * r), radii, W, E
+    )
+    path = np.arange(0.8, -0.95, -0.1) * LENGTH
+    last = np.array([np.flatnonzero(exact.approach < approach)[-1] for approach in path])
+    between = (path - exact.approach[last]) / (exact.approach[last + 1] - exact.approach[last])
+    expected = exact.load[last] + between * (exact.load[last + 1] - exact.load[last])
+    curves = []
+    for n in cells:
+        solver, gap = ball(n, 4.6, sc.Adhesion.jkr(W), on_border="warn")
+        r = np.hypot(solver.grid.x[:, None], solver.grid.y[None])
+        curves.append(loads_along(solver, gap + amplitude * (1 - np.cos(wave * r)), path))
+    curves.append(2 * curves[-1] - curves[-2])
+    return [np.abs(curve - expected).max() / FORCE for curve in curves]
+
+
+def test_a_wavy_sphere_converges_to_the_theory_of_guduru():
+    """The waves change the load by up to 0.27 pi w R. The last error is extrapolated."""
+    coarse, fine, extrapolated = wavy_sphere_errors((48, 96))
+    assert fine < 0.75 * coarse < 0.12
+    assert extrapolated < 0.07
+
+
+@pytest.mark.slow
+def test_a_finely_resolved_wavy_sphere_equals_the_theory_of_guduru():
+    coarse, fine, extrapolated = wavy_sphere_errors((96, 192))
+    assert fine < 0.75 * coarse
+    assert extrapolated < 0.04
+
+
 def maugis_error(transition, n, step):
     """Return the largest error of the load along the stable branch, relative to pi w R."""
     stiffness = 4 * E / 3
@@ -101,24 +139,32 @@ def test_a_long_range_is_the_limit_of_stiff_spheres():
     assert pulled < 2.0
 
 
-def wave_error(alpha, cells):
-    """Return the relative error of the pull-off pressure of a wave."""
+def wave_error(alpha, share):
+    """Return the relative error of the pull-off pressure of a wave.
+
+    share: length of the cohesive zone over the wavelength.
+    """
     length, amplitude = 1e-6, 1e-8
     flattening = math.pi * E * amplitude / length
     work = (alpha * flattening) ** 2 * length / (2 * E)
+    law = sc.Adhesion.exponential(work, math.sqrt(4 * share * length * work / (math.pi * E)))
+    cells = round(10.24 / share)
     grid = sc.Grid(cells, 1, length / cells, length / cells, periodic="xy")
+    assert law.on(grid, TIP, SOFT).kappa < 0.4
     gap = amplitude * (1 - np.cos(2 * math.pi * grid.x / length))[:, None]
-    law = sc.Adhesion.jkr(work)
     solver = sc.ContactSolver(grid, TIP, SOFT, adhesion=law, tol=1e-9)
-    loads = loads_along(solver, gap, amplitude * np.arange(0.9, -0.4, -0.02))
+    loads = loads_along(solver, gap, amplitude * np.arange(0.94, -0.4, -0.02))
     expected = sc.adhesion.wave(length, amplitude, work, E).pull_off
     return -loads.min() / (length * grid.dy) / expected - 1
 
 
 def test_waves_converge_to_johnson():
-    coarse, fine = (wave_error(0.4, cells) for cells in (128, 512))
-    assert abs(fine) < 0.6 * abs(coarse)
-    assert abs(fine) < 0.03
+    """Errors of first order in the length of the cohesive zone, pi/4 range^2 E*/w."""
+    errors = np.array([wave_error(0.4, share) for share in (0.04, 0.02, 0.01)])
+    assert np.all(errors < 0)
+    assert abs(errors[0]) < 0.025
+    assert abs(errors[-1]) < 0.005
+    assert np.all(errors[1:] / errors[:-1] < 0.5)
 
 
 def test_approach_and_retraction_agree_on_one_branch():

@@ -152,3 +152,27 @@ def test_a_retraction_from_compression_ends_past_the_largest_tension():
     assert 1.5 * FORCE < found.pull_off < 1.75 * FORCE
     assert found.states[-1].load > -found.pull_off
     assert not found.is_apart
+
+
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+@pytest.mark.parametrize("periodic", ["", "x", "xy"])
+@pytest.mark.parametrize("layered", [False, True])
+def test_a_load_found_from_a_contact_is_that_of_its_approach(periodic, layered):
+    """The descent under a load ends in the state that the descent at its approach finds."""
+    grid = sc.Grid(32, 28, 15e-9, 15e-9, periodic=periodic)
+    coat = sc.Material.elastic(3e8, 0.3)
+    body = sc.Layered([(coat, 4e-8)], POLYMER) if layered else POLYMER
+    law = sc.Adhesion.exponential(W, 4e-9)
+    solver = sc.ContactSolver(grid, TIP, body, adhesion=law, tol=1e-10, on_border="warn")
+    gap = sc.surfaces.paraboloid(grid, R)
+    start = solver.solve(gap, approach=0.5 * gap.mean())
+    for share in (1.3, 0.5, 0.9):
+        load = start.load * share if start.load > 0 else start.load - share * 0.1 * start.load
+        found = solver.solve(gap, load=load, initial_pressure=start.pressure)
+        assert found.iterations < 80
+        assert found.pressure.sum() * grid.cell_area == pytest.approx(load, rel=1e-6)
+        same = solver.solve(gap, approach=found.approach, initial_pressure=start.pressure)
+        np.testing.assert_allclose(
+            found.pressure, same.pressure, rtol=0, atol=1e-6 * abs(same.pressure).max()
+        )
+        assert same.load == pytest.approx(load, rel=1e-6)

@@ -2,18 +2,20 @@
 """Pull-off from craters, and iterations of plastic flow with adhesion."""
 
 import math
+import re
 
 import pytest
 
 from benchmarks import adhesive_craters as craters
+from benchmarks import tables, theory
 
 PULL_OFF = {
     (0.5, 5.0): (1.00, 1.574), (0.5, 20.0): (1.00, 1.558), (5.0, 5.0): (1.77, 1.59),
     (5.0, 20.0): (1.77, 1.44), (20.0, 5.0): (3.27, 1.64), (20.0, 20.0): (3.27, 1.51),
     (60.0, 5.0): (5.65, 1.64), (60.0, 20.0): (5.65, 1.57),
 }  # fmt: skip
-"""Of load over yield load and work of adhesion: R_eff/R and pull-off/(pi w R_eff), from NumPy code
-for adhesive contact on the same cells."""
+"""Effective radius R_eff/R and pull-off/(pi w R_eff), by load over yield load and work of adhesion,
+from NumPy code for adhesive contact on the same cells."""
 
 
 def check(crater, ratio, w, **more):
@@ -23,6 +25,16 @@ def check(crater, ratio, w, **more):
     force = craters.pull_off(crater, w, **more)
     assert force / (math.pi * w * crater.radius) == pytest.approx(unit, rel=0.02)
     return force
+
+
+def test_the_table_of_the_theory_states_these_values():
+    page = "\n".join(file.read_text(encoding="utf-8") for file in theory.PAGES)
+    made = re.search(r"<!-- table: craters -->\n(.*?)<!-- end", page, re.DOTALL)[1]
+    rows = {(float(r["load/W_y"]), float(str(r["w"]).split()[0])): r for r in tables.rows_of(made)}
+    assert rows.keys() == PULL_OFF.keys()
+    for key, (relative, unit) in PULL_OFF.items():
+        assert float(rows[key]["R_eff/R"]) == pytest.approx(relative, rel=0.01)
+        assert float(rows[key]["F/(π w R_eff)"]) == pytest.approx(unit, rel=0.02)
 
 
 def test_a_crater_increases_the_pull_off_force_of_a_ball():
