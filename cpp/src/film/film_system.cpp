@@ -15,8 +15,8 @@ namespace {
 
 /// Accuracy of the pressure that belongs to a film, in the preconditioner.
 constexpr double pressure_accuracy = 0.05;
-/// Compliance of the boundary layer in a cavitated cell, relative to that of the cell, from which
-/// on its pressure is an unknown.
+/// Compliance of the boundary layer in a cavitated cell, relative to that of the cell, above which
+/// the pressure of the layer is an unknown.
 constexpr double least_contact = 1e-3;
 /// Pivots on the diagonal are taken if they are larger than this share of the column.
 constexpr double pivot_share = 0.01;
@@ -303,7 +303,7 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
     if (touched_[i]) right[n + i] = system.lag[i] * contact_weight_[i];
   }
   right[2 * n] = system.has_load ? system.missing_load : 0.0;
-  // Flow, contact pressure and load count alike.
+  // The residuals of flow, contact pressure and load have equal weights.
   const double flow_weight = 1 / std::max(largest(right.data(), n), tiny);
   const double contact_weight =
       1 / std::max({largest(right.data() + n, n),
