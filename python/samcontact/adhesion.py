@@ -99,7 +99,7 @@ class Jkr:
         loads, most = finite_array("load", load), self.pull_off
         if np.any(loads < -most * (1 + 1e-12)):
             raise ValueError(
-                f"load must be at least -{most:.6g} N, minus the pull-off force, got "
+                f"load must be at least -{most:.6g} N (minus the pull-off force), got "
                 f"{loads.min():.6g}"
             )
         root = np.sqrt(np.maximum(4 * most * (loads + most), 0.0))

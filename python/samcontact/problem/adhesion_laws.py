@@ -139,7 +139,7 @@ class Adhesion(ContactLaw):
         if missing:
             raise ValueError(
                 f"{missing[0]} must be given, got None: `on` returns the law with the shortest "
-                "one that a grid resolves"
+                f"{missing[0]} that a grid resolves"
             )
         return super().to_core()
 
