@@ -78,8 +78,8 @@ def friction(film: FilmSolution) -> FilmFriction:
     """Return shear, traction, rolling resistance and power of a lubricated contact.
 
     The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
-    ``|v1 - v2|``/film, isothermal, times the filling. The boundary layer adds its coefficient of
-    friction times its pressure. The sliding due to spin is not included.
+    ``|v1 - v2|``/film, isothermal, times the filled fraction of the film. The boundary layer adds
+    its coefficient of friction times its pressure. The sliding due to spin is not included.
 
     Raises
     ------
@@ -119,9 +119,9 @@ def friction(film: FilmSolution) -> FilmFriction:
 def traction_curve(film: FilmSolution, slide_to_roll: ArrayLike) -> TractionCurve:
     """Return the friction over the slide-to-roll ratio of a contact at constant mean velocity.
 
-    The film is isothermal, so that it does not depend on the sliding; friction is too high at large
-    ratios, where the film is heated. slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean
-    velocity [-], a list. Raises TypeError or ValueError as `friction`.
+    Heating is neglected: the film thickness does not depend on the sliding, and the friction is too
+    large at large ratios. slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean velocity
+    [-], a list. Raises TypeError or ValueError as `friction`.
     """
     require_type("film", film, FilmSolution)
     ratios = finite_array("slide_to_roll", slide_to_roll)
