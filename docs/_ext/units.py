@@ -11,12 +11,14 @@ from sphinx.application import Sphinx
 UNIT = r"%|°C|[GMk]?Pa|[GMkmµn]?[NmsJW]|[kMGT]?B|K|Hz|HV|HRC|m?rad|min|h|mm²|m²|µm²|µm³|mm³|mJ/m²"
 BEFORE_A_UNIT = re.compile(rf"(?<=[\d⁻⁰¹²³⁴⁵⁶⁷⁸⁹]) (?=(?:{UNIT})(?![\w-]))")
 
+LITERAL = (nodes.FixedTextElement, nodes.literal, nodes.math, nodes.math_block, nodes.raw)
+
 
 def keep_together(app: Sphinx, doctree: nodes.document, docname: str) -> None:
-    """Write a no-break space between numbers and units of the text, not of code."""
+    """Write a no-break space between numbers and units of the text, not of code or formulas."""
     for text in list(doctree.findall(nodes.Text)):
-        kept = isinstance(text.parent, (nodes.literal, nodes.literal_block, nodes.math, nodes.raw))
-        if not kept and (joined := BEFORE_A_UNIT.sub("\N{NO-BREAK SPACE}", text)) != text:
+        joined = BEFORE_A_UNIT.sub("\N{NO-BREAK SPACE}", text)
+        if joined != text and text.parent is not None and not isinstance(text.parent, LITERAL):
             text.parent.replace(text, nodes.Text(joined))
 
 
