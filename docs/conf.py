@@ -33,6 +33,7 @@ extensions = [
     "figures",
     "materials",
     "modules",
+    "units",
 ]
 if not tags.has("without_sources"):  # noqa: F821 - from Sphinx
     extensions.append("sphinx.ext.viewcode")
@@ -147,12 +148,12 @@ def _no_bases(app, doctree):
 
 
 def _wide_pictures(app, doctree, docname):
-    """Mark pictures wider than eight inches, which scroll on a phone."""
+    """Mark pictures wider than 6.5 inches, whose labels a phone would shrink: they scroll."""
     for node in doctree.findall(nodes.image):
         file = Path(app.srcdir, node["candidates"].get("*", ""))
         if file.suffix == ".png" and file.exists():
             with Image.open(file) as picture:
-                if picture.width / picture.info["dpi"][0] > 8.2:
+                if picture.width / picture.info["dpi"][0] > 6.5:
                     node["classes"].append("wide")
 
 

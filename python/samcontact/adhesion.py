@@ -27,9 +27,13 @@ def tabor(R: float, w: float, E_star: float, range: float) -> float:
     """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) [-].
 
     R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: length z of the
-    attraction [m], which is w over its largest value. Above about 5 the theory of Johnson, Kendall
-    and Roberts (`jkr`) applies, below 0.1 the theory of Derjaguin, Muller and Toporov (`dmt`).
-    Tabor (1977, doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
+    attraction [m], which is w over its largest value. Tabor (1977,
+    doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
+
+    Above about 5 the theory of Johnson, Kendall and Roberts (`jkr`) applies, below about 0.1 the
+    theory of Derjaguin, Muller and Toporov (`dmt`), after the adhesion map of Johnson & Greenwood
+    (1997, doi:10.1006/jcis.1997.4984). Between them, use `maugis`. At these limits, the pull-off
+    force of `maugis` differs from `jkr` by 0.4 % and from `dmt` by 3 %.
     """
     given = {"R": R, "w": w, "E_star": E_star, "range": range}
     R, w, E_star, range = (positive(name, value) for name, value in given.items())
@@ -95,7 +99,7 @@ class Jkr:
         loads, most = finite_array("load", load), self.pull_off
         if np.any(loads < -most * (1 + 1e-12)):
             raise ValueError(
-                f"load must be at least -{most:.6g} N, minus the pull-off force, got "
+                f"load must be at least -{most:.6g} N (minus the pull-off force), got "
                 f"{loads.min():.6g}"
             )
         root = np.sqrt(np.maximum(4 * most * (loads + most), 0.0))

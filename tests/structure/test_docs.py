@@ -53,6 +53,12 @@ def test_example_runs(block, tmp_path, monkeypatch, capsys):
 
 
 @pages
+def test_no_line_of_text_is_a_comment(page):
+    """MyST omits the rest of a paragraph after a line that begins with a per cent sign."""
+    assert re.findall(r"^ *%.*", prose(page), re.MULTILINE) == []
+
+
+@pages
 def test_paths_exist(page):
     folders = "cpp|python|tests|cases|docs|cmake|benchmarks|gallery|reference"
     named = re.compile(rf"(?<![\w./])(?:(?:{folders})/[\w./-]+|\./\w+)")

@@ -221,8 +221,16 @@ return {
 
 PAGES = ["index", "tutorial", "features", "case_reference", "api/contact", "gallery/friction"]
 PAGES += ["notebooks/02_yield_and_hardening", "developer/modules", "theory/friction"]
-MORE_PAGES = ["questions", "troubles", "guides/bearing", "gallery", "genindex", "architecture"]
-MORE_PAGES += ["developer/recipes", "developer/data_layout"]
+MORE_PAGES = [
+    "questions",
+    "troubles",
+    "guides/bearing",
+    "guides/index",
+    "gallery",
+    "genindex",
+    "architecture",
+]
+MORE_PAGES += ["developer/recipes", "developer/data_layout", "applications/blade_root"]
 
 
 def test_pages_in_a_browser_without_a_network(site, with_long_notebooks):

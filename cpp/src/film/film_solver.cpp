@@ -12,16 +12,16 @@
 namespace samcontact::film {
 namespace {
 
-/// Accuracy of the linear systems: at most, without and with a boundary layer, at least, and
-/// relative to the error.
+/// Accuracy of the linear systems: loosest without and with a boundary layer, finest, and relative to
+/// the error of the state.
 constexpr double loosest = 0.1, loosest_with_layer = 1e-2, finest = 1e-4, of_error = 0.1;
-/// Largest change of the pressure in a step, relative to its maximum, and of a distance to a
-/// barrier.
+/// Largest change in a step: of the pressure, relative to its maximum, and of the distance of a
+/// value from its bound, relative to this distance.
 constexpr double largest_change = 0.5, of_barrier = 0.9;
 /// Reductions of a step whose residual rises.
 constexpr int max_halvings = 4;
-/// The pressure of the layer is found by logarithms closer than this many thicknesses, beyond
-/// which it is that of the film.
+/// Distance of the film from the layer, in thicknesses of the layer, above which the pressure of
+/// the layer follows from the film; below, its logarithm is iterated.
 constexpr double far_film = 10.0;
 /// Tolerance of the law of the boundary layer relative to that of the flow.
 constexpr double layer_tol_ratio = 10.0;

@@ -305,7 +305,7 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
     if (!full_[i]) right[n + i] = system.lag[i] * contact_weight_[i];
   }
   right[2 * n] = system.has_load ? system.missing_load : 0.0;
-  // Flow, contact pressure and load count alike.
+  // The residuals of flow, contact pressure and load have equal weights.
   const double flow_weight = 1 / std::max(largest(right.data(), n), least_scale);
   const double contact_weight =
       1 / std::max({largest(right.data() + n, n),

@@ -13,10 +13,10 @@
 namespace samcontact::film {
 namespace {
 
-/// Share of the smaller of the two films at a face that its film of third order is at least.
+/// Smallest film of third order at a face, relative to the smaller film of its two cells.
 constexpr double least_share = 0.9;
-/// Films, in thicknesses of the boundary layer, from which and up to which the film at a face
-/// changes from first to higher order.
+/// Range of films, in thicknesses of the boundary layer, in which the film at a face changes from
+/// first to higher order.
 constexpr double first_order_below = 4.0, higher_order_above = 20.0;
 
 /// Cells on each side of a face that its flux depends on.

@@ -64,7 +64,7 @@ def _angle(p: FloatArray, q: FloatArray) -> FloatArray:
 def shares(
     metric: FloatArray, offset: tuple[FloatArray, FloatArray, FloatArray], size: FloatArray
 ) -> FloatArray:
-    """Shares of the cells of a box that an ellipsoid fills, in [0, 1].
+    """Fraction of each cell of a box that an ellipsoid fills, in [0, 1].
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ def shares(
 
 
 def _of_cut_cells(metric: FloatArray, centers: FloatArray, size: FloatArray) -> FloatArray:
-    """Shares of cells with these centres [m], shape (n, 3)."""
+    """Filled fractions of the cells with these centres [m], shape (n, 3)."""
     plane = metric[:2, :2]
     toward = np.linalg.solve(plane, metric[:2, 2])  # the centre of the section is -toward z
     height = 1.0 / np.sqrt(metric[2, 2] - metric[:2, 2] @ toward)
@@ -124,7 +124,7 @@ def _of_cut_cells(metric: FloatArray, centers: FloatArray, size: FloatArray) -> 
 
 
 def _changes(metric: FloatArray, corners: FloatArray) -> FloatArray:
-    """Depths, shape (n, 16), at which a section touches an edge or passes a corner of its cell.
+    """Depths at which the ellipse touches an edge or passes a corner of its cell, shape (n, 16).
 
     corners: shape (n, 4, 2). NaN is replaced by 0.
     """
@@ -149,7 +149,7 @@ def _roots(a: float, b: FloatArray, c: FloatArray) -> FloatArray:
 
 
 def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatArray:
-    """Shares of cells along an axis that intervals cover.
+    """Fraction of each cell along an axis that each interval covers.
 
     Parameters
     ----------

@@ -111,9 +111,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         """Matrix with spheres at random places, which do not overlap.
 
         The number of spheres is a Poisson number, their radii are lognormal, and they are placed
-        by random sequential addition, the largest first. Equal arguments give equal bodies. Choose
-        the box larger than the region of interest by the largest radius: near its sides, parts of
-        spheres whose centres are outside are missing.
+        by random sequential addition, the largest first. Equal arguments give equal bodies. Spheres
+        with centres outside the box are not drawn, although they may extend into it. Therefore
+        choose the box larger than the region of interest by the largest radius on each side.
 
         Parameters
         ----------
@@ -284,7 +284,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return cells.over_grid(cells.share, (grid.nx, grid.ny, layers))
 
     def cells_per_radius(self, grid: VolumeGrid) -> float:
-        """Smallest radius of all inclusions in the largest edge of a cell; inf without any."""
+        """Smallest radius of all inclusions over the largest cell edge [-]; inf without any."""
         require_volume(grid)
         return cells_per_radius(grid, self.inclusions)
 

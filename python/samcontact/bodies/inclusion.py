@@ -91,8 +91,8 @@ class Inclusion(HtmlTable):
     """Sphere or ellipsoid of another material in a body, or a void.
 
     Create it with `Inclusion.sphere`, `Inclusion.ellipsoid` or `Inclusion.void`. The inclusion is
-    perfectly bonded to the matrix. An inclusion that has separated from the matrix is modelled as a
-    void, as long as the gap stays open.
+    perfectly bonded to the matrix. Model an inclusion that has separated from the matrix as a void
+    if the gap stays open.
 
     Attributes
     ----------

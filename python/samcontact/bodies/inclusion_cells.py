@@ -159,7 +159,7 @@ def box_of(
 
 
 def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp]) -> None:
-    """Refuse inclusions below the grid, outside of it, and wider than its period."""
+    """Raise ValueError for an inclusion below or outside the grid, or wider than its period."""
     highest = int(ends[:, 2, 0].argmin())
     if grid.nz and ends[highest, 2, 0] >= grid.nz:
         raise ValueError(
@@ -174,7 +174,8 @@ def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp])
         if wraps and wide.max() > count:
             raise ValueError(
                 f"{names[int(wide.argmax())]} must be narrower than the period of the grid along "
-                f"{name}, {quantity(step * count, 'm')}, got {wide.max()} cells of {count}"
+                f"{name}, {quantity(step * count, 'm')} ({count} cells), "
+                f"got a width of {wide.max()} cells"
             )
         if not wraps:
             beyond = (ends[:, axis, 1] <= 0) | (ends[:, axis, 0] >= count)

@@ -35,7 +35,7 @@ def largest_edge(grid: CellSizes) -> float:
 
 
 def cells_per_radius(grid: CellSizes, inclusions: Sequence[Inclusion]) -> float:
-    """Smallest radius of all inclusions, in the largest edge length of a cell."""
+    """Ratio of the smallest radius of all inclusions to the largest cell edge."""
     radii = (min(inclusion.radii) for inclusion in inclusions)
     return min(radii, default=math.inf) / largest_edge(grid)
 

@@ -301,7 +301,7 @@ def elastic(body: Body) -> Body:
 
 
 def materials_of(body: Body) -> list[Material]:
-    """All materials of a body, from the surface down; of a heterogeneous body its matrix."""
+    """All materials of a body, from the surface down; the matrix of a heterogeneous body."""
     if isinstance(body, Material):
         return [body]
     if isinstance(body, Heterogeneous):

@@ -2,9 +2,9 @@
 """Moduli and misfit of cells that inclusions fill partly.
 
 A softer inclusion is mixed with the matrix in parallel (Voigt), a stiffer one in series (Reuss);
-bulk and shear modulus each by its own ratio. With the filled share f and the relative modulus a:
-A = f a + 1 - f (softer), 1/A = f/a + 1 - f (stiffer). The misfit eps_0 is weighted f a/A and f. If
-a cell contains several inclusions, both sums extend over them, and A is the product.
+bulk and shear modulus are mixed separately. With the filled share f and the relative modulus a: A =
+f a + 1 - f (softer), 1/A = f/a + 1 - f (stiffer). The misfit is multiplied by f a/A (softer) or f
+(stiffer). If a cell contains several inclusions, both sums extend over them, and A is the product.
 """
 
 from __future__ import annotations

@@ -30,7 +30,7 @@ def instantaneous(body: Body) -> Body:
 
 
 def relaxed(body: Body) -> Body:
-    """Return the elastic body that a body is for slow loads.
+    """Return an elastic body with the long-time moduli of a body.
 
     Raises ValueError for a fluid: its long-time modulus is 0.
     """

@@ -19,7 +19,7 @@ MAX_LINES = 20
 _LIKELY = 0.75
 """Similarity of names above which one is probably a misspelling of the other."""
 SHORT_FORMS = ("roller", "bearing")
-"""Sections that are short for [surface] with this shape."""
+"""Sections that replace a [surface] with this shape."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 

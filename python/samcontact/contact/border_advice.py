@@ -32,8 +32,8 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
-    remedy_prefix: second remedy, with a leading comma, for the end of the message; it is used if
-    the first remedy replaces the remedy in `text`.
+    If the first remedy replaces the remedy in `text`, `remedy_prefix` (a second remedy with a
+    leading comma) is appended to the message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if remedy and "normal to y" in before and (rows := _rows_beyond_faces(setup)):

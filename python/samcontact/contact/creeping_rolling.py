@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Steady rolling of viscoelastic bodies with friction.
 
-The displacement is that of elastic bodies of intermediate moduli plus a rest, which is taken from
-the last tractions until it no longer changes.
+The displacement is divided into that of elastic bodies with intermediate moduli and a rest. The
+rest is computed from the last tractions until it no longer changes.
 """
 
 from __future__ import annotations
@@ -41,8 +41,8 @@ _TIGHTEST_TOL = 1e-12
 def intermediate(body: Body, speed: float, grid: Grid) -> Body:
     """Return the elastic body whose compliance is halfway between those of fast and slow waves.
 
-    The slow waves are twice as long as the grid. The complex compliance of a standard linear solid
-    at higher frequencies differs from the mean compliance by less than the mean itself.
+    The slow waves are twice as long as the grid. For faster waves, the complex compliance of a
+    standard linear solid differs from the returned compliance by less than this compliance itself.
     """
     if relaxation_of(body) is None:
         return body

@@ -28,8 +28,8 @@ _HIGHER = [2.0**power for power in range(13, 0, -1)]
 """Speeds of a continuation, as multiples of the given speeds."""
 
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
-"""Solution on a grid, from the part of the displacement that is not symmetric in motion [m] and the
-fields of a ContactSolution."""
+"""Function that creates the solution on a grid, from `_delayed` displacement [m] and the fields of
+a ContactSolution."""
 
 
 class MovingContactSolver(ContactSolver):

@@ -53,7 +53,7 @@ def attraction_at_edge(attraction: FloatArray, periodic: str) -> float:
 
 
 def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterator[str]:
-    """Texts on the cell size, and on a range of the grid at which the bodies would yield."""
+    """Texts on the cell size, and on a range at which the bodies would yield."""
     if found.kappa > MAX_RESOLVED:
         yield (
             f"the grid does not resolve the adhesion: kappa = {found.kappa:.3g} (at most "

@@ -64,9 +64,8 @@ class Paraboloid(NamedTuple):
     """Distances along x and y [m] within which the gap is close to the paraboloid."""
 
     def fits(self, expected: ExpectedContact) -> bool:
-        """Whether a Hertz contact lies within the reach.
-
-        A contact as wide as the radii is always one of them, so that its unit is questioned.
+        """Whether a Hertz contact lies within the reach. The result is also True for a contact as
+        wide as the radii, so that the unit checks include it.
         """
         if all(e <= r for e, r in zip(_extent_of(expected, self), self.reach, strict=True)):
             return True

@@ -21,16 +21,17 @@ MAX_TIMES = 3.0
 
 
 CREEP_CELLS = 0.02, 1.0
-"""Distances over which a moving material creeps that the cells do not resolve [cells]; over shorter
-ones it has its long-time modulus everywhere."""
+"""Range of the distance over which a moving material creeps in which cells do not resolve it
+[cells]; below this range the material has its long-time modulus everywhere."""
 
 
 @dataclass
 class RelaxationSteps:
     """Observer of increments: a jump of the load in a long increment, then a constant load.
 
-    Remembered tractions change linearly with time in an increment. If the load was applied at its
-    start, the relaxation since then is missing; a load that continues to rise is a ramp.
+    Tractions are assumed to change linearly with time in an increment. If the load was in fact
+    applied at the start of the increment, the relaxation since then is missing. A load that
+    continues to rise is a ramp.
     """
 
     jump: str = ""

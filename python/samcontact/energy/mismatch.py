@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
-    """Return the elastic energy that bodies have in addition to that of homogeneous ones [J].
+    """Return the elastic energy of bodies minus that of bodies without inclusions [J].
 
     It is 1/2 of the integral of s0 : e* - s : e0, with the stress s0 of the tractions in the
     homogeneous matrix, the stress s, the eigenstrain e* of the inclusions and their misfit e0.

@@ -112,7 +112,7 @@ class Motion:
 
 
 def have_equal_eigenstrain(one: State, other: State) -> bool:
-    """Whether the eigenstrain of each body is the same in two states, where both grids have it."""
+    """Whether the eigenstrain of each body is equal in the common cells of two states."""
     bodies = [n for n in (1, 2) if one.has_eigenstrain(n) or other.has_eigenstrain(n)]
     if not bodies:
         return True

@@ -222,9 +222,9 @@ class MeanFields:
     def of(self, number: int) -> tuple[FloatArray, FloatArray]:
         """Mean stress of the full cells [Pa], and mean eigenstrain of all cells [-].
 
-        The mean eigenstrain is its sum over full and cut cells, without the plastic strain of the
-        matrix in cut cells, divided by the filled volume; this sum is more accurate than the mean
-        of the full cells, and it is unique in a void.
+        The mean eigenstrain is the sum over full and cut cells divided by the filled volume. The
+        sum does not include the plastic strain of the matrix in cut cells. It is more accurate than
+        the mean of the full cells, and unique in a void.
         """
         mine = self.phase == number
         share = self.share[mine]

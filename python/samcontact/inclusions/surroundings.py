@@ -126,8 +126,8 @@ def matrix_field(
     """Field of a criterion in the matrix only: 0 in cells that an inclusion fills or cuts.
 
     Use it with `samcontact.fatigue.life`, whose integral then extends over the matrix: the ratio to
-    the life of the same body without inclusions shows how clean a steel must be. The integral of a
-    high power of the stress depends less on the cells than the maximum does.
+    the life of the same body without inclusions shows how clean a steel must be. The integral
+    depends less on the cell size than the maximum does.
 
     Parameters
     ----------

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Weibull distributions of lives over random microstructures or tests, with exact confidence.
 
-The ratio of the estimated to the true shape, and shape times the logarithm of the ratio of an
-estimated to the true quantile, have distributions that depend on the number of lives only (Thoman,
-Bain and Antle, 1969, doi:10.1080/00401706.1969.10490706). They are simulated here.
+Confidence limits follow from two quantities: the ratio of the estimated to the true shape, and the
+estimated shape times the logarithm of the ratio of an estimated to the true quantile. Their
+distributions depend only on the number of lives (Thoman, Bain and Antle, 1969,
+doi:10.1080/00401706.1969.10490706), and are simulated here.
 """
 
 from __future__ import annotations

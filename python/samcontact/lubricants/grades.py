@@ -146,9 +146,9 @@ class Oil(HtmlTable):
 def iso_vg(grade: int | str) -> Oil:
     """Return a typical mineral oil of an ISO viscosity grade.
 
-    grade: e.g. 68 or "ISO VG 68". Viscosity at 40 °C: midpoint of the grade, from whose value oils
-    deviate by up to 10 %; at 100 °C: typical. Prefer both values of the data sheet (`oil`). Raises
-    ValueError for other grades, TypeError for other types.
+    grade: e.g. 68 or "ISO VG 68". The viscosity at 40 °C is the midpoint of the grade, from which
+    oils deviate by up to 10 %; the viscosity at 100 °C is a typical value. Prefer both values of
+    the data sheet (`oil`). Raises ValueError for other grades, TypeError for other types.
     """
     known = ", ".join(map(str, GRADES))
     if isinstance(grade, bool) or not isinstance(grade, (int, str)):

@@ -233,7 +233,7 @@ class Lubricant(HtmlTable):
         if T is not None:
             if self.heat is None:
                 raise ValueError(
-                    "T needs thermal constants of the lubricant: use with_thermal, or leave T out"
+                    "T requires thermal constants of the lubricant: use with_thermal, or omit T"
                 )
             given, at = together(p=given, T=T)
             logarithm = self.law.logarithm(given)
@@ -268,8 +268,8 @@ class Lubricant(HtmlTable):
     def tables(self, max_pressure: float) -> LubricantTables:
         """Return density and reduced pressure over the pressure, up to a pressure [Pa].
 
-        The reduced pressure is the integral of density over viscosity from 0 to p. Choose the
-        largest pressure of any iterate, not of the solution only. Raises ValueError for a pressure
+        The reduced pressure is the integral of density over viscosity from 0 to p. Choose a
+        pressure that no iterate exceeds, not only the solution. Raises ValueError for a pressure
         that is not > 0.
         """
         return reduced_pressure(
@@ -277,7 +277,7 @@ class Lubricant(HtmlTable):
         )
 
     def _fluidity(self, p: FloatArray) -> FloatArray:
-        """Return density over viscosity [1/(Pa s)], beyond a table too."""
+        """Return density over viscosity [1/(Pa s)], also beyond the range of a table."""
         logarithm = np.minimum(self.law.logarithm(p), MAX_LOGARITHM)
         return self.density_law.ratio(p) * np.exp(-logarithm) / self.eta0
 

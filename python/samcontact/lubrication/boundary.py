@@ -10,7 +10,7 @@ from .._util.checks import non_negative, positive
 
 @dataclass(frozen=True)
 class Boundary:
-    """Layer adsorbed on the surfaces, which bears where the film is thin.
+    """Layer adsorbed on the surfaces, which carries load where the film is thin.
 
     Its pressure is p_b (h_b/(h - h_b))^3 at a film thickness h > h_b. It also stands for asperities
     smaller than a cell. The share of the load that it bears depends on this law; pressure and film

@@ -77,8 +77,9 @@ def lambda_ratio(film: float, roughness1: float, roughness2: float = 0.0) -> flo
     """Return film/(Rq1^2 + Rq2^2)^(1/2) [-], the ratio of a film to the roughness.
 
     film: smooth film thickness [m]; roughness1, roughness2: rms heights of both surfaces [m]. Above
-    about 3 the surfaces are apart, below 1 the asperities carry load; in heavily loaded contacts
-    they are flattened, and the limits are lower. Raises ValueError if both surfaces are smooth.
+    about 3 the surfaces are separated, below 1 asperities carry load. Heavily loaded contacts
+    flatten the asperities, so these limits are lower there. Raises ValueError if both surfaces are
+    smooth.
     """
     film = positive("film", film)
     heights = non_negative("roughness1", roughness1), non_negative("roughness2", roughness2)

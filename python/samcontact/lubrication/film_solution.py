@@ -48,14 +48,14 @@ class FilmErrors(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FilmPast:
-    """Past of a transient film, with which it continues."""
+    """Data of earlier instants from which a transient film continues."""
 
     time: float
     """Time since the start [s]."""
     ways: FloatArray
-    """Ways of the surfaces of bodies 1 and 2 along x and y since the start [m]."""
+    """Travels of the surfaces of bodies 1 and 2 along x and y since the start [m]."""
     content: FloatArray
-    """Content of the film at the instant before [m]."""
+    """Content of the film at the preceding instant [m]."""
     gap: FloatArray
     """Gap of the undeformed surfaces without moving reliefs [m]."""
     peak: float

@@ -130,10 +130,10 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
     After Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02).
     contact: line contact, or point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x
     [m/s]. The result is "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or
-    "elastic-piezoviscous": elastic if the Hertz approach is larger than the central film,
-    piezoviscous if the part of the film due to the increase of the viscosity is the larger one,
-    both by `nijenbanning`. A line contact is elastic if b^2/(2 R) of its half-width b is larger
-    than the film, by the films of the four limits. Raises ValueError outside this range.
+    "elastic-piezoviscous": elastic if the Hertz approach is larger than the central film of
+    `nijenbanning`, piezoviscous if the piezoviscous part of this film is larger than the isoviscous
+    part. A line contact is elastic if b^2/(2 R) of its half-width b is larger than the film, by the
+    films of the four limits. Raises ValueError outside this range.
     """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:

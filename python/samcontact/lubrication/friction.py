@@ -62,8 +62,9 @@ def friction(film: FilmSolution) -> FilmFriction:
     """Return shear, traction, rolling resistance and power of a lubricated contact.
 
     The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
-    ``|v1 - v2|``/film, times the filling, at the temperatures of a heated film. The boundary layer
-    adds its coefficient of friction times its pressure. The sliding due to spin is not included.
+    ``|v1 - v2|``/film, times the filled fraction of the film, at the temperatures of a heated film.
+    The boundary layer adds its coefficient of friction times its pressure. The sliding due to spin
+    is not included.
 
     Raises
     ------

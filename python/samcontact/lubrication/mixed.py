@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mixed lubrication: films with a boundary layer, from the dry contact upwards in speed."""
+"""Mixed lubrication: films with a boundary layer at increasing speeds, from the dry contact."""
 
 from __future__ import annotations
 
@@ -52,14 +52,13 @@ class MixedFilm:
         self._last: Step | None = None
 
     def _first_factor(self, thickness: float) -> float:
-        """Return the speed at which a layer bears all; the film grows with speed^(2/3)."""
+        """Return the speed at which a layer carries all load; the film grows as speed^(2/3)."""
         return float((FILM_OF_DRY * thickness / self.dry.film) ** 1.5)
 
     def _begin(self) -> Any:
-        """Return the solution at a speed at which the layer bears all.
+        """Return the solution at a speed at which the layer carries the whole load.
 
-        A thick layer is solved first: its film differs less from that of the dry contact. Its
-        thickness then decreases to the given one.
+        Thicker layers are solved first, because they conform more closely to the dry contact.
         """
         thin = self.layer[0]
         touching = in_contact(self.dry.pressure)
@@ -105,7 +104,7 @@ class MixedFilm:
         return self._solver
 
     def level(self, found: Any) -> FilmLevel:
-        """Return what is stated about the grid of a solution."""
+        """Return the record of the grid of a solution."""
         return self._solver.level(found)
 
     def at(self, factor: float) -> Any:

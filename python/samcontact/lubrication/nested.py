@@ -34,10 +34,11 @@ TABLE_RANGE = 10.0
 MIN_TABLE_PRESSURE = 1e8
 """Smallest range of these tables [Pa]."""
 MIN_FILM_SHARE = 1e-9
-"""Films below this share of the range of the gap conduct as one of this share."""
+"""Film thickness, relative to the range of the gap, below which the flow is that of this
+thickness."""
 _GHOST_CELLS = 3  # beyond the edges of a field that is resampled
 _ENTERING_VOID = 1e-6
-"""Void fraction at least given to a cell that the coarser grid found cavitated."""
+"""Minimum initial void fraction of a cell that is cavitated on the coarser grid."""
 
 
 def face_velocities(
@@ -183,8 +184,8 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
             found = solver.solve(gap, approach=task.target)
     if not found.load > 0:
         raise ValueError(
-            f"approach must press the dry surfaces together, got {task.target!r} m: increase it, "
-            "or prescribe the load"
+            f"approach must bring the dry surfaces into contact, got {task.target!r} m: increase "
+            "approach, or prescribe the load"
         )
     if found.in_contact[0].any() and found.in_contact[-1].any():
         name = "load" if task.is_load else "approach"
@@ -293,7 +294,7 @@ class LevelSolver:
         )  # fmt: skip
 
     def level(self, found: Any) -> FilmLevel:
-        """Return what is stated about this grid."""
+        """Return the record of this grid."""
         return FilmLevel(
             self.grid.surface_shape, found["iterations"], found["krylov_steps"],
             found["operator_applications"], found["error"],
@@ -302,7 +303,7 @@ class LevelSolver:
 
 
 def table_of(lubricant: Lubricant, peak: float) -> Any:
-    """Return the tables of a lubricant for the core, for a contact with this dry pressure [Pa]."""
+    """Return the tables of a lubricant for the core; peak: largest pressure when dry [Pa]."""
     tables = lubricant.tables(max(TABLE_RANGE * peak, MIN_TABLE_PRESSURE))
     return _core.LubricantTable(
         scale=tables.scale, step=tables.step, reduced=tables.reduced, fluidity=tables.fluidity,

@@ -55,9 +55,9 @@ CELLS_PER_RADIUS = 12.0
 MAX_CHANGE = 0.05
 """Relative change of the central film between the last two grids that causes a warning."""
 THICK = 20.0
-"""Predicted film, in thicknesses of the layer, from which on a full film is tried first."""
+"""Predicted film, in thicknesses of the layer, above which a full film is tried first."""
 MAX_SHARE = 1e-3
-"""Share of the boundary layer up to which the solution of a full film is taken."""
+"""Maximum share of the boundary layer for which the solution of a full film is accepted."""
 MAX_EDGE_PRESSURE = 1e-3
 """Pressure next to the inlet edge of the grid, relative to the largest, that causes a warning."""
 
@@ -218,7 +218,7 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
 
 
 def _mixed_film(task: FilmTask, grid: Grid) -> Found:
-    """Return the solution with a boundary layer: of a thick film, or else from the dry contact."""
+    """Return the solution with a boundary layer, from a thick film or from the dry contact."""
     assert task.boundary is not None
     mixed = MixedFilm(task, grid)
     require_thin_film(task, mixed.dry)
@@ -291,7 +291,7 @@ def velocities_of(speed: Any) -> FloatArray:
 
 
 def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, float]) -> Any:
-    """Return the solution on a grid; a solution of order 1 leads to it if Newton fails."""
+    """Return the solution on a grid; if Newton fails, start from a solution of order 1."""
     found = solver.solve(start, layer, solver.task.order)
     if found["converged"] or solver.task.order == 1:
         return found
@@ -306,7 +306,7 @@ def require_converged(
     task: FilmTask,
     advice: str = USUAL_REMEDY,
 ) -> None:
-    """Raise an error for a state that is not a solution, or is none of the physical problem."""
+    """Raise an error for a state that has not converged or is physically impossible."""
     target = quantity(task.target, "N" if task.is_load else "m")
     if not found["converged"]:
         error = ConvergenceError(

@@ -77,8 +77,8 @@ def stribeck(
 ) -> StribeckCurve:
     """Solve a lubricated contact at several speeds, from the dry contact upwards.
 
-    Each solution is the start of the next: films open as the speed rises, on one branch. On the way
-    to the first speed, and between speeds that are far apart, further speeds are solved.
+    The solution at each speed starts from that at the previous speed. Further speeds are solved
+    below the first speed, and between speeds that are far apart.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def stribeck(
     )  # fmt: skip
     task = with_shear(task, grid, shear_thinning, thermal)
     if task.boundary is None:
-        raise ValueError("boundary is required: without it dry surfaces bear nothing at low speeds")
+        raise ValueError("boundary is required: it carries the load that thin films cannot carry")
     mixed = MixedFilm(task, grid)
     solutions: list[FilmSolution] = []
     try:

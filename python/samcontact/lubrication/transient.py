@@ -18,7 +18,7 @@ from .nested import FilmTask, LevelSolver, table_of
 from .steady import require_converged, solution_of, velocities_of
 
 WEIGHTS = 1.5, 2.0, 0.5
-"""Weights of the present, the last and the last but one content in a step of second order."""
+"""Weights of the content now, one step ago and two steps ago, in a step of second order."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -64,9 +64,9 @@ def transient(
 ) -> FilmHistory:
     """March a lubricated contact in time: moving reliefs, and load or speeds that change.
 
-    Squeeze films, impact and reversal need nothing else. Each step is of second order in time
-    (BDF2). The film before the start counts as steady, or as that of the history to which `start`
-    belongs, which is then continued.
+    Squeeze films, impact and reversal of the motion are included. Each step is of second order in
+    time (BDF2). The film before the start is assumed to be steady. If `start` belongs to a history,
+    this history is continued.
 
     Parameters
     ----------
@@ -145,7 +145,7 @@ class _March:
         self._solver = LevelSolver(self._task, start.grid, start.gap, table)
 
     def _gap(self, smooth: FloatArray, ways: FloatArray) -> FloatArray:
-        """Return the gap of the undeformed surfaces with the reliefs where they are [m]."""
+        """Return the gap of the undeformed surfaces, reliefs at their present positions [m]."""
         grid, gap = self._last.grid, smooth
         for number, (relief, way) in enumerate(zip(self._reliefs, ways, strict=True), 1):
             if relief is not None:

@@ -139,7 +139,7 @@ class Adhesion(ContactLaw):
         if missing:
             raise ValueError(
                 f"{missing[0]} must be given, got None: `on` returns the law with the shortest "
-                "one that a grid resolves"
+                f"{missing[0]} that a grid resolves"
             )
         return super().to_core()
 
@@ -280,9 +280,9 @@ class ResolvedAdhesion(HtmlTable):
     def tabor(self, radius: float) -> float:
         """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) for a radius R of the surfaces [m].
 
-        The length z is w over the peak of the attraction, which is the range of the exponential
-        law. Above about 3 the theory of Johnson, Kendall & Roberts applies, below 0.1 the theory of
-        Derjaguin, Muller & Toporov (Tabor 1977, doi:10.1016/0021-9797(77)90366-6).
+        The length z is w over the peak of the attraction. For the exponential law, z is the range.
+        `samcontact.adhesion.tabor` states which theory applies to a Tabor number. Raises ValueError
+        if the radius is not > 0.
         """
         length = self.work / self.law.peak
         radius = positive("radius", radius)

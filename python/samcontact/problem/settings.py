@@ -129,8 +129,8 @@ class ContactSettings:
         if self.stiffness is not None and not self.adhesion.varies:
             raise ValueError(
                 f"stiffness = {self.stiffness!r} requires a law of `Adhesion`, got adhesion = "
-                f"{self.adhesion!r}: without it, each load has one approach, and the machine is "
-                "compressed by load/stiffness"
+                f"{self.adhesion!r}: without adhesion, omit stiffness and add load/stiffness to "
+                "the approach of the bodies"
             )
 
     @classmethod

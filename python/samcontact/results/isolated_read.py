@@ -47,7 +47,10 @@ def try_to_read(path: Path, call: float = CALL_TIME) -> None:
         Maximum processor time of a call of HDF5 [s].
     """
     if not sys.executable:
-        raise ValueError("the file has no digest and cannot be checked: no Python was found")
+        raise ValueError(
+            "the file has no digest and cannot be checked: no Python interpreter was found that "
+            "could read it in a separate process"
+        )
     here = [json.dumps(sys.path), __file__, str(path), repr(call)]
     command = [sys.executable, "-I", "-c", _READER_PROGRAM, *here]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)

@@ -99,7 +99,7 @@ def _sizes(before: Step, step: Step) -> dict[str, float]:
 def _before(
     number: int, path: Sequence[Step], states: Sequence[State], start: float
 ) -> dict[str, Any]:
-    """Return load, approach and other targets before an increment; computed if not prescribed."""
+    """Return load, approach and other targets before an increment, prescribed or computed."""
     if number == 0:
         pairs = dict.fromkeys(_PAIRS, (0.0, 0.0))
         return {"load": 0.0, "approach": start, "torque": 0.0, **pairs}

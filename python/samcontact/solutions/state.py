@@ -225,8 +225,8 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
         Tensor components; this strain is not part of `plastic_strain`. For a `Heterogeneous` body
-        plus the strain with which its matrix, filling the body, has the same stress: plastic
-        strain, misfit, and mismatch under the present load. In a void this strain is not unique.
+        it also contains the strain that gives a homogeneous matrix the same stress: plastic strain,
+        misfit, and mismatch under the present load. In a void this strain is not unique.
         """
         return self._field("eigenstrain", body)
 

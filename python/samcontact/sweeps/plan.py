@@ -116,7 +116,7 @@ def _keys(case: CaseFile, name: Any) -> Keys:
 
 
 def _short_form(case: CaseFile) -> str:
-    """Return the name of the section that is short for [surface] in the case; "" if none is."""
+    """Return the section that replaces [surface] in the case, e.g. "roller"; "" without one."""
     shape = getattr(getattr(case, "surface", None), "shape", "")
     return shape if shape in SHORT_FORMS else ""
 

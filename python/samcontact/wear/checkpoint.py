@@ -136,7 +136,7 @@ def _cycles(records: Tree, problem: WearProblem) -> list[AnyCycle]:
         per_body = item.name in problem.record.PER_BODY
         shape: tuple[int, ...] = (count, worn) if per_body else (count,)
         if np.shape(records[item.name]) != shape:
-            raise ValueError(f"{item.name} of the cycles must have {shape} finite numbers")
+            raise ValueError(f"{item.name} of all cycles must be finite numbers of shape {shape}")
     if list(records["number"]) != list(range(1, count + 1)):
         raise ValueError("the cycles must be numbered consecutively")
     return [problem.record(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]

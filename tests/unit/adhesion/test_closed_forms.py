@@ -83,3 +83,12 @@ def test_tabor_and_maugis_parameters():
     z = 1e-9
     found = adhesion.maugis(R, W, E_STAR, 1.03 * W / z).transition_parameter
     np.testing.assert_allclose(found, 1.16 * adhesion.tabor(R, W, E_STAR, z), rtol=3e-3)
+
+
+@pytest.mark.parametrize(("number", "difference"), [(5.0, 0.004), (0.1, 0.03)])
+def test_the_theories_of_short_and_long_range_at_their_stated_limits(number, difference):
+    z = (R * W**2 / E_STAR**2) ** (1.0 / 3.0) / number
+    found = adhesion.maugis(R, W, E_STAR, W / z).pull_off
+    limit = adhesion.jkr(R, W, E_STAR).pull_off if number > 1 else adhesion.dmt(R, W)
+    np.testing.assert_allclose(adhesion.tabor(R, W, E_STAR, z), number, rtol=1e-12)
+    np.testing.assert_allclose(found, limit, rtol=difference)

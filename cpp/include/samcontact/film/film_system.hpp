@@ -47,7 +47,7 @@ class FilmSystem {
   /// empty if the flow has no unique solution.
   FilmChange solve(const Linearised& system, double share, int max_steps);
 
-  /// Starts anew, so that solutions do not depend on earlier ones.
+  /// Discards the last decomposition, so that solutions do not depend on earlier ones.
   void forget() { is_old_ = true; }
 
   /// Numbers in the factors of the last decomposition.

@@ -38,7 +38,7 @@ struct FlowSettings {
   double boundary_thickness = 0.0;
   /// Film of lubricant that arrives at the inlet [m]; infinite: fully flooded.
   double supply = std::numeric_limits<double>::infinity();
-  /// Films below are taken as this thin [m].
+  /// Smallest film in the flow [m]: thinner films conduct as much.
   double thinnest = 0.0;
   PressureFlow pressure_flow = {};
 };

@@ -119,7 +119,8 @@ class LoadSearch {
     return false;
   }
 
-  /// Encloses the load further, always from the state on the near side: Illinois method.
+  /// Narrows the interval of the load by the Illinois method, always from the state on the near
+  /// side.
   bool enclose(Point near, Point far) {
     Place place = here();
     double near_weight = near.excess, far_weight = far.excess;

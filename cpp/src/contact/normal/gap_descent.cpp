@@ -122,8 +122,8 @@ void GapDescent::find_direction(bool restart) {
   const double change = ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
   const double beta = restart || rz_ <= 0 ? 0.0 : std::max(0.0, change / rz_);
   for_each_cell(n, [&](std::ptrdiff_t i) { t_[i] = gap_.is_open(i) ? z_[i] + beta * t_[i] : 0.0; });
-  // A set that has changed leaves the earlier direction with a mean, with which the approach would
-  // drift.
+  // If cells have opened or closed, the earlier direction has a mean, which would shift the
+  // approach.
   remove_mean(t_);
   if (ordered_dot(q_.data(), t_.data(), n) <= 0) t_ = z_;
   std::swap(before_, q_);

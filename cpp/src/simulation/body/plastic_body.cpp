@@ -86,7 +86,7 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
                         {from.inclusions_flow[index], from.matrix_flow[index]})),
       search_(setup_, index, heating, strength_),
       surface_(setup_, index, copies, symmetry, offset_) {
-  // Mismatch of bulk moduli has a trace.
+  // Eigenstrain due to a mismatch of bulk moduli has a trace.
   if (cells_.mixed().is_on()) tensor_ = Tensor::full;
   if (!history_) return;
   tensor_ = history_->tensor();

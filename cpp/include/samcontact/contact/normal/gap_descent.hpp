@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Adhesive contact at a given approach: conjugate gradients on the energy as a function of the gap.
-// Polonsky & Keer (1999) in the opposite order: the unknown is the displacement, the stiffness is
-// the operator, and the compliance the preconditioner; as Rey, Anciaux & Molinari (2017,
-// doi:10.1007/s00466-017-1392-5), who precondition with the compliance in periodic surfaces.
+// Method of Polonsky & Keer (1999) with exchanged roles: the unknown is the displacement, the
+// stiffness is the operator, and the compliance the preconditioner; as Rey, Anciaux & Molinari
+// (2017, doi:10.1007/s00466-017-1392-5), who precondition with the compliance in periodic surfaces.
 #pragma once
 
 #include "samcontact/contact/laws/contact_law.hpp"
