@@ -150,6 +150,13 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   surface_.take(std::move(outside));
 }
 
+void PlasticBody::set_zones(const Zones& zones, std::shared_ptr<const PlasticState> history,
+                            OutsideStrain outside, const Sources& sources, ActiveCells& active) {
+  history_ = std::move(history);
+  known_outside_ = std::move(outside);
+  set_zones(zones, false, sources, active);
+}
+
 void PlasticBody::set_strain(std::uint32_t cell, const plasticity::Tensor& strain) {
   const auto places = operators::components(tensor_);
   const std::size_t cells = zones().cells();

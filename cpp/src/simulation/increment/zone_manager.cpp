@@ -39,6 +39,20 @@ bool holds_around(const Zones& zones, const Cell& cell, const Period& period) {
   return true;
 }
 
+/// Whether a body with a history moves, and the contact does not change otherwise.
+bool moves_steadily(const IncrementTask& task, const PlasticBody& body) {
+  const State& from = task.from;
+  const auto near = [](double a, double b) { return std::fabs(a - b) <= change * std::fabs(b); };
+  const double normal = task.target.drive.normal.value;
+  const bool steady = task.target.is_load()       ? near(normal, from.load)
+                      : task.target.is_approach() ? near(normal, from.approach)
+                                                  : false;
+  const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
+  return steady && body.history() && from.advance.moves(body.index()) &&
+         from.placement().offset[body.index()] == 0 &&
+         !std::ranges::any_of(task.target.heating, hot);
+}
+
 }  // namespace
 
 ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
@@ -195,19 +209,6 @@ void ZoneManager::take_up_inclusions(PlasticBody& body) {
   set_box(body, choice_.fitted(needed, body.zones().around()));
 }
 
-bool ZoneManager::moves_steadily(const PlasticBody& body) const {
-  const State& from = task_.from;
-  const auto near = [](double a, double b) { return std::fabs(a - b) <= change * std::fabs(b); };
-  const double normal = task_.target.drive.normal.value;
-  const bool steady = task_.target.is_load()       ? near(normal, from.load)
-                      : task_.target.is_approach() ? near(normal, from.approach)
-                                                   : false;
-  const auto hot = [](const operators::Heating& heating) { return heating.factor != 0; };
-  return steady && body.history() && from.advance.moves(body.index()) &&
-         from.placement().offset[body.index()] == 0 &&
-         !std::ranges::any_of(task_.target.heating, hot);
-}
-
 bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
   const Grid& grid = task_.setup().grid;
   const Settings& settings = task_.settings;
@@ -215,7 +216,7 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
                        symmetry_ == fft::Symmetry::none && grid.period.x == 0 &&
                        task_.from.method == operators::ResidualMethod::fast &&
                        !settings.softening[body.index()];
-  if (!allowed || !moves_steadily(body)) return false;
+  if (!allowed || !moves_steadily(task_, body)) return false;
   Box near = box_near_tractions(task_.from);
   const int width = near.nx;
   if (near.empty() || std::fabs(task_.from.advance.x[body.index()]) > 0.25 * width) return false;
@@ -235,8 +236,7 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
     return false;
   FarInclusions far =
       renew_far_inclusions(task_.from, body.index(), *body.history(), near, sources_);
-  body.take_history(std::move(far.history), std::move(far.outside));
-  set_box(body, near);
+  body.set_zones(Zones({near}), std::move(far.history), std::move(far.outside), sources_, active_);
   if (far.yielding.empty()) return true;
   const Box needed = choice_.in_grid_or(near, near.united(choice_.with_margin(far.yielding)));
   if (!near.contains(needed)) set_box(body, choice_.fitted(needed, near));

@@ -30,12 +30,6 @@ class PlasticBody {
   operators::Tensor tensor() const { return tensor_; }
   /// History of the body before the increment; null: no history.
   const std::shared_ptr<const PlasticState>& history() const { return history_; }
-  /// Replaces it, before there are zones. outside: effect of the strain outside the zones that are
-  /// set next.
-  void take_history(std::shared_ptr<const PlasticState> history, OutsideStrain outside) {
-    history_ = std::move(history);
-    known_outside_ = std::move(outside);
-  }
   /// Stored zones: the part on one side of the mirror planes.
   const Zones& zones() const { return cells_.zones(); }
   bool is_split() const { return split_; }
@@ -51,6 +45,10 @@ class PlasticBody {
   /// use the operators of zones, or those of one box around them, which must then contain all
   /// tractions. Throws MemoryError.
   void set_zones(const Zones& zones, bool split, const Sources& sources, ActiveCells& active);
+  /// Sets the first zones, with the operators of one box, and another history. outside: effect on
+  /// them of the strain outside them.
+  void set_zones(const Zones& zones, std::shared_ptr<const PlasticState> history,
+                 OutsideStrain outside, const Sources& sources, ActiveCells& active);
   /// Sets the factor on the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
 

@@ -51,8 +51,6 @@ class ZoneManager {
   /// Makes the box contain the inclusions near the contact only, if the contact moves on without
   /// much change: those far from it are renewed by one step. Returns whether this is so.
   bool take_up_near_inclusions(PlasticBody& body);
-  /// Whether a body with a history moves, and the contact does not change otherwise.
-  bool moves_steadily(const PlasticBody& body) const;
   /// Whether a body may have several zones: inclusions are solved for in one box.
   bool may_split(const PlasticBody& body) const {
     return !body.cells().mixed().is_on() && split_.is_allowed();
