@@ -21,6 +21,7 @@ from .study import ROOT
 
 NAME = "small_scenes"
 TITLE = "Small scenes"
+HIDDEN_COLUMNS = ("memory_MB", "cells")
 CASES = ("elastic contact", "partial slip", "ball that yields")
 PROGRAMS = ("numpy", "samcontact")
 TRIES = 5
@@ -28,6 +29,7 @@ SECONDS = 3
 LIBRARIES = ("_core.", "libfftw", "libgomp", "libm", "libc", "libstdc++", "[kernel", "[vdso")
 """Parts of the names of the core and of the libraries that it calls."""
 CASE = """
+title = "small"
 [grid]
 nx = 64
 ny = 64
@@ -46,6 +48,7 @@ shape = "paraboloid"
 Rx = 7.5e-3
 [[path]]
 load = 500.0
+increments = 1
 """
 
 
@@ -63,9 +66,9 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
 
 
 def scene(case: str, n: int) -> Callable[[], object]:
-    """Return a solution to repeat: of a new solver or simulation."""
+    """Return a solution on about n x n cells to repeat, of a new solver or simulation."""
     if case == CASES[2]:
-        return lambda: balls(max(n // 4, 4)).step(load=LOAD)
+        return lambda: balls(int(n / 2.5)).step(load=LOAD)
     d = 2.6 * hertz().a / n
     grid = sc.Grid(n, n, d, d)
     gap = sc.surfaces.paraboloid(grid, RADIUS)
@@ -172,6 +175,11 @@ def notes(rows: list[dict[str, Any]]) -> list[str]:
         lines.append(
             f"`import samcontact` takes {times['import samcontact']:.2f} s of processor time, of "
             f"which NumPy takes {times['import numpy']:.2f} s."
+        )
+    if "samcontact run --no-figures" in times:
+        lines.append(
+            f"`samcontact run` takes {times['samcontact run --no-figures']:.2f} s, most of it to "
+            "load xarray with pandas and to build the checks of case files."
         )
     return [" ".join(lines)] if lines else []
 
