@@ -120,9 +120,10 @@ def tractions_setup(box: Sequence[float], source: Sequence[float]) -> Need:
 def dissection(n: float) -> Need:
     """Return the need of a sparse decomposition of n equations of a plane, by nested dissection.
 
-    George (1973): 829/84 n^1.5 multiplications for a symmetric matrix; twice as many without.
+    George (1973): 829/84 n^1.5 multiplications, each with a sum, for a symmetric matrix; twice as
+    many for others.
     """
-    return Need(2 * 2 * 829 / 84 * n**1.5 / 2, 16.0 * factors(n))
+    return Need(829 / 21 * n**1.5, 16.0 * factors(n))
 
 
 def factors(n: float) -> float:
