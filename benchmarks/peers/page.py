@@ -255,7 +255,7 @@ MAX_SETUP_BOUND_CELLS = (
 )
 
 
-def smallest_ratios(data: dict[str, Any]) -> str:
+def minimum_ratios(data: dict[str, Any]) -> dict[str, float]:
     """Return the minimum ratio of times of other codes to samcontact, by kind of contact."""
     found: dict[str, list[float]] = {}
     for place, codes in by_place(data).items():
@@ -263,13 +263,18 @@ def smallest_ratios(data: dict[str, Any]) -> str:
         small = problem in ELASTIC and place[2] < MAX_SETUP_BOUND_CELLS
         if problem not in MEASURE or OURS not in codes or small:
             continue
-        kind = KINDS[problem]
         for code in (name for name in codes if name != OURS):
             for time in times_of(problem):
                 ratio = ratio_at(codes, code, MEASURE[problem], time, COUNTED_AT[problem])
-                found.setdefault(kind, []).extend([ratio] if ratio else [])
+                found.setdefault(KINDS[problem], []).extend([ratio] if ratio else [])
+    return {kind: min(ratios) for kind, ratios in found.items() if ratios}
+
+
+def smallest_ratios(data: dict[str, Any]) -> str:
+    """Return a text with the minimum ratio of each kind of contact."""
+    found = minimum_ratios(data)
     return "; ".join(
-        f"{kind} {float(f'{min(found[kind]):.2g}'):g} at an error of {COUNTED_AT[problem]:g}"
+        f"{kind} {float(f'{found[kind]:.2g}'):g} at an error of {COUNTED_AT[problem]:g}"
         + (f" on grids of {MAX_SETUP_BOUND_CELLS}² cells or more" if problem in ELASTIC else "")
         for kind, problem in {kind: problem for problem, kind in KINDS.items()}.items()
         if found.get(kind)

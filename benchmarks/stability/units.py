@@ -6,7 +6,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from . import scaled_setups, sliding_setups
+from . import interface_setups, scaled_setups, sliding_setups
 from .scaled_setups import POWERS_OF_TWO, UNITS, Units
 from .table import Column, Table, relative_difference
 
@@ -17,7 +17,7 @@ def _slid(case: Any, unit: Units) -> dict[str, Any]:
 
 
 SLIDING = {name: partial(_slid, case) for name, case in sliding_setups.CASES.items()}
-CASES = SLIDING | scaled_setups.CASES
+CASES = SLIDING | scaled_setups.CASES | interface_setups.CASES
 
 
 def differences(name: str) -> dict[str, float]:

@@ -2,7 +2,10 @@
 """Command ``samcontact``, started by its script or by ``python -m samcontact``."""
 
 from .commands import array_libraries
-from .commands.main import main
+from .commands.loading import uncollected
+
+with uncollected():
+    from .commands.main import main
 
 
 def start() -> None:

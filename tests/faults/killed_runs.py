@@ -120,6 +120,36 @@ def computed(folder):
     return digest(*(found.values[name] for name in sorted(found.values)),
                   *(found.errors[name] for name in sorted(found.errors)))
 """,
+    "adhesion": """
+def computed(folder):
+    grid = sc.Grid(16, 16, 1e-8, 1e-8, dz=1e-8)
+    body = sc.Material.elastic(1e9, 0.3).with_relaxation([1.0], [0.4])
+    law = sc.Adhesion.exponential(0.05, range=3e-9)
+    sim = sc.Simulation(grid, sc.Material.rigid(), body, sc.surfaces.paraboloid(grid, 2e-7), MU,
+                        adhesion=law, stiffness=10.0, on_border="warn")
+    there = [-3e-9, 0.0, 2e-9, 0.0, -3e-9]
+    path = [{"approach": z, "shift": (0.2 * z, 0.0), "duration": 0.3} for z in there]
+    return followed(sim, path, folder, True)
+""",
+    "creep": """
+def computed(folder):
+    grid, gap = ball()
+    rubber = sc.Material.elastic(10e6, 0.45).with_relaxation([0.1, 2.0], [0.3, 0.4])
+    sim = sc.Simulation(grid, rubber, rubber, gap, MU, on_border="warn")
+    steps = [(0.02, 0.0), (0.05, 0.2), (0.05, -0.1), (0.01, 0.1), (0.0, 0.0)]
+    path = [{"load": w, "tangential_load": (0.3 * q * w, 0.0), "duration": 0.2} for w, q in steps]
+    return followed(sim, path, folder, True)
+""",
+    "inclusion": """
+def computed(folder):
+    grid, gap = ball(16)
+    oxide = sc.Inclusion.sphere((-130e-6, 0.0, 240e-6), 130e-6, hard, misfit=1e-3)
+    pore = sc.Inclusion.void.sphere((250e-6, 0.0, 300e-6), 125e-6)
+    body = sc.Heterogeneous(steel, [oxide, pore])
+    path = [{"load": 400.0}, {"load": 800.0}, {"load": 0.0}]
+    sim = sc.Simulation(grid, elastic, body, gap, tol=1e-3, on_border="warn")
+    return followed(sim, path, folder)
+""",
     "found load": """
 def computed(folder):
     def problem(load):

@@ -18,7 +18,8 @@ def nursery():
         yield made
 
 
-SLOW_RUNS = {"periodic zones", "found load", "creepage", "periodic", "heat of slip"}
+SLOW_RUNS = {"periodic zones", "found load", "creepage", "periodic", "heat of slip",
+             "adhesion", "creep", "inclusion"}  # fmt: skip
 """Kinds that take seconds or whose parts other kinds also have; the rest are in every run."""
 
 

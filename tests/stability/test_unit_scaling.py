@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+from benchmarks.stability import interface_setups
 from benchmarks.stability.scaled_setups import POWERS_OF_TWO, UNITS, Units
 from benchmarks.stability.table import relative_difference
 from benchmarks.stability.units import CASES, SLIDING
@@ -44,3 +45,16 @@ def test_same_bits_in_powers_of_two(problem):
         if problem in SLIDING:
             np.testing.assert_array_equal(values, in_si(problem)[name], err_msg=name)
         assert relative_difference(values, in_si(problem)[name]) <= minimum, name
+
+
+@pytest.mark.parametrize("units", [pytest.param(name, marks=pytest.mark.slow) for name in UNITS])
+def test_inclusions_in_other_units(units):
+    """Their iteration ends at 1e-4, and its acceleration has single precision."""
+    for name, values in interface_setups.included(Units(*UNITS[units])).items():
+        assert relative_difference(values, interface_setups.included(Units())[name]) <= 1e-7, name
+
+
+def test_inclusions_have_the_same_bits_in_powers_of_two():
+    found = interface_setups.included(Units(*POWERS_OF_TWO))
+    for name, values in interface_setups.included(Units()).items():
+        np.testing.assert_array_equal(found[name], values, err_msg=name)

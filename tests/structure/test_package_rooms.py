@@ -3,10 +3,13 @@
 
 import ast
 import graphlib
+import importlib
 import re
 import subprocess
 import sys
 from pathlib import Path
+
+import pytest
 
 import samcontact as sc
 
@@ -240,14 +243,53 @@ def test_the_package_loads_no_file_or_figure_library():
 
 
 def test_a_first_solve_loads_nothing():
-    """NumPy loads masked arrays on first use, which takes longer than a small contact."""
+    """Only the names of classes load modules, not their use.
+
+    NumPy loads masked arrays on first use, which takes longer than a small contact.
+    """
     code = """if True:
         import sys, samcontact as sc
         grid = sc.Grid(64, 64, 1e-6, 1e-6)
         gap = sc.surfaces.paraboloid(grid, 1e-2)
+        sc.Material, sc.ContactSolver
         before = set(sys.modules)
         body = sc.Material.elastic(210e9, 0.3)
         sc.ContactSolver(grid, sc.Material.rigid(), body).solve(gap, load=0.1)
         print(sorted(set(sys.modules) - before))"""
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert found.stdout.strip() == "[]"
+
+
+PUBLIC = ast.parse(NAMES["__init__"].read_text())
+
+
+def test_names_loaded_on_first_use_are_those_for_type_checkers():
+    """The table of places in the package agrees with the imports that type checkers see."""
+    (typed,) = (node for node in PUBLIC.body if isinstance(node, ast.If))
+    seen = {
+        (node.module or "", alias.name)
+        for node in typed.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    given = {node.targets[0].id: node.value for node in PUBLIC.body if isinstance(node, ast.Assign)}
+    places = ast.literal_eval(given["_PLACES"])
+    modules = ast.literal_eval(given["_MODULES"].args[0])
+    listed = {(place, name) for place, names in places.items() for name in names}
+    assert seen == listed | {("", name) for name in modules}
+    for place, name in listed:
+        assert getattr(sc, name) is getattr(importlib.import_module(f"samcontact.{place}"), name)
+    assert set(sc.__all__) <= set(dir(sc))
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        sc.nothing  # noqa: B018
+
+
+def test_importing_the_package_loads_few_modules():
+    code = """if True:
+        import sys, samcontact
+        own = [name for name in sys.modules if name.startswith("samcontact.")]
+        print(len(own), sorted(sys.modules.keys() & {"scipy", "h5py", "pandas", "xarray"}))"""
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    count, libraries = found.stdout.split(maxsplit=1)
+    assert int(count) < 30
+    assert libraries.strip() == "[]"

@@ -265,7 +265,8 @@ def public(owner, prefix):
     own = inspect.isclass(owner) and [name for base in owner.__mro__[:-1] for name in vars(base)]
     names = getattr(owner, "__all__", None) or [n for n in own or vars(owner) if n[0] != "_"]
     for name in names:
-        thing = inspect.getattr_static(owner, name)
+        # Names of a module may be loaded on first use.
+        thing = inspect.getattr_static(owner, name) if own else getattr(owner, name)
         thing = getattr(thing, "__func__", thing)
         full = f"{prefix}.{name}"
         if isinstance(thing, ModuleType):

@@ -10,6 +10,7 @@ import click
 
 from .arguments import FilePath
 from .errors import short_errors
+from .loading import uncollected
 from .signals import exit_code
 
 if TYPE_CHECKING:
@@ -83,7 +84,8 @@ def _solve(
         from .solve_study import solve_study
 
         return solve_study(case, directory, console, figures=figures, resume=resume)
-    from .solve_contact import solve_contact, solve_to_accuracy
+    with uncollected():
+        from .solve_contact import solve_contact, solve_to_accuracy
 
     assert isinstance(case, Case)
     if case.accuracy is not None:

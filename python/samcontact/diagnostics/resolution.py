@@ -75,9 +75,12 @@ def main_spot(pressure: ArrayLike, periodic: str = "") -> tuple[slice, slice] | 
     -------
     pair of slice, or None without contact
     """
-    labels, peak = _labelled(pressure, periodic)
-    if not labels[peak]:
+    found, peak = _centred(pressure, periodic)
+    if not found[peak]:
         return None
+    if (alone := _only_spot(found)) is not None:
+        return alone
+    labels = _labels(found)
     rows, columns = scipy.ndimage.find_objects((labels == labels[peak]).astype(np.int8))[0]
     return rows, columns
 
@@ -87,11 +90,38 @@ def spots(pressure: ArrayLike, periodic: str = "") -> int:
 
     Arguments as in `main_spot`.
     """
-    return int(_labelled(pressure, periodic)[0].max())
+    found, _ = _centred(pressure, periodic)
+    if not found.any():
+        return 0
+    return int(_labels(found).max()) if _only_spot(found) is None else 1
 
 
-def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tuple[int, int]]:
-    """Return the spot number of each cell, and the indices of the cell of maximum pressure.
+def _only_spot(found: NDArray[np.bool_]) -> tuple[slice, slice] | None:
+    """Return the range of a single spot without holes, as in smooth contacts; otherwise None.
+
+    It is found from the first and last cell of each row, without loading SciPy.
+    """
+    rows = np.flatnonzero(found.any(axis=1))
+    if not rows.size or rows[-1] - rows[0] + 1 != rows.size:
+        return None
+    part = found[rows[0] : rows[-1] + 1]
+    first = part.argmax(axis=1)
+    last = part.shape[1] - 1 - part[:, ::-1].argmax(axis=1)
+    if np.any(last - first + 1 != part.sum(axis=1)):
+        return None
+    if np.any(first[1:] > last[:-1] + 1) or np.any(first[:-1] > last[1:] + 1):
+        return None
+    return slice(int(rows[0]), int(rows[-1]) + 1), slice(int(first.min()), int(last.max()) + 1)
+
+
+def _labels(found: NDArray[np.bool_]) -> NDArray[np.int32]:
+    labels: NDArray[np.int32]
+    labels, _ = scipy.ndimage.label(found, structure=np.ones((3, 3)))
+    return labels
+
+
+def _centred(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.bool_], tuple[int, int]]:
+    """Return the cells in contact, and the indices of the cell of maximum pressure.
 
     The pressure is first shifted along periodic directions, so that this cell is at the centre.
     """
@@ -102,9 +132,7 @@ def _labelled(pressure: ArrayLike, periodic: str) -> tuple[NDArray[np.int32], tu
         for name, at, n in zip("xy", peak, field.shape, strict=True)
     ]
     field = np.roll(field, shifts, (0, 1))
-    labels: NDArray[np.int32]
-    labels, _ = scipy.ndimage.label(in_contact(field), structure=np.ones((3, 3)))
-    return labels, (peak[0] + shifts[0], peak[1] + shifts[1])
+    return in_contact(field), (peak[0] + shifts[0], peak[1] + shifts[1])
 
 
 def cells_across(pressure: ArrayLike, periodic: str = "") -> float:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
+from .._util.cached_property import cached_property
 from .._util.checks import FloatArray, finite_array, non_negative, number, positive, real_array
 from .._util.display import HtmlTable, Rows, quantity
 from .._util.short_text import in_short
@@ -74,7 +75,7 @@ class FrictionLaw(HtmlTable):
         """Shear / pressure in full sliding [-]; 0 for laws with partial slip."""
         return 0.0 if self.sticks else self.ratio(0.0)
 
-    @property
+    @cached_property
     def is_frictionless(self) -> bool:
         """Whether the shear traction is zero under any pressure."""
         return float(self.bound(1.0)) == 0.0

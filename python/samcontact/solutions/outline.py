@@ -19,8 +19,8 @@ MIN_STEP_RATIO = 8.0
 """Minimum ratio of the height of a step to the changes of slope of the gap next to the step."""
 
 Ints = NDArray[np.intp]
-_BLOCK_CELLS = 1 << 18
-"""Number of cells that are processed together, which limits the memory."""
+_BLOCK_CELLS = 1 << 13
+"""Number of cells that are processed together: their arrays fit into the cache."""
 _MARGIN_CELLS = 5
 """Margin around a contact; the gap within this margin determines whether the contact edge is
 sharp."""
@@ -166,9 +166,15 @@ def _bends_suddenly(heights: FloatArray) -> bool:
     rises = heights[1:] - heights[:-1]
     count = max(len(rises) - 4, 0)
     before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
-    height = np.abs(rise - 0.5 * (into + out))
-    bends = np.maximum(np.abs(into - before), np.abs(after - out))
-    return bool((height > np.maximum(np.abs(out - into), MIN_STEP_RATIO * bends)).any())
+    # In place, because new arrays take longer than the sums.
+    height = into + out
+    height *= 0.5
+    np.abs(np.subtract(rise, height, out=height), out=height)
+    bends, other = into - before, after - out
+    np.maximum(np.abs(bends, out=bends), np.abs(other, out=other), out=bends)
+    bends *= MIN_STEP_RATIO
+    np.abs(np.subtract(out, into, out=other), out=other)
+    return bool((height > np.maximum(other, bends, out=other)).any())
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:

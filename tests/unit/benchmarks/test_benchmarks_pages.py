@@ -43,6 +43,7 @@ GIVEN = {
     "experiments": {"Y/E\\*", "a/R at $E^* a/(Y R) = 30$"},
     "finite_elements": {"elements or cells on the contact radius",
                         "elements on half a period (CalculiX), cells on a period (samcontact)"},
+    "roofline": {"n", "operations", "bytes"},
     "scale": {"limit of this exponent", "limit of the bytes per cell", "n", "processes",
               "sent per displacement and process [GB]",
               "size of a message [MB]"},

@@ -235,4 +235,5 @@ def test_heterogeneous_bodies_are_values():
     assert made.min_yield_stress == 1e9
     assert "inclusions" in made._repr_html_()
     assert "misfit" in made.inclusions[0]._repr_html_()
-    assert eval(repr(made.inclusions[1]), vars(sc)) == made.inclusions[1]
+    names = {name: getattr(sc, name) for name in sc.__all__}
+    assert eval(repr(made.inclusions[1]), names) == made.inclusions[1]

@@ -7,6 +7,7 @@ import warnings
 
 import numpy as np
 import pytest
+import scipy.ndimage
 
 import samcontact as sc
 from case_texts import MINIMAL
@@ -140,6 +141,25 @@ def test_the_area_uncertainty_follows_from_the_outlines():
     corners[3:6], corners[:, 3:6] = 0.0, 0.0
     assert resolution.spots(corners) == 4
     assert resolution.spots(corners, "xy") == 1
+
+
+@pytest.mark.parametrize("share", [0.01, 0.1, 0.5, 0.9, 1.0])
+def test_single_spots_are_found_without_labels(share):
+    """Spots and their range agree with those of SciPy for random, round and bent contacts."""
+    chance = np.random.default_rng(3)
+    for k in range(60):
+        n, m = chance.integers(1, 12, 2)
+        pressure = chance.random((n, m)) * (chance.random((n, m)) < share)
+        if k % 3 == 0:  # a convex or bent band
+            i, j = np.ogrid[:n, :m]
+            pressure = np.maximum(0.0, 4.0 - abs(j - m // 2 - chance.integers(-1, 2) * i)) + 0.0 * i
+        labels, count = scipy.ndimage.label(pressure > 0, structure=np.ones((3, 3)))
+        assert resolution.spots(pressure) == count
+        if count:
+            at = labels.flat[pressure.argmax()]
+            assert resolution.main_spot(pressure) == scipy.ndimage.find_objects(labels)[at - 1]
+        else:
+            assert resolution.main_spot(pressure) is None
 
 
 def test_rough_contacts_with_small_spots_cause_a_warning():
