@@ -173,14 +173,15 @@ class LoadSearch {
 };
 
 /// Writes the state of a descent into a solution. spring: compliance of the machine [m/N].
-void describe(const GapDescent& descent, const Drive& drive, double spring, Solution& solution) {
+void describe(const Grid& grid, const GapDescent& descent, const Drive& drive, double spring,
+              Solution& solution) {
   const Given normal = drive.normal;
   const RigidMotion held = drive.held();
   solution.tractions.pressure = descent.pressure();
   solution.gap = descent.gap().over_grid();
   solution.load = normal.is_force() ? normal.value : descent.load();
   solution.motion = {descent.approach() - spring * solution.load, held.tilt};
-  solution.moment = moments(descent.grid(), solution.tractions.pressure);
+  solution.moment = moments(grid, solution.tractions.pressure);
   solution.error = descent.error();
   solution.iterations = descent.iterations();
   solution.operator_applications = descent.applications();
@@ -226,7 +227,7 @@ Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Fiel
   } else {
     solution.converged = descent.descend(drive.normal.value, tol, max_iterations);
   }
-  describe(descent, drive, yields ? drive.spring : 0.0, solution);
+  describe(grid, descent, drive, yields ? drive.spring : 0.0, solution);
   return solution;
 }
 
@@ -236,8 +237,8 @@ Solution AdhesiveContact::solve_under_load(const Field& gap, const Drive& drive,
   GapDescent descent(surface, *law_, gap);
   descent.start_from(initial_pressure);
   Solution solution;
-  solution.converged = descent.descend_under(drive.normal.value, tol, most_under_load);
-  if (solution.converged) describe(descent, drive, 0.0, solution);
+  solution.converged = descent.descend(drive.normal.value, tol, most_under_load);
+  if (solution.converged) describe(surface.grid(), descent, drive, 0.0, solution);
   return solution;
 }
 

@@ -116,7 +116,12 @@ void GapDescent::find_direction(bool restart) {
   for_each_cell(n, [&](std::ptrdiff_t i) {
     if (!gap_.is_open(i)) z_[i] = 0.0;
   });
-  add_uniform_part();
+  if (uniform_softness_ > 0) {
+    const double force = ordered_sum(n, [&](std::size_t i) { return q_[i]; });
+    for_each_cell(n, [&](std::ptrdiff_t i) {
+      if (gap_.is_open(i)) z_[i] += uniform_softness_ * force;
+    });
+  }
   remove_mean(z_);
   const double rz = ordered_dot(q_.data(), z_.data(), n);
   const double change = ordered_sum(n, [&](std::size_t i) { return z_[i] * (q_[i] - before_[i]); });
@@ -128,24 +133,6 @@ void GapDescent::find_direction(bool restart) {
   if (ordered_dot(q_.data(), t_.data(), n) <= 0) t_ = z_;
   std::swap(before_, q_);
   rz_ = rz;
-}
-
-void GapDescent::add_uniform_part() {
-  if (!surface_.has_free_approach()) return;
-  const std::ptrdiff_t n = std::ssize(p_);
-  if (uniform_softness_ == 0) {
-    // The contact changes little during a descent: once suffices.
-    Field open(n), pressure(n);
-    for (std::ptrdiff_t i = 0; i < n; ++i) open[i] = gap_.is_open(i) ? 1.0 : 0.0;
-    surface_.press(open, pressure, work_);
-    ++applications_;
-    const double stiffness = ordered_dot(open.data(), pressure.data(), n);
-    uniform_softness_ = stiffness > 0 ? 1.0 / stiffness : 0.0;
-  }
-  const double force = ordered_sum(n, [&](std::size_t i) { return q_[i]; });
-  for_each_cell(n, [&](std::ptrdiff_t i) {
-    if (gap_.is_open(i)) z_[i] += uniform_softness_ * force;
-  });
 }
 
 double GapDescent::step_length(bool is_first) {
@@ -217,18 +204,21 @@ bool GapDescent::descend_once(bool is_first, double& energy_before) {
   }
 }
 
-bool GapDescent::descend(double approach, double tol, int max_iterations) {
-  gap_.approach_to(approach);
-  return iterate(tol, max_iterations);
-}
-
-bool GapDescent::descend_under(double load, double tol, int max_iterations) {
-  mean_pressure_ = load / (surface_.grid().cell_area() * static_cast<double>(gap_.size()));
-  gap_.approach_to(gap_.touching());
-  return gap_.touches() && iterate(tol, max_iterations);
-}
-
-bool GapDescent::iterate(double tol, int max_iterations) {
+bool GapDescent::descend(double given, double tol, int max_iterations) {
+  if (surface_.has_free_approach()) {
+    mean_pressure_ = given / (surface_.grid().cell_area() * static_cast<double>(gap_.size()));
+    gap_.approach_to(gap_.touching());
+    if (!gap_.touches()) return false;
+    // The contact changes little during a descent: the stiffness of its start suffices.
+    const std::ptrdiff_t n = std::ssize(p_);
+    for_each_cell(n, [&](std::ptrdiff_t i) { z_[i] = gap_.is_open(i) ? 1.0 : 0.0; });
+    surface_.press(z_, q_, work_);
+    ++applications_;
+    const double stiffness = ordered_dot(z_.data(), q_.data(), n);
+    uniform_softness_ = stiffness > 0 ? 1.0 / stiffness : 0.0;
+  } else {
+    gap_.approach_to(given);
+  }
   const bool is_cold = std::exchange(is_cold_, false);
   press();
   double before = energy();

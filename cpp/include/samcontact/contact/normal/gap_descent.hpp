@@ -22,13 +22,10 @@ class GapDescent {
   void start_from(const Field& pressure);
   /// Descends at an approach from the present gap, which becomes the solution. Returns whether the
   /// error is at most tol after at most max_iterations.
-  bool descend(double approach, double tol, int max_iterations);
-  /// Descends at a load [N] from the gap of the start, which must touch, on a surface with a free
-  /// approach. Returns false if the contact is lost as well: the energy is unbounded below under
-  /// tension.
-  bool descend_under(double load, double tol, int max_iterations);
+  /// On a surface with a free approach, descends at a load [N] from a start that touches, and also
+  /// returns false if the contact is lost: the energy is unbounded below under tension.
+  bool descend(double given, double tol, int max_iterations);
 
-  const Grid& grid() const { return surface_.grid(); }
   AdhesiveGap& gap() { return gap_; }
   const AdhesiveGap& gap() const { return gap_; }
   /// Pressure over the grid [Pa], tension negative, and its resultant [N].
@@ -45,14 +42,11 @@ class GapDescent {
   double energy_rise() const { return energy_rise_; }
 
  private:
-  bool iterate(double tol, int max_iterations);
   /// Pressure of the gap.
   void press();
   /// Residual of the stationary energy in open cells, and the error.
   void find_residual();
   void find_direction(bool restart);
-  /// Adds the uniform part of the preconditioner to a direction, if the approach is free.
-  void add_uniform_part();
   /// Moves by a step along the direction, and opens cells by a share of the displacement under
   /// their residual. Returns whether cells have opened.
   bool move(double step, double share);
