@@ -34,7 +34,7 @@ PARTS = (
     "scaling",
     "counts",
     "threads",
-    "small_scenes",
+    "small_contacts",
 )
 OPTIONAL_PARTS = ("plastic_zones_large",)  # measured on request only
 DEFAULT_PARTS = tuple(name for name in PARTS if name not in OPTIONAL_PARTS)

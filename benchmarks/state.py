@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from . import scaling, small_scenes, study, tables, threads, viscous
+from . import scaling, small_contacts, study, tables, threads, viscous
 from .adhesion_peers.page import STUDY as ADHESION
 from .peers import page as peers
 from .roofline import page as roofline
@@ -103,7 +103,7 @@ def stability() -> Iterator[Worst]:
 
 
 def cost() -> Iterator[Worst]:
-    """Physical limits, growth with size, small scenes, threads."""
+    """Physical limits, growth with size, small contacts, threads."""
     found = roofline.largest(roofline.STUDY.records())
     yield at_most("roofline", "time / limit of the machine at the rate of transforms",
                   {name: roofline.transform_ratio(row) for name, row in found.items()},
@@ -118,7 +118,7 @@ def cost() -> Iterator[Worst]:
 
 def of_parts(text: str) -> Iterator[Worst]:
     """Return the worst numbers of some tables on the page of benchmarks."""
-    small = rows_of(text, small_scenes)
+    small = rows_of(text, small_contacts)
     shares = {
         f"{row['case']}, {row['across']:.0f} cells across": row["outside the core [%]"]
         for row in small

@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from benchmarks import small_scenes, state, tables
+from benchmarks import small_contacts, state, tables
 from benchmarks.state import Worst, at_least, at_most
 
 
@@ -46,4 +46,4 @@ def test_worst_numbers_agree_with_the_pages():
 
 def test_samples_outside_the_core_are_counted():
     report = " 40.0%  _core.so\n 20.0%  libfftw3.so\n 30.0%  libpython.so\n 10.0%  _multiarray.so\n"
-    assert small_scenes.share_of_python(report) == pytest.approx(0.4)
+    assert small_contacts.share_of_python(report) == pytest.approx(0.4)

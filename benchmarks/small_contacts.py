@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small scenes: share of the time outside the core, start of Python, and one command."""
+"""Small contacts: share of the time outside the core, start of Python, and one command."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ from .harness import Meter, Task
 from .steel import ELASTIC, LOAD, RADIUS, balls, hertz
 from .study import ROOT
 
-NAME = "small_scenes"
-TITLE = "Small scenes"
+NAME = "small_contacts"
+TITLE = "Small contacts"
 HIDDEN_COLUMNS = ("memory_MB", "cells")
 CASES = ("elastic contact", "partial slip", "ball that yields")
 PROGRAMS = ("numpy", "samcontact")
@@ -54,7 +54,7 @@ increments = 1
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     sizes = (32, 64) if quick else (32, 64, 128)
-    scenes = [
+    contacts = [
         Task(NAME, case, "solution", "solve", {"case": case, "n": n})
         for case in CASES
         for n in sizes
@@ -62,10 +62,10 @@ def tasks(quick: bool, folder: Path) -> list[Task]:
     imports = [
         Task(NAME, f"import {name}", "process", "start", {"name": name}) for name in PROGRAMS
     ]
-    return [*scenes, *imports, Task(NAME, "samcontact run --no-figures", "process", "command")]
+    return [*contacts, *imports, Task(NAME, "samcontact run --no-figures", "process", "command")]
 
 
-def scene(case: str, n: int) -> Callable[[], object]:
+def contact(case: str, n: int) -> Callable[[], object]:
     """Return a solution on about n x n cells to repeat, of a new solver or simulation."""
     if case == CASES[2]:
         return lambda: balls(int(n / 2.5)).step(load=LOAD)
@@ -82,14 +82,14 @@ def scene(case: str, n: int) -> Callable[[], object]:
 
 def solve(meter: Meter, case: str, n: int) -> dict[str, Any]:
     """Measure a solution, and the share of Python and NumPy in its time by sampling."""
-    work = scene(case, n)
+    work = contact(case, n)
     work()
     meter(work)
     return {"cells": n * n, "across": n, "outside the core [%]": 100 * sampled(case, n)}
 
 
 def sampled(case: str, n: int) -> float:
-    """Return the share of the samples of `perf` in Python and NumPy, while a scene is repeated."""
+    """Return the share of the samples of `perf` in Python and NumPy of a repeated contact."""
     words = [sys.executable, "-m", f"benchmarks.{NAME}", case, str(n)]
     with (
         tempfile.TemporaryDirectory() as folder,
@@ -120,9 +120,9 @@ def share_of_python(report: str) -> float:
 
 
 def repeat(case: str, n: int) -> None:
-    """Repeat a scene until the process is killed."""
+    """Repeat a contact until the process is killed."""
     warnings.simplefilter("ignore")
-    work = scene(case, n)
+    work = contact(case, n)
     work()
     print("ready", flush=True)
     while True:
