@@ -269,6 +269,7 @@ FilmSolution FilmSolver::Newton::run(const NewtonSettings& settings) {
     found.krylov_steps += step.steps;
     advance(step);
   }
+  found.error = std::max(found.error, layer_error_ / (layer_tol_ratio * peak_));
   found.load = area_ * (sum_of(s_.fluid_pressure) + sum_of(s_.boundary_pressure));
   found.applications = solver_.elastic_.applications() - applied;
   found.fill = found.iterations > 0 ? solver_.system_.fill() : 0.0;

@@ -252,7 +252,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
     if grid.dz is not None and coarse.dz == grid.dz:
         warnings.warn(
             f"estimated errors exclude the effect of dz = {quantity(grid.dz, 'm')}: the "
-            "elastic-plastic layers cannot be divided into deeper cells. To see the "
+            "elastic-plastic layers cannot be divided into thicker cells. To see the "
             "effect of dz, solve again with half this dz",
             ResolutionWarning,
             stacklevel=3,

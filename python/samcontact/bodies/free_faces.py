@@ -54,7 +54,7 @@ class HasFreeFaces:
     def with_free_faces(
         self, low: float | None = None, high: float | None = None, method: str = "exact"
     ) -> Self:
-        """Return a copy for a body that ends along y, such as a roller, at free faces.
+        """Return a copy with a free face at one or both ends along y, such as those of a roller.
 
         The grid must contain at least one row of cells beyond each face that the contact reaches.
         The cells beyond a face are out of contact. Near a face the body is more compliant than a

@@ -260,7 +260,11 @@ def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
 
 
 def require_homogeneous(reason: str, *bodies: Any) -> None:
-    """Raise ValueError for layered bodies, with the reason, or free faces; else TypeError."""
+    """Require bodies that are a Material without free faces.
+
+    Raises ValueError with the reason for layers and inclusions, ValueError for free faces, and
+    TypeError for anything else.
+    """
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Heterogeneous):
             raise ValueError(f"body{n} must be a Material, got a body with inclusions: {reason}")

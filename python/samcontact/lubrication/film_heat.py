@@ -136,7 +136,10 @@ class Conduction:
         return found
 
     def depth(self, wall_rise: FloatArray) -> FloatArray:
-        """Return D, which is unique: the heat decreases with it."""
+        """Return the root D of D tanh D = `warming(D)`.
+
+        It is unique, because the right-hand side decreases with D.
+        """
         low = np.zeros_like(wall_rise)
         high = 1.0 + self.warming(low, wall_rise)
         for _ in range(BISECTIONS):

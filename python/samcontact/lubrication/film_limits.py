@@ -14,7 +14,7 @@ from .nested import DryContact, FilmTask
 
 MAX_FILM_OF_RADIUS = 0.1
 """Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
-USUAL_REMEDY = "use smaller cells with nearly equal sides, a longer inlet, or order = 1"
+USUAL_REMEDY = "use smaller cells, a longer inlet, or order = 1"
 MIN_FILM_OF_RISE = 0.2
 """Least film relative to the rise of the dry gap over a cell at the edge of the contact, below
 which a failure is explained by the size of the cells."""

@@ -111,7 +111,7 @@ def steady(
     supply : float, optional
         Thickness of the film that arrives at the inlet [m]. Default: fully flooded.
     boundary : Boundary, optional
-        Boundary layer, which bears where the film is thin. Default: none, full film.
+        Boundary layer, which carries load where the film is thin. Default: none, full film.
     order : {1, 2, 3}, optional
         Order of the film at the faces of the cells along the flow.
     shear_thinning : bool, optional

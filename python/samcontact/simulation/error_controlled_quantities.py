@@ -94,7 +94,7 @@ def _bodies(state: State) -> tuple[Body, Body]:
 
 
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
-    """Return a field in the plastic subdomain of a body, from the operators of the solver.
+    """Return a field in the plastic subdomain of a body, as the solver computes it.
 
     `name` is "stress" or "residual_stress" (the deviator is returned), or "residual_displacement".
     The result is None without plastic strain, with several plastic subdomains, or after the body

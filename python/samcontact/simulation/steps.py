@@ -256,7 +256,7 @@ def _require_possible(
     if torque is not None and advance != _STANDING:
         raise ValueError(
             f"torque cannot be combined with advance, got {in_short(torque)}: prescribe "
-            "twist = spin x distance rolled"
+            "twist = spin * (distance rolled)"
         )
 
 

@@ -18,7 +18,10 @@ if TYPE_CHECKING:
 def strained_cells(
     zone: Zone, shape: Sequence[int]
 ) -> tuple[tuple[NDArray[np.intp], ...], tuple[NDArray[np.intp], ...]]:
-    """Return the indices of grid cells with plastic strain, counted in the zone and in the grid."""
+    """Return the indices of the cells of the grid with plastic strain.
+
+    The first are those in the zone, the second those in the grid.
+    """
     inside = np.nonzero(zone.equivalent_plastic_strain())
     there = [at + first for at, first in zip(inside, (*zone.first, 0), strict=True)]
     shown = np.logical_and.reduce(
