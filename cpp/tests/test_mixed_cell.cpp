@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "samcontact/plasticity/mixed_cell.hpp"
 #include "samcontact/plasticity/two_phase_cell.hpp"
@@ -143,4 +144,43 @@ TEST_CASE("the phases of a laminate in shear carry the same stress and flow apar
   CHECK(r.equivalent[0] == doctest::Approx((tau * root - yield) / H).epsilon(1e-7));
   CHECK(r.equivalent[1] == 0.0);
   CHECK(r.plastic[0][3] == doctest::Approx(0.5 * root * r.equivalent[0]).epsilon(1e-9));
+}
+
+TEST_CASE("every laminate that flows satisfies its equations") {
+  const Material matrix = Material::with_law(
+      E, nu,
+      samcontact::plasticity::LinearHardening{.yield_stress = 1.5e9, .tangent_modulus = 9.5e9});
+  const Material soft = Material::with_law(
+      E, nu, samcontact::plasticity::LinearHardening{.yield_stress = 4e8, .tangent_modulus = 2e9});
+  std::mt19937 random(3);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  const auto tensor = [&](double size) {
+    Tensor t;
+    for (double& v : t) v = size * (2 * uniform() - 1);
+    return t;
+  };
+  const double bulk_part = 2 * (1 - 2 * nu) / (3 * (1 - nu)),
+               shear_part = (7 - 5 * nu) / (15 * (1 - nu));
+  double worst = 0.0;
+  for (int n = 0; n < 100000; ++n) {
+    std::array<double, 3> normal{};
+    for (double& v : normal) v = 2 * uniform() - 1;
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    for (double& v : normal) v /= length;
+    const double size = 6e9 * uniform(), before = 5e-3 * uniform();
+    const bool both = n % 2 == 0;
+    const std::array<Phase, 2> phases{
+        Phase{K, G, &matrix.hardening, 1.0, isotropic(0, 1, tensor(before)), before},
+        Phase{both ? 0.6 * K : 1.5 * K, both ? 0.4 * G : 1.9 * G, both ? &soft.hardening : nullptr,
+              1.0, isotropic(0, 1, tensor(both ? before : 0.0)), both ? before : 0.0}};
+    const Tensor kept = tensor(size);
+    const TwoPhaseStep r =
+        two_phase_step(phases, uniform(), normal, {bulk_part, shear_part}, kept, tensor(size / E));
+    const Tensor sum_of_parts = sum(isotropic(1 - bulk_part, 1 - shear_part, r.stress), 1.0,
+                                    isotropic(3 * K * bulk_part, 2 * G * shear_part, r.strain));
+    for (int c = 0; c < 6; ++c) {
+      worst = std::fmax(worst, std::fabs(sum_of_parts[c] - kept[c]) / size);
+    }
+  }
+  CHECK(worst <= 1e-8);
 }
