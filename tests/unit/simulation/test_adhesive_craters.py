@@ -44,7 +44,9 @@ def test_a_crater_increases_the_pull_off_force_of_a_ball():
 
 
 @pytest.mark.slow
-@pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
+@pytest.mark.filterwarnings(
+    "ignore::samcontact.IncrementWarning", "ignore::samcontact.GridTooSmallWarning"
+)
 @pytest.mark.parametrize("ratio", craters.LOADS)
 def test_pull_off_from_craters_approaches_that_of_their_profiles(ratio):
     """The range is that of the cells: the excess over JKR falls with their size."""
