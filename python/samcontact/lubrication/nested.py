@@ -37,6 +37,7 @@ MIN_FILM_SHARE = 1e-9
 """Film thickness, relative to the range of the gap, below which the flow is that of this
 thickness."""
 _GHOST_CELLS = 3  # beyond the edges of a field that is resampled
+_FILMS_OF_SUPPLY = 9.0  # film of a starved contact that is not filled at the start, in supplies
 _ENTERING_VOID = 1e-6
 """Minimum initial void fraction of a cell that is cavitated on the coarser grid."""
 
@@ -221,20 +222,23 @@ def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> di
         along_y = 0.0 if grid.ny == 1 or "y" in grid.periodic else 1.0
         pressure = np.maximum(1.0 - (x**2 + along_y * y**2) / wide**2, 0.0)
         pressure *= dry.load / (pressure.sum() * grid.cell_area)
-    approach = dry.approach
-    if task.is_load:
-        solver = ContactSolver(grid, *task.bodies)
-        moved = sum(
-            solver.displacement(pressure, body=n)[2]
-            for n, body in enumerate(task.bodies, 1)
-            if not body.is_rigid
-        )
-        approach = float((gap + moved).ravel()[int(np.argmax(pressure))]) - dry.film
-    zero = np.zeros(grid.surface_shape)
+    solver = ContactSolver(grid, *task.bodies)
+    deformed = gap + sum(
+        solver.displacement(pressure, body=n)[2]
+        for n, body in enumerate(task.bodies, 1)
+        if not body.is_rigid
+    )
+    approach = float(deformed.ravel()[int(np.argmax(pressure))]) - dry.film
+    if not task.is_load:
+        approach = dry.approach
+    film = np.maximum(deformed - approach, 1e-300)
+    is_empty = film > _FILMS_OF_SUPPLY * task.supply
     return {
-        "fluid_pressure": pressure, "boundary_pressure": zero, "void_fraction": zero,
+        "fluid_pressure": np.where(is_empty, 0.0, pressure),
+        "boundary_pressure": np.zeros(grid.surface_shape),
+        "void_fraction": np.where(is_empty, 1.0 - task.supply / film, 0.0),
         "approach": approach,
-    }  # fmt: skip
+    }
 
 
 def _height_at(gap: FloatArray, grid: Grid, radius: float) -> float:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -54,6 +55,9 @@ CELLS_PER_RADIUS = 12.0
 """Cells per contact radius below which a warning is issued."""
 MAX_CHANGE = 0.05
 """Relative change of the central film between the last two grids that causes a warning."""
+STARVED_ITERATIONS = 120
+"""Newton iterations allowed on each grid of a starved contact: the edge of the filled inlet
+moves by about a cell in each."""
 THICK = 20.0
 """Predicted film, in thicknesses of the layer, above which a full film is tried first."""
 MAX_SHARE = 1e-3
@@ -206,6 +210,9 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
         else:  # a state that has not converged misleads the next grid
             state = start_of(task, cells, gap, dry if n == 0 else dry_contact(task, cells, gap))
         solver = LevelSolver(task, cells, gap, table)
+        if math.isfinite(task.supply):
+            allowed = max(task.max_iterations, STARVED_ITERATIONS)
+            solver.task = replace(task, max_iterations=allowed)
         is_near = task.is_sheared and found is not None and found["converged"]
         found = sheared_from(solver, state, layer) if is_near else None
         if found is None or not found["converged"]:
