@@ -12,8 +12,8 @@
 namespace samcontact::film {
 namespace {
 
-/// Accuracy of the linear systems: loosest without and with a boundary layer, finest, and relative to
-/// the error of the state.
+/// Accuracy of the linear systems: loosest without and with a boundary layer, finest, and relative
+/// to the error of the state.
 constexpr double loosest = 0.1, loosest_with_layer = 1e-2, finest = 1e-4, of_error = 0.1;
 /// Largest change in a step: of the pressure, relative to its maximum, and of the distance of a
 /// value from its bound, relative to this distance.
