@@ -281,7 +281,7 @@ def _cycle_from_states(given: list[Any], body: int) -> Cycle:
     if len(sizes) > 1:
         raise ValueError("states must have cells of the same size, got different grids")
     if any(_body_of(s, body) != _body_of(given[0], body) for s in given):
-        raise ValueError(f"states must have equal bodies {body}, got different bodies")
+        raise ValueError(f"states must have the same body {body}, got different ones")
     states = on_common_grid(given)
     if len({s.grid.surface_shape for s in states}) > 1:
         raise ValueError("states must have the same grid, got states of several simulations")

@@ -14,6 +14,8 @@ from .nested import DryContact, FilmTask
 
 MAX_FILM_OF_RADIUS = 0.1
 """Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
+FEW_ITERATIONS = 15
+"""Iterations below which a failure is explained by their number."""
 USUAL_REMEDY = "use smaller cells, a longer inlet, or order = 1"
 MIN_FILM_OF_RISE = 0.2
 """Least film relative to the rise of the dry gap over a cell at the edge of the contact, below
@@ -38,8 +40,21 @@ def require_thin_film(task: FilmTask, dry: DryContact) -> None:
     )
 
 
+def require_thin_layer(task: FilmTask, dry: DryContact) -> None:
+    """Raise ValueError for a boundary layer thicker than a tenth of the radius of the gap."""
+    layer = task.boundary
+    if layer is not None and layer.thickness > MAX_FILM_OF_RADIUS * dry.gap_radius:
+        raise ValueError(
+            f"boundary.thickness must be at most {MAX_FILM_OF_RADIUS:g} of the radius of the gap, "
+            f"{quantity(dry.gap_radius, 'm')}, got {quantity(layer.thickness, 'm')}: check "
+            "its unit"
+        )
+
+
 def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
     """Return what to do about a film that did not converge."""
+    if task.max_iterations < FEW_ITERATIONS:
+        return f"increase max_iterations, now {task.max_iterations}"
     film = min(dry.film, task.supply)
     reach = math.sqrt(2.0 * film * dry.gap_radius) + dry.radius
     inlet = _inlet_length(task, dry.pressure, grid)

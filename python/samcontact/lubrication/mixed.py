@@ -11,6 +11,7 @@ import numpy as np
 
 from ..problem.contact_law import in_contact
 from ..problem.grid import Grid
+from .film_limits import require_thin_layer
 from .film_solution import FilmLevel
 from .nested import DryContact, FilmTask, LevelSolver, dry_contact, state_of, table_of
 
@@ -46,6 +47,7 @@ class MixedFilm:
         self._task = task
         self.gap = task.gap_on(grid, grid)
         self.dry: DryContact = dry_contact(task, grid, self.gap)
+        require_thin_layer(task, self.dry)
         self.layer = task.layer(self.dry.peak)
         self._solver = LevelSolver(task, grid, self.gap, table_of(task.lubricant, self.dry.peak))
         self._ratio = MAX_RATIO

@@ -124,7 +124,8 @@ def with_shear(task: FilmTask, grid: Grid, thins: bool, thermal: bool) -> FilmTa
     if thins and task.lubricant.thinning == Newtonian():
         raise ValueError(
             "lubricant must have a law of shear thinning with shear_thinning = True, got a "
-            "Newtonian one: use with_eyring or with_carreau"
+            "Newtonian one (a limiting shear stress changes the friction only): use with_eyring or "
+            "with_carreau"
         )
     if thermal:
         _require_heat(task, grid)

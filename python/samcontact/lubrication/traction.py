@@ -60,6 +60,11 @@ def traction_curve(
     mean = 0.5 * (film.velocities[0] + film.velocities[1])
     if not np.any(mean):
         raise ValueError("film must have a mean velocity other than 0 for a slide-to-roll ratio")
+    if film.heat is not None and film.grid.ny == 1 and np.any(np.abs(ratios) == 2.0):
+        raise ValueError(
+            "slide_to_roll must not contain 2 or -2 for a heated line contact: the steady "
+            "temperature of a surface at rest under a line source is infinite"
+        )
     is_sheared = film.shear_thinning or film.heat is not None
     found = np.zeros((3, ratios.size))
     # Each film starts from that at the ratio before, in both directions from pure rolling.

@@ -3,16 +3,20 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from .._util.checks import choice, integer, positive
 from .._util.display import ShortRepr
+from .._util.errors import IncrementWarning
 from .._util.short_text import in_short
 
 MAX_STEPS = 10_000
 """Largest number of increments of a retraction."""
+MAX_RISE = 0.05
+"""Rise of the tension to its maximum in one increment, relative, that causes a warning."""
 PAST_MAXIMUM = 0.98
 """Share of the largest tension below which a retraction is past its maximum."""
 
@@ -75,6 +79,12 @@ def pull_off(
     ValueError
         Invalid arguments, surfaces without adhesion, or surfaces that are not separated after
         `max_steps` increments.
+
+    Warns
+    -----
+    IncrementWarning
+        The tension rises by more than 5 % of its maximum in the increment that ends there, or is
+        largest at the start.
     """
     step = positive("step", step)
     until = choice("until", until, ("apart", "maximum"))
@@ -101,9 +111,29 @@ def pull_off(
         is_apart = not state.in_contact.any() and -state.load <= 0.01 * max(most, 0.0)
         is_past = most > 0 and -state.load < PAST_MAXIMUM * most
         if is_apart or (until == "maximum" and is_past):
+            _warn_of_step(states, step)
             return PullOff(states, max(most, 0.0), where, work, bool(is_apart))
     raise ValueError(
         f"max_steps = {max_steps} increments of {step:.3g} m do not separate the surfaces: at the "
         f"approach {states[-1].approach:.4g} m the tension is {-states[-1].load:.4g} N; use a "
         "larger step or max_steps"
     )
+
+
+def _warn_of_step(states: Sequence[Any], step: float) -> None:
+    """Warn of a maximum of the tension that the increments do not resolve."""
+    tension = [-state.load for state in states]
+    peak = max(range(len(tension)), key=tension.__getitem__)
+    if tension[peak] <= 0.0:
+        return
+    rise = 1.0 if peak == 0 else (tension[peak] - tension[peak - 1]) / tension[peak]
+    if rise > MAX_RISE:
+        where = "is largest at the start"
+        if peak > 0:
+            where = f"rises by {100 * rise:.3g} % to its maximum"
+        warnings.warn(
+            f"the tension {where} in increments of {step:.3g} m, so the pull-off force may be too "
+            "small: use a smaller step",
+            IncrementWarning,
+            stacklevel=3,
+        )

@@ -29,6 +29,8 @@ from .reading import parts_of_a_run
 if TYPE_CHECKING:
     from ..cases import FilmCase
 
+MAX_SHARE_OF_FORMULA = 0.01
+"""Share of the boundary layer up to which a film is compared with a formula."""
 _FIELDS = {
     "pressure": "pressure", "boundary_pressure": "boundary_pressure", "film": "film",
     "filling": "filling", "undeformed_gap": "gap",
@@ -116,9 +118,11 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
         found["lambda_ratio"] = lambda_ratio(film.minimum_film, *heights)
     pairs: Any = tuple(map(tuple, velocities.tolist()))
     formula = None if case is None else case.estimate(film.load, pairs)
-    if formula is not None:
+    if formula is None:
+        return found
+    found["load_number"], found["lubricant_number"] = formula.numbers
+    if film.boundary_share <= MAX_SHARE_OF_FORMULA:
         found["formula_minimum_film"] = formula.minimum
-        found["load_number"], found["lubricant_number"] = formula.numbers
         if formula.central is not None:
             found["formula_central_film"] = formula.central
     return found
