@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "samcontact/plasticity/mixed_cell.hpp"
@@ -137,7 +138,7 @@ TEST_CASE("the phases of a laminate in shear carry the same stress and flow apar
   const TwoPhaseStep r = two_phase_step({flowing, elastic(2 * K, 2 * G)}, f, {0, 0, 1}, {1, 1},
                                         isotropic(3 * K, 2 * G, {0, 0, 0, strain, 0, 0}), {});
   // tau (1/2G) of both phases plus the flow (tau sqrt 3 - yield)/H sqrt(3)/2 of the first.
-  const double root = std::sqrt(3.0);
+  const double root = std::numbers::sqrt3;
   const double tau =
       (strain + (1 - f) * 0.5 * root * yield / H) / ((1 - f) * (0.5 / G + 1.5 / H) + f * 0.25 / G);
   CHECK(r.stress[3] == doctest::Approx(tau).epsilon(1e-8));
@@ -152,7 +153,7 @@ TEST_CASE("every laminate that flows satisfies its equations") {
       samcontact::plasticity::LinearHardening{.yield_stress = 1.5e9, .tangent_modulus = 9.5e9});
   const Material soft = Material::with_law(
       E, nu, samcontact::plasticity::LinearHardening{.yield_stress = 4e8, .tangent_modulus = 2e9});
-  std::mt19937 random(3);
+  std::mt19937 random(3);  // NOLINT(bugprone-random-generator-seed): the same in every run
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
   const auto tensor = [&](double size) {
     Tensor t;

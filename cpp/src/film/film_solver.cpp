@@ -295,7 +295,7 @@ FilmSolution FilmSolver::solve(const FilmProblem& problem, const FaceVelocities&
   system_.forget();
   FlowSettings limited = flow;
   limited.boundary_thickness = layer.thickness;
-  const Reynolds reynolds(grid_, velocities, lubricant, limited);
+  const Reynolds reynolds(grid_, velocities, lubricant, std::move(limited));
   return Newton(*this, problem, reynolds, layer, history, lubricant, std::move(start))
       .run(settings);
 }

@@ -80,12 +80,12 @@ struct Reynolds::Face {
 };
 
 Reynolds::Reynolds(const Grid& grid, FaceVelocities velocities, const LubricantTable& lubricant,
-                   const FlowSettings& settings)
+                   FlowSettings settings)
     : lattice_(grid),
       grid_(grid),
       velocities_(std::move(velocities)),
       lubricant_(lubricant),
-      settings_(settings) {
+      settings_(std::move(settings)) {
   require_faces(velocities_.along_x, static_cast<std::size_t>(grid.nx + 1) * grid.ny, "along_x");
   require_faces(velocities_.along_y, static_cast<std::size_t>(grid.nx) * (grid.ny + 1), "along_y");
   const auto require = [](const PressureFlow::Faces& given, const Field& faces) {

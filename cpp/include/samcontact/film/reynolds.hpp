@@ -51,7 +51,7 @@ struct FilmFields {
 class Reynolds {
  public:
   Reynolds(const Grid& grid, FaceVelocities velocities, const LubricantTable& lubricant,
-           const FlowSettings& settings);
+           FlowSettings settings);
 
   /// Volume that flows out of each cell per time, at the density of p = 0 [m^3/s].
   Field outflow(const FilmFields& fields) const { return sum(fields, nullptr); }

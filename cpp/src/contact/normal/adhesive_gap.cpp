@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/base/threads.hpp"

@@ -231,7 +231,7 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
     }
   }
   near = choice_.fitted(choice_.in_grid_or({}, choice_.with_margin(near)), {});
-  const double cost = static_cast<double>(near.volume_size());
+  const auto cost = static_cast<double>(near.volume_size());
   if (cost > max_near_cells * static_cast<double>(body.cells().mixed().box().volume_size()))
     return false;
   FarInclusions far =
