@@ -12,18 +12,19 @@ from collections.abc import Callable
 
 import numpy as np
 
-from .._util.bounded import bounded_minimum
 from .._util.checks import FloatArray, poisson_ratio
 from .._util.lazy_scipy import scipy
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:
     """Return the maximum of a function of depth on [0, upper], and the depth of the maximum."""
-    depth, lowest = bounded_minimum(lambda s: -function(s), 0.0, upper, xatol=1e-10)
+    found = scipy.optimize.minimize_scalar(
+        lambda s: -function(s), bounds=(0.0, upper), method="bounded", options={"xatol": 1e-10}
+    )
     at_surface = function(0.0)
-    if at_surface >= -lowest:
+    if at_surface >= -found.fun:
         return at_surface, 0.0
-    return -lowest, depth
+    return float(-found.fun), float(found.x)
 
 
 def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:
