@@ -70,16 +70,12 @@ def _solve(
     resume: bool,
 ) -> list[Path]:
     """Solve a case of any kind, and return the files written."""
-    from ..cases import Case, FilmCase
+    from ..cases import Case
 
     if animate and getattr(case, "accuracy", None) is not None:
         raise ValueError("--animate cannot be combined with accuracy")
     if animate and case.study:
         raise ValueError(f"--animate cannot be combined with [{case.study}]")
-    if isinstance(case, FilmCase):
-        from .solve_film import solve_film
-
-        return solve_film(case, directory, console, figures=figures, resume=resume)
     if case.study:
         from .solve_study import solve_study
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of a case of a study (collision, wear, sliding): tables, results and figures.
+"""Solution of a case of a study (collision, film, sliding, wear): tables, results and figures.
 
 A checkpoint is written after each increment of a collision, cycle of wear or velocity of sliding.
 """
@@ -14,6 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
 
+from .._util.film_quantities import FILMS
 from .._util.quantities import ASPERITIES
 from .._util.sliding_quantities import SLIDING
 from .._util.wear_quantities import WEAR
@@ -22,9 +23,12 @@ from ..accuracy.prescribed import prepare_search
 from ..asperities.series import pass_results
 from ..files.atomic import replacing
 from ..plotting import asperities, sliding, wear
+from ..plotting.film_summary import film_figures
 from ..plotting.parts import journal_column
 from ..plotting.parts import save as save_figure
 from ..results.dataset import completeness
+from ..results.file import scalars
+from ..results.films import films_dataset
 from .error_sheet import errors_sheet
 from .errors import StoppedEarlyError, with_resume_hint, write_partial_results
 from .folder import publish, written_names
@@ -38,7 +42,7 @@ if TYPE_CHECKING:
     from ..asperities import CollisionResult
     from ..cases import Case
     from ..cases.asperities import AsperityCase
-    from ..cases.base import CaseFile
+    from ..cases.films import FilmCase
     from ..cases.kinds import AnyCase
     from ..cases.sliding import SlidingCase
     from ..sliding import FrictionCurve
@@ -51,13 +55,17 @@ _CYCLE_COLUMNS = (
     "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
     "slip_distance", "stick_area", "coating_worn_share",
 )  # fmt: skip
+_FILM_COLUMNS = (
+    "speed", "max_pressure", "central_film", "minimum_film", "lambda_ratio", "boundary_share",
+    "friction_coefficient",
+)  # fmt: skip
 _VELOCITY_COLUMNS = (
     "velocity", "friction", "friction_force", "power", "contact_area", "contact_share",
     "max_pressure", "approach",
 )  # fmt: skip
 
 
-class StudyKind(NamedTuple):
+class _StudyKind(NamedTuple):
     """Functions that solve, write and draw one kind of study, e.g. wear."""
 
     file: str
@@ -76,18 +84,18 @@ def solve_study(
     case: AnyCase, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
     """Solve a case, write its .nc and .csv files and figures, and return the files."""
-    kind: StudyKind = _KINDS[case.study](case, not console.quiet)
-    return solve_kind(case, kind, directory, console, figures=figures, resume=resume)
+    kind = _KINDS[case.study](case, not console.quiet)
+    return _solve(case, kind, directory, console, figures=figures, resume=resume)
 
 
-def _asperities(case: AsperityCase, progress: bool) -> StudyKind:
+def _asperities(case: AsperityCase, progress: bool) -> _StudyKind:
     """Files series.nc and series.csv, and figures of pass 1."""
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
         return f"{passes} of {case.asperities.passes} passes (the last incomplete)"
 
-    return StudyKind(
+    return _StudyKind(
         "series",
         lambda folder: case.solve(progress=progress, checkpoint=folder),
         lambda result: result.series,
@@ -98,13 +106,27 @@ def _asperities(case: AsperityCase, progress: bool) -> StudyKind:
     )
 
 
-def _sliding(case: SlidingCase, progress: bool) -> StudyKind:
+def _film(case: FilmCase, progress: bool) -> _StudyKind:
+    """Files film.nc and film.csv, and figures of the film."""
+    _ = case.gap()  # errors of the case are raised before its folder is written
+    return _StudyKind(
+        "film",
+        lambda _: case.solve(),
+        lambda films: films_dataset(films, case),
+        lambda films: f"{len(films)} of {len(case.film.speeds or [0.0])} speeds",
+        _films_sheet,
+        scalars,
+        lambda _, dataset: {one.name: one.figure for one in film_figures(dataset, case)},
+    )
+
+
+def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
     """Files sliding.nc and sliding.csv, and figures over the velocity."""
 
     def amount(result: FrictionCurve) -> str:
         return f"{len(result.solutions)} of {len(case.sliding.speeds())} velocities"
 
-    return StudyKind(
+    return _StudyKind(
         "sliding",
         lambda folder: case.solve(progress=progress, checkpoint=folder),
         lambda result: result.to_dataset(),
@@ -115,7 +137,7 @@ def _sliding(case: SlidingCase, progress: bool) -> StudyKind:
     )
 
 
-def _wear(case: Case, progress: bool) -> StudyKind:
+def _wear(case: Case, progress: bool) -> _StudyKind:
     """Files wear.nc and wear.csv, and figures.
 
     A case with an accuracy is solved on finer and finer grids; the files describe the finest one.
@@ -139,21 +161,22 @@ def _wear(case: Case, progress: bool) -> StudyKind:
 
     # errors of the case are raised before its folder is written
     _ = case.build() if case.accuracy is None else prepare_search(case)
-    return StudyKind(
+    return _StudyKind(
         "wear", solved, lambda result: result.to_dataset(), amount, _cycles_sheet, _cycles, draw
     )
 
 
-_KINDS: dict[str, Callable[[Any, bool], StudyKind]] = {
+_KINDS: dict[str, Callable[[Any, bool], _StudyKind]] = {
     "asperities": _asperities,
+    "film": _film,
     "sliding": _sliding,
     "wear": _wear,
 }
 
 
-def solve_kind(
-    case: CaseFile,
-    kind: StudyKind,
+def _solve(
+    case: AnyCase,
+    kind: _StudyKind,
     directory: Path,
     console: Console,
     *,
@@ -269,3 +292,10 @@ def _figure(ax: Axes) -> Figure:
     figure = ax.figure
     assert isinstance(figure, Figure)  # created by `new_figure`
     return figure
+
+
+def _films_sheet(dataset: xr.Dataset) -> Sheet:
+    columns = [
+        (FILMS[name], dataset[name].values, None) for name in _FILM_COLUMNS if name in dataset
+    ]
+    return values_sheet("Films", dataset["increment"].values, columns)
