@@ -136,10 +136,10 @@ TEST_CASE("what leaves a cell enters its neighbour") {
   CHECK(std::fabs(sum) < 1e-13 * largest * static_cast<double>(outflow.size()));
 }
 
-TEST_CASE("a dissection numbers each cell once, and parts before what it parts") {
+TEST_CASE("the order of elimination has each cell once, and the dividing strip at the end") {
   for (const bool wraps : {false, true}) {
     const Lattice lattice(Grid(37, 50, 1e-5, 1e-5).made_periodic(false, wraps));
-    std::vector<int> places = dissected(lattice);
+    std::vector<int> places = elimination_places(lattice);
     // The strip in the middle of the longer side comes last, but for the ends of the period.
     const int last = static_cast<int>(lattice.size()) - (wraps ? 2 * lattice.nx() : 0) - 1;
     const int end_y = (lattice.ny() + (wraps ? 2 : 0)) / 2;

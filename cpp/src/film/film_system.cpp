@@ -48,7 +48,7 @@ struct FilmSystem::Factors {
 
 FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
     : lattice_(grid),
-      places_(dissected(lattice_)),
+      places_(elimination_places(lattice_)),
       cell_area_(grid.cell_area()),
       elastic_(elastic),
       factors_(std::make_unique<Factors>()) {

@@ -7,7 +7,7 @@
 namespace samcontact::film {
 namespace {
 
-/// Width of a strip that parts the grid, and the largest block that is not parted [cells].
+/// Width of a strip that divides the grid, and the largest block that is not divided [cells].
 constexpr int strip = 2, small_block = 16;
 
 struct Block {
@@ -21,20 +21,20 @@ class Dissection {
  public:
   explicit Dissection(const Lattice& lattice) : lattice_(lattice), places_(lattice.size()) {}
 
-  void part(const Block& block) {
+  void divide(const Block& block) {
     const auto [x0, x1, y0, y1] = block;
     const int longer = std::max(block.along_x(), block.along_y());
     if (block.along_x() * block.along_y() <= small_block || longer <= 2 * strip) {
       number(block);
     } else if (block.along_x() == longer) {
       const int middle = (x0 + x1 - strip) / 2;
-      part({x0, middle, y0, y1});
-      part({middle + strip, x1, y0, y1});
+      divide({x0, middle, y0, y1});
+      divide({middle + strip, x1, y0, y1});
       number({middle, middle + strip, y0, y1});
     } else {
       const int middle = (y0 + y1 - strip) / 2;
-      part({x0, x1, y0, middle});
-      part({x0, x1, middle + strip, y1});
+      divide({x0, x1, y0, middle});
+      divide({x0, x1, middle + strip, y1});
       number({x0, x1, middle, middle + strip});
     }
   }
@@ -60,11 +60,11 @@ class Dissection {
 
 }  // namespace
 
-std::vector<int> dissected(const Lattice& lattice) {
+std::vector<int> elimination_places(const Lattice& lattice) {
   Dissection dissection(lattice);
   const int nx = lattice.nx(), ny = lattice.ny();
   const int first = lattice.wraps() && ny > 2 * strip ? strip : 0;
-  dissection.part({0, nx, first, ny});
+  dissection.divide({0, nx, first, ny});
   if (first > 0) dissection.number({0, nx, 0, first});
   return std::move(dissection).places();
 }
