@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import numpy as np
@@ -158,7 +159,7 @@ class SlidingCase(CaseFile):
         except (ValueError, ImportError) as error:
             raise CaseError(f"{self.source}: [{section}] {error}") from error
         if self.surface.is_known and not grid.periodic:  # the grid may be enlarged
-            built = lambda cells: self.surface.build(cells, folder)  # noqa: E731
+            built = partial(self.surface.build, folder=folder)
         return over_speed(
             grid,
             self.body1.build(),

@@ -170,20 +170,18 @@ def steady(
     task = with_shear(task, grid, shear_thinning, thermal)
     if accuracy is not None:
         targets = checked_accuracy(accuracy, task)
-        return to_accuracy(task, grid, targets, _checked)
-    solution, dry, _ = solved_from_dry(task, grid)
-    if thermal:
-        check_heated(solution, dry.radius)
+        return to_accuracy(task, grid, targets, lambda task, grid: _checked(task, grid)[0])
+    solution, dry = _checked(task, grid)
     _warn_of_grid(solution, dry)
     return solution
 
 
-def _checked(task: FilmTask, grid: Grid) -> FilmSolution:
-    """Return the solution from the dry contact; check that of a heated film."""
+def _checked(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
+    """Return the solution and its dry contact, with the check of a heated film."""
     solution, dry, _ = solved_from_dry(task, grid)
     if task.thermal:
         check_heated(solution, dry.radius)
-    return solution
+    return solution, dry
 
 
 Found = tuple[FilmSolution, DryContact, Any]
