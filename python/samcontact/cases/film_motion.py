@@ -94,7 +94,7 @@ class FilmSection(Section):
             raise ValueError(f"{name} cannot be combined with speeds: omit it")
         if self.boundary is None:
             raise ValueError(
-                "speeds requires boundary, the layer that bears at low speeds: add "
+                "speeds requires boundary, the layer that carries the load at low speeds: add "
                 "boundary = {thickness = 2e-9}"
             )
         speeds = self.speeds or []

@@ -58,7 +58,9 @@ def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
     film = min(dry.film, task.supply)
     reach = math.sqrt(2.0 * film * dry.gap_radius) + dry.radius
     inlet = _inlet_length(task, dry.pressure, grid)
-    expected = f"a formula predicts a film of {quantity(film, 'm')}"
+    is_starved = task.supply < dry.film
+    expected = "the supply limits the film to" if is_starved else "a formula predicts a film of"
+    expected = f"{expected} {quantity(film, 'm')}"
     if reach > inlet:
         return (
             f"{expected}, whose pressure reaches about {quantity(reach, 'm')} from the centre, but "
