@@ -157,7 +157,7 @@ class Maugis:
         return force * load, length * approach, flat * ratio
 
     def _of_one(self, a: float) -> tuple[float, float, float]:
-        """Return load, approach and outer radius over the radius, without dimensions."""
+        """Return dimensionless load and approach, and outer radius/contact radius."""
         of = self.transition_parameter
 
         def parts(m: float) -> tuple[float, float]:

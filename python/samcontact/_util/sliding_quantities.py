@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities of friction over velocity by name, with unit, description and display."""
+"""Quantities of friction versus velocity by name, with unit, description and display."""
 
 from __future__ import annotations
 

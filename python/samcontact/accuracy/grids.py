@@ -185,7 +185,7 @@ class GivenGrids:
         return self.grid.model_copy(update=changes)
 
     def settle(self, level: int, half: tuple[float, float]) -> None:
-        """Keep the extent, because the surface is known on it only, or has this period."""
+        """Keep the extent: the surface is known only there, or the extent is its period."""
 
 
 class Depths:

@@ -262,7 +262,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return known[key]
 
     def fraction_on(self, grid: VolumeGrid) -> FloatArray:
-        """Share of each cell of the grid that inclusions fill.
+        """Fraction of each cell of the grid that is filled by inclusions [-].
 
         Parameters
         ----------
@@ -289,7 +289,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return cells_per_radius(grid, self.inclusions)
 
     def volume_in(self, box: ArrayLike) -> float:
-        """Volume of all inclusions with their centres in a box, without voxels [m^3].
+        """Total volume of the inclusions whose centres lie in a box, without voxels [m^3].
 
         box: ends along x, y and z [m], shape (3, 2). Raises ValueError for ends that do not
         increase.

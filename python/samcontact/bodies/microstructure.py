@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Random microstructures of spherical inclusions.
 
-The number of inclusions is a Poisson number with the mean that the volume fraction requires, the
-radii are lognormal, and the places are drawn in the order of falling radii until they are free
-(random sequential addition). Clusters are those of Neyman and Scott: parents at random places,
-children with normal distances from their parent.
+The number of inclusions has a Poisson distribution, whose mean follows from the volume fraction.
+The radii are lognormal. Inclusions are placed in order of decreasing radius, each at a random
+position that is free (random sequential addition). Clusters are those of Neyman and Scott: parents
+at random positions, and children at normally distributed distances from their parent.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class RandomSpheres(NamedTuple):
         return self.fraction * float(np.ptp(self.box, axis=1).prod()) / self.mean_volume
 
     def drawn(self, seed: int) -> FloatArray:
-        """Draw centres and radii [m], shape (n, 4): x, y, z, r, in the order of falling radii.
+        """Draw centres and radii [m], shape (n, 4): x, y, z, r, the largest radius first.
 
         Raises ValueError if no inclusion is drawn, or one finds no place.
         """

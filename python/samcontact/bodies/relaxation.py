@@ -81,7 +81,7 @@ def _relaxation(terms: RelaxationTerms, t: FloatArray) -> FloatArray:
 
 
 def complex_ratio(terms: RelaxationTerms, omega: FloatArray) -> Any:
-    """Return the complex modulus over the instantaneous one at angular frequencies [rad/s]."""
+    """Return the ratio of complex to instantaneous modulus at angular frequencies [rad/s]."""
     x = omega[..., None] * np.asarray(terms[0])
     with np.errstate(divide="ignore", over="ignore"):
         loss, stored = 1.0 / (x + 1.0 / x), 1.0 / (1.0 + 1.0 / x**2)
@@ -226,7 +226,7 @@ class HasRelaxation:
         return cast("Self", made.elastic(E, ratio).with_relaxation(times, moduli / E))
 
     def relaxation(self, t: ArrayLike) -> float | FloatArray:
-        """Return the modulus over E [-] at a time t >= 0 [s] after a step of strain.
+        """Return the modulus divided by E [-] at a time t >= 0 [s] after a step of strain.
 
         The result has the shape of t and decreases from 1 to the long-time share, which is 1
         without relaxation. Raises ValueError if t is negative or NaN.
@@ -234,7 +234,7 @@ class HasRelaxation:
         return self._over("t", t, _relaxation, 1.0)
 
     def creep(self, t: ArrayLike) -> float | FloatArray:
-        """Return the strain over the instantaneous strain [-] at a time t >= 0 [s] of a step load.
+        """Return strain/(instantaneous strain) [-] at a time t >= 0 [s] after a step of the load.
 
         The result has the shape of t and increases from 1; it is 1 without relaxation. Raises
         ValueError if t is negative or NaN.

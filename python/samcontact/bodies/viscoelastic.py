@@ -58,7 +58,7 @@ def vibrating(body: Body, omega: float) -> Body:
 
 
 def softened(body: Body, share: float) -> Body:
-    """Return the elastic body with a share of the instantaneous moduli [-]."""
+    """Return an elastic body whose moduli are a fraction `share` of the instantaneous ones."""
     return _changed(body, lambda material: Material.elastic(share * material.E, material.nu))
 
 

@@ -70,7 +70,7 @@ def _require_inclusions_in_volume(case: Any) -> None:
 
 
 def path_with_loads(case: Any) -> list[Segment]:
-    """Return the path of a `Case` with loads relative to the load of the part in newtons."""
+    """Return the path of a `Case`, with all loads in newtons instead of `load_factor`."""
     grid = None if case.grid is None else case.grid.build()
     path = []
     for index, segment in enumerate(case.path):
@@ -187,7 +187,7 @@ def _require_repeatable(case: Any) -> None:
 
 
 def _require_free_along_y(case: Any) -> None:
-    """Raise ValueError for motion along y of a case with anything that moves along x only."""
+    """Raise ValueError for motion along y if a part of the case supports motion along x only."""
     moved = (both_axes(step["advance"]) for step in case.steps() if "advance" in step)
     if not any(travels[:, 1].any() for travels in moved):
         return
@@ -204,7 +204,7 @@ def _require_free_along_y(case: Any) -> None:
 
 
 def _require_known_faces(case: Any) -> None:
-    """Raise ValueError for results and studies that free faces of a body exclude."""
+    """Raise ValueError for results and studies that bodies with free faces do not support."""
     bodies = (("body1", case.body1), ("body2", case.body2))
     for number, (name, body) in enumerate(bodies, 1):
         if getattr(body, "free_faces", None) is None:

@@ -89,7 +89,7 @@ class FilmSection(Section):
             )
 
     def _require_stribeck(self) -> None:
-        """Raise ValueError for fields that a curve over the speed cannot have."""
+        """Raise ValueError for fields that a Stribeck curve does not support."""
         for name in sorted(changed(self, ("spin", "supply", "approach"))):
             raise ValueError(f"{name} cannot be combined with speeds: omit it")
         if self.boundary is None:
@@ -103,7 +103,7 @@ class FilmSection(Section):
 
     @property
     def roughness(self) -> float:
-        """Root-mean-square roughness of both surfaces together [m]."""
+        """Combined root-mean-square roughness of both surfaces [m]."""
         return math.hypot(self.roughness1, self.roughness2)
 
     def velocities(self, surface: SurfaceShape, largest: bool = True) -> Vectors:

@@ -14,7 +14,7 @@ from ..simulation.steps import require_whole_cells
 
 
 def require_motion_of_heat(case: Any) -> None:
-    """Raise ValueError for motion or wear that the heat of a case excludes."""
+    """Raise ValueError for motion or wear that the kind of heating does not support."""
     heat = NO_HEAT if case.heat is None else case.heat.build()
     if heat.history is None:
         _require_no_return_time(case)

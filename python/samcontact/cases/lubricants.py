@@ -23,7 +23,7 @@ Density = Literal["dowson-higginson", "incompressible"]
 
 
 class _Lubricant(Section):
-    """Lubricant, with the shear stress that its friction needs."""
+    """Lubricant, with the constants of its shear stress, from which friction is computed."""
 
     eyring_stress: Stress | None = None
     carreau_stress: Stress | None = None
@@ -100,7 +100,7 @@ class DoolittleLubricant(_Lubricant):
 
 
 class TabulatedLubricant(_Lubricant):
-    """Measured viscosity over the pressure, see `Lubricant.tabulated`."""
+    """Measured viscosity versus pressure, see `Lubricant.tabulated`."""
 
     kind: Literal["tabulated"]
     p: Annotated[list[NonNegative], Field(min_length=3), in_unit("Pa")]

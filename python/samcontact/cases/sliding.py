@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of friction over velocity ("sliding")."""
+"""Case files of friction versus velocity ("sliding")."""
 
 from __future__ import annotations
 

@@ -121,7 +121,7 @@ def _film(case: FilmCase, progress: bool) -> _StudyKind:
 
 
 def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
-    """Files sliding.nc and sliding.csv, and figures over the velocity."""
+    """Files sliding.nc and sliding.csv, and figures versus velocity."""
 
     def amount(result: FrictionCurve) -> str:
         return f"{len(result.solutions)} of {len(case.sliding.speeds())} velocities"

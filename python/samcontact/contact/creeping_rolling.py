@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Steady rolling of viscoelastic bodies with friction.
 
-The displacement is divided into that of elastic bodies with intermediate moduli and a rest. The
-rest is computed from the last tractions until it no longer changes.
+The displacement is the sum of the displacement of elastic bodies with intermediate moduli and a
+remainder. The remainder is computed from the last tractions until it no longer changes.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ _DEPTH = 8
 """Number of differences in the acceleration."""
 _MAX_REPETITIONS = 400
 _INNER_TOL = 0.01
-"""Tolerance of a repetition relative to that of the solution."""
+"""Tolerance of one repetition, divided by the tolerance of the solution."""
 _TIGHTEST_TOL = 1e-12
 """Smallest tolerance of a repetition."""
 
@@ -52,7 +52,7 @@ def intermediate(body: Body, speed: float, grid: Grid) -> Body:
 
 
 class CreepingRest:
-    """Displacement of rolling viscoelastic bodies less that of elastic bodies."""
+    """Remainder: displacement of rolling viscoelastic bodies minus that of elastic bodies."""
 
     def __init__(
         self, grid: Grid, bodies: tuple[Body, Body], elastic: tuple[Body, Body], speed: float
@@ -67,7 +67,7 @@ class CreepingRest:
         self._elastic = _core.CreepingTractions(grid._core, upper, lower, none, none)
 
     def __call__(self, pressure: FloatArray, shear: FloatArray) -> tuple[FloatArray, float]:
-        """Return the rest along x, y and z, shape (3, nx, ny), and the size of the whole [m]."""
+        """Return the remainder, shape (3, nx, ny), and the largest total u_z in contact [m]."""
         whole = self._moving.displacement(pressure, shear)
         rest: FloatArray = whole - self._elastic.displacement(pressure, shear)
         touching = whole[2][in_contact(pressure)]
@@ -97,7 +97,7 @@ class _Acceleration:
 def roll_creeping(
     rest: CreepingRest, roll: Roll, gap: FloatArray, tol: float, start: tuple[Tractions, Motion]
 ) -> dict[str, Any]:
-    """Repeat the solution of elastic bodies with the rest of its own tractions.
+    """Solve elastic bodies repeatedly, each time with the remainder due to the last tractions.
 
     Parameters
     ----------

@@ -106,7 +106,7 @@ class MovingContactSolver(ContactSolver):
         return pressure
 
     def _delayed(self, pressure: FloatArray) -> FloatArray:
-        """Half of the difference from the displacement in reversed motion [m].
+        """Half of the displacement minus its mirror image, which is that in reversed motion [m].
 
         The rest is due to a symmetric operator and has no force along x.
         """

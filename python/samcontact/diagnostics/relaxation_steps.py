@@ -17,7 +17,7 @@ MIN_JUMP, MAX_HOLD = 0.5, 0.01
 MIN_SHARE = 0.01
 """Share of the modulus from which a relaxation time counts."""
 MAX_TIMES = 3.0
-"""Duration of an increment over a relaxation time up to which the time is resolved."""
+"""Largest ratio of an increment's duration to a relaxation time that it still resolves."""
 
 
 CREEP_CELLS = 0.02, 1.0
@@ -27,7 +27,7 @@ CREEP_CELLS = 0.02, 1.0
 
 @dataclass
 class RelaxationSteps:
-    """Observer of increments: a jump of the load in a long increment, then a constant load.
+    """Detector of a load jump in a long increment that is followed by a constant load.
 
     Tractions are assumed to change linearly with time in an increment. If the load was in fact
     applied at the start of the increment, the relaxation since then is missing. A load that

@@ -41,7 +41,7 @@ def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
 
 
 def not_balanced(bodies: Sequence[Body], states: Sequence[State]) -> str:
-    """Return the reason why bodies with inclusions have no energy balance; "" if they have one."""
+    """Return why the energy balance of bodies with inclusions cannot be computed; "" if it can."""
     for number, body in enumerate(bodies, 1):
         if not isinstance(body, Heterogeneous):
             continue

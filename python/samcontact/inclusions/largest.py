@@ -118,7 +118,7 @@ class LargestInclusion(HtmlTable):
         return periods
 
     def expected_in(self, volume: float) -> float:
-        """Expected largest square root of the area in a volume [m^3], in [m]."""
+        """Expected square root of the area of the largest inclusion in a volume of steel [m]."""
         return self.location + self.scale * self._reduced(volume)
 
     def _reduced(self, volume: float) -> float:

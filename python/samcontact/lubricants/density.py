@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laws of the density of a lubricant over the pressure, relative to that without pressure."""
+"""Laws of the density of a lubricant versus pressure, relative to that at zero pressure."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ __all__ = ["DensityLaw", "DowsonHigginson", "Incompressible", "TabulatedDensity"
 
 
 class DensityLaw(ABC):
-    """Density over the pressure, relative to the density without pressure."""
+    """Density as a function of pressure, relative to the density at zero pressure."""
 
     def ratio(self, p: ArrayLike) -> FloatArray:
         """Return the relative density [-] at pressures p >= 0 [Pa], in their shape."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grades of mineral oils: viscosity over the temperature, pressure-viscosity coefficient."""
+"""Grades of mineral oils: viscosity versus temperature, pressure-viscosity coefficient."""
 
 from __future__ import annotations
 

@@ -70,11 +70,11 @@ class Lubricant(HtmlTable):
     eta0 : float
         Viscosity without pressure [Pa s].
     law : ViscosityLaw
-        Viscosity over the pressure.
+        Viscosity versus pressure.
     density_law : DensityLaw
-        Density over the pressure.
+        Density versus pressure.
     thinning : ShearThinning
-        Shear stress over the shear rate; see `with_eyring` and `with_carreau`.
+        Shear stress versus shear rate; see `with_eyring` and `with_carreau`.
     limiting_coefficient : float, or None
         Ratio of the limiting shear stress to the pressure [-]; see `with_limiting_shear`.
     heat : LubricantHeat, or None
@@ -204,7 +204,7 @@ class Lubricant(HtmlTable):
 
     @property
     def pressure_viscosity(self) -> float:
-        """Slope of ln(viscosity) over the pressure at p = 0 [1/Pa]."""
+        """Slope d(ln viscosity)/dp at p = 0 [1/Pa]."""
         return self.law.pressure_viscosity
 
     @property
@@ -266,7 +266,7 @@ class Lubricant(HtmlTable):
         return signed
 
     def tables(self, max_pressure: float) -> LubricantTables:
-        """Return density and reduced pressure over the pressure, up to a pressure [Pa].
+        """Return tables of density and reduced pressure versus pressure, up to a pressure [Pa].
 
         The reduced pressure is the integral of density over viscosity from 0 to p. Choose a
         pressure that no iterate exceeds, not only the solution. Raises ValueError for a pressure

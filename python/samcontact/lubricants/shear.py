@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shear stress of a film over the shear rate: shear thinning and limiting shear stress."""
+"""Shear stress of a film versus shear rate: shear thinning and limiting shear stress."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class ShearThinning(ABC):
 
     @abstractmethod
     def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return Newtonian over true shear stress, f [-], and f'/stress [1/Pa^2].
+        """Return the ratio f of Newtonian to true shear stress [-], and f'/stress [1/Pa^2].
 
         stress: true shear stresses >= 0 [Pa]; f' is the derivative of f.
         """
@@ -77,7 +77,7 @@ class Eyring(ShearThinning):
         return self.eyring_stress * np.arcsinh(newtonian / self.eyring_stress)
 
     def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return sinh(x)/x with x = stress/tau_0, and its derivative over the stress [1/Pa^2]."""
+        """Return f = sinh(x)/x with x = stress/tau_0, and f'/stress [1/Pa^2]."""
         x = np.minimum(stress / self.eyring_stress, MAX_ARGUMENT)
         near = x < SMALL_ARGUMENT
         safe = np.where(near, 1.0, x)
@@ -101,7 +101,7 @@ class Carreau(ShearThinning):
     critical_stress : float
         Shear stress G at which the viscosity begins to fall [Pa].
     n : float
-        Exponent of the shear stress over the shear rate at high rates, in [0, 1] [-].
+        Exponent of the shear rate in the shear stress at high rates, in [0, 1] [-].
     """
 
     critical_stress: float
@@ -120,7 +120,7 @@ class Carreau(ShearThinning):
         return newtonian * relative ** (self.n - 1.0)
 
     def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return Newtonian over true shear stress, and its derivative over the stress [1/Pa^2]."""
+        """Return the ratio f of Newtonian to true shear stress [-], and f'/stress [1/Pa^2]."""
         x = np.maximum(np.asarray(stress) / self.critical_stress, 1e-150)
         if self.n == 0.0:
             x = np.minimum(x, 1.0 - 1e-12)  # stresses stay below G

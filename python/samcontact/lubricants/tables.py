@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of a lubricant over the pressure: reduced pressure and density."""
+"""Tables of a lubricant versus pressure: reduced pressure and density."""
 
 from __future__ import annotations
 

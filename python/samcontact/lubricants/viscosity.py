@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laws of the viscosity of a lubricant over the pressure at one temperature."""
+"""Laws of the viscosity of a lubricant versus pressure at one temperature."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ROELANDS_PRESSURE = 1.98e8
 
 
 class ViscosityLaw(ABC):
-    """Viscosity over the pressure relative to that without pressure."""
+    """Viscosity as a function of pressure, relative to the viscosity at zero pressure."""
 
     @property
     @abstractmethod
@@ -109,7 +109,7 @@ class Doolittle(ViscosityLaw):
     R0 : float
         Occupied volume as a share of the volume without pressure, in (0, 1) [-].
     volume : Tait
-        Volume over the pressure.
+        Volume versus pressure.
     """
 
     B: float

@@ -21,7 +21,8 @@ from ..lubricants.shear import thinned
 from .through_film import HEIGHTS
 
 FLOW_SHARE = 5.0 / 7.0
-"""Uniform heat that increases the flow as much as the heat of the flow, near the walls [-]."""
+"""Uniform heat that changes the flow as much as one unit of heat of the pressure flow, which is
+released near the walls [-]."""
 BISECTIONS = 50
 
 
@@ -109,7 +110,7 @@ class Conduction:
 
     @property
     def _resistance(self) -> FloatArray:
-        """Rise of the mid-plane over the heat per area, of a uniformly heated film [K m^2/W]."""
+        """Mid-plane temperature rise per heat flux of a uniformly heated film [K m^2/W]."""
         return self.film / (8.0 * self.constants.conductivity)
 
     def _power(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
@@ -160,20 +161,21 @@ class Conduction:
 
 
 def wall_fluidity(constants: LubricantHeat, rise: FloatArray) -> FloatArray:
-    """Return the viscosity without heat over that at a temperature rise of the walls [-]."""
+    """Return (viscosity without heat)/(viscosity at a temperature rise of the walls) [-]."""
     found: FloatArray = np.exp(constants.beta * rise)
     return found
 
 
 def warm_fluidity(depth: FloatArray) -> FloatArray:
-    """Return the viscosity at the walls over that at the Gauss points, shape (8, ...)."""
+    """Return the ratio of wall viscosity to viscosity at the Gauss points, shape (8, ...)."""
     heights = HEIGHTS.reshape(-1, *(1,) * depth.ndim)
     found: FloatArray = (np.cosh(depth) / np.cosh(heights * depth)) ** 2
     return found
 
 
 def shear_factor(depth: FloatArray) -> FloatArray:
-    """Return the shear rate at the walls over its mean over the film, 2 D/sinh 2 D [-]."""
+    """Return the ratio of the shear rate at the walls to its mean over the film, 2 D/sinh 2 D
+    [-]."""
     twice = 2.0 * np.asarray(depth)
     near = twice < 1e-4
     with np.errstate(over="ignore"):

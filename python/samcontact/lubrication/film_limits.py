@@ -15,11 +15,11 @@ from .nested import DryContact, FilmTask
 MAX_FILM_OF_RADIUS = 0.1
 """Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
 FEW_ITERATIONS = 15
-"""Iterations below which a failure is explained by their number."""
+"""Limit of `max_iterations` below which the message of a failure names this limit as the cause."""
 USUAL_REMEDY = "use smaller cells, a longer inlet, or order = 1"
 MIN_FILM_OF_RISE = 0.2
-"""Least film relative to the rise of the dry gap over a cell at the edge of the contact, below
-which a failure is explained by the size of the cells."""
+"""Ratio of the predicted film to the increase of the dry gap over one cell at the contact edge;
+below this ratio, the message of a failure names the cell size as the cause."""
 
 
 def require_thin_film(task: FilmTask, dry: DryContact) -> None:
@@ -52,7 +52,7 @@ def require_thin_layer(task: FilmTask, dry: DryContact) -> None:
 
 
 def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
-    """Return what to do about a film that did not converge."""
+    """Return a remedy, as text, for a film that did not converge."""
     if task.max_iterations < FEW_ITERATIONS:
         return f"increase max_iterations, now {task.max_iterations}"
     film = min(dry.film, task.supply)

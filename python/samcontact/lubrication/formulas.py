@@ -77,7 +77,7 @@ def nijenbanning(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float
 
 
 class FilmParts(NamedTuple):
-    """Central film over Moes' scale, and its isoviscous and piezoviscous parts [-]."""
+    """Central film divided by Moes' scale, and its isoviscous and piezoviscous parts [-]."""
 
     film: float
     isoviscous: float
@@ -102,7 +102,7 @@ def film_parts(M: float, L: float, D: float) -> FilmParts:
 
 
 def _nijenbanning_limits(M: float, L: float, D: float) -> Limits:
-    """Return central films over Moes' scale; Nijenbanning, Venner & Moes (1994)."""
+    """Return central films divided by Moes' scale; Nijenbanning, Venner & Moes (1994)."""
     shape = 1.0 + 0.006 * math.log(D) + 0.63 * D ** (4.0 / 7.0)
     return Limits(
         145.0 * (1.0 + 0.796 * D ** (14.0 / 15.0)) ** (-15.0 / 7.0) / D * M**-2,
@@ -143,7 +143,7 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
 
 
 def regime_of(M: float, L: float, D: float, approach: float) -> str:
-    """Return the regime for Moes' numbers, ratio of radii and Hertz approach over Moes' scale."""
+    """Return the regime; `approach` is the Hertz approach divided by Moes' scale."""
     parts = film_parts(M, L, D)
     solid = "elastic" if approach > parts.film else "rigid"
     fluid = "piezoviscous" if parts.piezoviscous > parts.isoviscous else "isoviscous"
@@ -236,7 +236,7 @@ def _warn_unless_soft(found: FilmGroups) -> None:
 
 
 def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
-    """Return the film with heat in the inlet over the isothermal film, in pure rolling [-].
+    """Return the ratio of the film with inlet heating to the isothermal film, in pure rolling [-].
 
     speed: (u1, u2) along x [m/s]; lubricant: with thermal constants. With the mean speed u, 3.94/
     (3.94 + L^0.62) with L = beta eta0 u^2/k: Murch & Wilson (1975), J. Lubr. Technol. 97, 212-216.

@@ -54,7 +54,7 @@ class MixedFilm:
         self._last: Step | None = None
 
     def _first_factor(self, thickness: float) -> float:
-        """Return the speed at which a layer carries all load; the film grows as speed^(2/3)."""
+        """Return the speed, relative to the task, at which the boundary layer carries all load."""
         return float((FILM_OF_DRY * thickness / self.dry.film) ** 1.5)
 
     def _begin(self) -> Any:

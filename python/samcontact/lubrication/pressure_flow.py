@@ -106,7 +106,7 @@ class _Faces:
         self._slope = (self._behind - self._before) / self._step
 
     def spread(self, value: float) -> FloatArray:
-        """Return a field with the same value on all faces."""
+        """Return a field that is constant over all faces."""
         shape = list(self._film.pressure.shape)
         shape[self._axis] += 1
         return np.full(shape, value)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lubricated contact over the speed, from the dry contact to the full film."""
+"""Stribeck curve: lubricated contact versus speed, from the dry contact to the full film."""
 
 from __future__ import annotations
 

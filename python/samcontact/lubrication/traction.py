@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Traction curve: friction of a lubricated contact over its slide-to-roll ratio."""
+"""Traction curve: friction of a lubricated contact versus slide-to-roll ratio."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .steady import require_converged, solution_of
 
 @dataclass(frozen=True, repr=False, eq=False)
 class TractionCurve(ShortRepr):
-    """Coefficient of friction over the slide-to-roll ratio, from `traction_curve`.
+    """Coefficient of friction versus slide-to-roll ratio, from `traction_curve`.
 
     Attributes
     ----------
@@ -42,7 +42,7 @@ class TractionCurve(ShortRepr):
 def traction_curve(
     film: FilmSolution, slide_to_roll: ArrayLike, *, tol: float = 1e-6, max_iterations: int = 40
 ) -> TractionCurve:
-    """Return the friction over the slide-to-roll ratio of a contact at constant mean velocity.
+    """Return the friction of a contact versus slide-to-roll ratio, at constant mean velocity.
 
     A film that was solved with `shear_thinning` or `thermal` is solved again at each ratio. Other
     films do not depend on the sliding; their friction is too high at large ratios, where the film

@@ -108,7 +108,7 @@ def press(
 
 
 def _require_film_alone(simulation: Simulation) -> None:
-    """Raise ValueError for what a film excludes: moving reliefs, friction, heat, adhesion."""
+    """Raise ValueError for moving reliefs, friction, heat and adhesion, which exclude a film."""
     setup = simulation.engine.setup
     if simulation.relief1 is not None or simulation.relief2 is not None:
         raise ValueError("simulation must not have reliefs: add their heights to the gap")
@@ -126,7 +126,7 @@ def _require_film_alone(simulation: Simulation) -> None:
 
 
 class _Coupling:
-    """Film and plastic flow of an increment, as a fixed point of the residual displacement."""
+    """Coupled film and plastic flow of an increment, solved for the residual displacement."""
 
     def __init__(self, simulation: Simulation, task: FilmTask) -> None:
         self._simulation, self._task = simulation, task

@@ -16,7 +16,8 @@ from .._util.short_text import in_short
 MAX_STEPS = 10_000
 """Largest number of increments of a retraction."""
 MAX_RISE = 0.05
-"""Rise of the tension to its maximum in one increment, relative, that causes a warning."""
+"""Relative increase of the tension to its maximum in one increment, above which a warning is
+issued."""
 PAST_MAXIMUM = 0.98
 """Share of the largest tension below which a retraction is past its maximum."""
 
@@ -121,7 +122,7 @@ def pull_off(
 
 
 def _warn_of_step(states: Sequence[Any], step: float) -> None:
-    """Warn of a maximum of the tension that the increments do not resolve."""
+    """Warn if the increments do not resolve the maximum of the tension."""
     tension = [-state.load for state in states]
     peak = max(range(len(tension)), key=tension.__getitem__)
     if tension[peak] <= 0.0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of adhering surfaces: load over approach, cohesive zone, pull-off over Tabor number."""
+"""Figures of adhering surfaces: load–approach curve, cohesive zone, pull-off force."""
 
 from __future__ import annotations
 

@@ -157,7 +157,7 @@ def interferogram(
 
 
 def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
-    """Draw friction and share of the boundary layer over the speed.
+    """Draw friction and share of the boundary layer versus speed.
 
     curve: from `samcontact.lubrication.stribeck`, with a slide-to-roll ratio other than 0 for the
     friction; ax: axes to draw on, default a new figure. Returns the axes of the share. Raises
@@ -171,7 +171,7 @@ def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
 def stribeck_lines(
     speed: FloatArray, boundary_share: FloatArray, coefficient: FloatArray, ax: Axes | None = None
 ) -> Axes:
-    """Draw share of the boundary layer and friction over the mean speed [m/s]; return the axes.
+    """Draw share of the boundary layer and friction versus mean speed [m/s]; return the axes.
 
     boundary_share, coefficient: [-], as long as speed. Friction is drawn if it is not zero.
     """
@@ -191,7 +191,7 @@ def stribeck_lines(
 def traction_curve(
     slide_to_roll: ArrayLike, coefficient: ArrayLike, ax: Axes | None = None
 ) -> Axes:
-    """Draw the friction coefficient over the slide-to-roll ratio.
+    """Draw the friction coefficient versus slide-to-roll ratio.
 
     slide_to_roll, coefficient: arrays of `samcontact.lubrication.TractionCurve` [-]; ax: axes to
     draw on, default a new figure. Returns the axes. Raises ValueError for unequal shapes.
@@ -209,7 +209,7 @@ def traction_curve(
 def regime_chart(
     contact: Contact, speed: tuple[float, float], lubricant: Lubricant, ax: Axes | None = None
 ) -> Axes:
-    """Draw the regimes of lubrication over Moes' numbers, with the place of a contact.
+    """Draw the map of lubrication regimes in Moes' numbers, with the position of a contact.
 
     contact, speed, lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default
     a new figure. The chart is that of the shape of the contact. Returns the axes. Raises TypeError

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Report of an asperity collision: energy of each pass, and forces against the offset."""
+"""Report of an asperity collision: energy of each pass, and forces versus offset."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from ..cases import Case
 
 INCLUSION_TOL = 1e-3
-"""Finest tolerance of the strain of bodies with inclusions, for voids; see the theory page."""
+"""Smallest tolerance of the strain of bodies with voids; see docs/theory/inclusions.md."""
 DEFAULT_TOL = 1e-6  # tolerance [-] assumed for files without one
 
 

@@ -22,7 +22,7 @@ _SURFACE = ("increment", "x", "y")
 
 
 def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    """Add displacement that recovers, equivalent pressure and viscous work of each body."""
+    """Add recoverable displacement, equivalent pressure and viscous work of each body."""
     for body, material in enumerate((simulation.body1, simulation.body2), 1):
         if relaxation_of(material) is None:
             continue

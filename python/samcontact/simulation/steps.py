@@ -318,7 +318,7 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
 def _of_friction(
     friction: FrictionLaw, heat: Heat, duration: float | None
 ) -> tuple[float, float | None]:
-    """Return the duration for friction that depends on the slip rate, and that for the heat."""
+    """Return two durations: for friction that depends on the slip rate, and for the heat."""
     heated = heat.partition is not None or heat.history is not None
     return lasting(friction, duration), duration if heated else None
 

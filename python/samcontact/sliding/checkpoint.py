@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints of friction over velocity: a file for each solved velocity."""
+"""Checkpoints of friction versus velocity: a file for each solved velocity."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction over velocity, and its labelled dataset."""
+"""Friction versus velocity, and its labelled dataset."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False, eq=False)
 class FrictionCurve:
-    """Friction over velocity, from `over_speed`."""
+    """Friction versus velocity, from `over_speed`."""
 
     solutions: tuple[SlidingSolution, ...]
     """Solution at each velocity."""

@@ -87,7 +87,7 @@ class ContactSolution(ShortRepr, HtmlTable):
 
     @property
     def adhesion_stress(self) -> FloatArray:
-        """Attraction between the surfaces [Pa], >= 0, shape (nx, ny), repulsion minus pressure."""
+        """Attraction between the surfaces, repulsion minus pressure [Pa], >= 0, shape (nx, ny)."""
         found: FloatArray = self.repulsion - self.pressure
         return found
 

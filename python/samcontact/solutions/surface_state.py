@@ -49,7 +49,7 @@ class RigidMotionState:
 
 
 class SlipRateState(RigidMotionState):
-    """Slip rate, or plastic slip of a layer, on which the friction depends."""
+    """Slip rate of `FallingCoulomb`, and plastic slip of the layer of `ThirdBody`."""
 
     grid: Grid
 
@@ -75,7 +75,7 @@ class SlipRateState(RigidMotionState):
 
     @property
     def falling_number(self) -> float:
-        """Largest -dmu/dv p C/t of a cell in the last increment [-], with `FallingCoulomb`.
+        """Maximum of -dmu/dv p C/t over all cells in the last increment [-], with `FallingCoulomb`.
 
         C is the displacement of a cell under its own unit shear, t the duration of the increment.
         """
@@ -119,7 +119,7 @@ class AttractionState(SlipRateState):
 
     @property
     def adhesion_stress(self) -> FloatArray:
-        """Attraction between the surfaces [Pa], >= 0, shape (nx, ny), repulsion minus pressure."""
+        """Attraction between the surfaces, repulsion minus pressure [Pa], >= 0, shape (nx, ny)."""
         found: FloatArray = self.repulsion - self.pressure
         return found
 

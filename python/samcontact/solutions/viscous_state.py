@@ -14,7 +14,7 @@ class ViscousState:
     _core: Any
 
     def equivalent_pressure(self, body: int = 2) -> FloatArray:
-        """Pressure that would cause the displacement of this body elastically [Pa], shape (nx, ny).
+        """Pressure that would cause the displacement in an elastic body [Pa], shape (nx, ny).
 
         The displacement of a viscoelastic body depends on the history of the pressure. An elastic
         body with the instantaneous modulus has an equal displacement under the equivalent pressure.
