@@ -114,10 +114,10 @@ class SlidingCase(CaseFile):
             self._require_elastic(name)
         if not self.body2.relaxes:
             raise ValueError(
-                "body2.relaxation must be given: the friction is the energy lost in body 2, over "
-                "which body 1 slides" + (
-                    "; body 1 rests in the contact: exchange the bodies" if self.body1.relaxes
-                    else ""
+                "body2.relaxation must be given: the friction is due to the energy lost in body 2, "
+                "over which body 1 slides" + (
+                    "; body 1 loses no energy, because its contact does not move: exchange the "
+                    "bodies" if self.body1.relaxes else ""
                 )
             )  # fmt: skip
         if self.sliding.mean_pressure is not None and self.grid.periodic != "xy":

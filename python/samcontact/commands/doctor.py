@@ -8,7 +8,7 @@ import click
 from .errors import EXIT_FAILED, short_errors
 
 
-@click.command()
+@click.command(short_help="Show versions and run a self-test.")
 def doctor() -> None:
     """Show versions and run a self-test; exit code 1 if the test fails."""
     failed = False

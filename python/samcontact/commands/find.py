@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from ..cases import Case
 
 
-@click.command()
+@click.command(short_help="Find the load at which a quantity reaches a value.")
 @click.argument("case_file", metavar="CASE.toml", type=FilePath())
 @click.argument("target", metavar="QUANTITY=VALUE")
 @click.option(

@@ -41,7 +41,7 @@ _PLAUSIBLE_LIMITS = {
 and unit of the bound, and an example of a number with a unit."""
 
 
-@click.command()
+@click.command(short_help="Print a Hertz solution.")
 @click.option("--R", "radius", type=LENGTH, required=True, help="Equivalent radius (Rx) [m].")
 @click.option(
     "--Ry", "radius_y", type=LENGTH, help="Second equivalent radius [m], for an elliptic contact."

@@ -10,7 +10,7 @@ from .errors import short_errors
 from .tables import Sheet, new_console
 
 
-@click.command()
+@click.command(short_help="List the library of materials.")
 @click.argument("name", required=False)
 def materials(name: str | None) -> None:
     """List the library of materials, or all constants of the material NAME with their sources.

@@ -17,7 +17,7 @@ from .errors import short_errors
 _ENDINGS = (".html", ".vtr", ".pvd")
 
 
-@click.command()
+@click.command(short_help="Export fields for ParaView or a browser.")
 @click.argument("run", metavar="RUN", type=FilePath())
 @click.option("--vtk", is_flag=True, help="Write VTK files for ParaView: volume and surface.")
 @click.option("--html", is_flag=True, help="Write a page with a three-dimensional view of a body.")

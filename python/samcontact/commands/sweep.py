@@ -12,7 +12,7 @@ from .arguments import FilePath
 from .errors import short_errors
 
 
-@click.command()
+@click.command(short_help="Solve a case file for many values of its fields.")
 @click.argument("case_file", metavar="CASE.toml", type=FilePath())
 @click.option(
     "--set",

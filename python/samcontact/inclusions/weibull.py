@@ -87,7 +87,7 @@ class WeibullFit(ShortRepr, HtmlTable):
 def _share(name: str, value: float) -> float:
     share = number(name, value)
     if not 0.0 < share < 1.0:
-        raise ValueError(f"{name} must be in (0, 1), got {share!r}: it is a share")
+        raise ValueError(f"{name} must be in (0, 1), got {share!r}: use a fraction, not per cent")
     return share
 
 

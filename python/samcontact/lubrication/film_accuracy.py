@@ -98,8 +98,8 @@ def to_accuracy(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) 
         texts = " and ".join(map(percent, errors))
         warnings.warn(
             f"central and minimum film have estimated errors of {texts} on {len(values)} grids, "
-            f"the last with {counts(*found.film.shape)} cells: more cells would be needed for the "
-            "accuracy; prescribe a lower one, or give a grid with larger cells",
+            f"the last with {counts(*found.film.shape)} cells, and more cells are not allowed: "
+            "relax the accuracy, or start from a grid with larger cells",
             AccuracyWarning,
             stacklevel=4,
         )

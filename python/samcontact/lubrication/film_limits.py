@@ -34,9 +34,9 @@ def require_thin_film(task: FilmTask, dry: DryContact) -> None:
         return
     raise ValueError(
         f"load must be large enough for a thin film, got {task.target:.4g} N: at this speed and "
-        f"viscosity a formula predicts a film of {quantity(dry.film, 'm')}, which is not thin for "
-        f"surfaces of the radius {quantity(dry.gap_radius, 'm')} (at most {MAX_FILM_OF_RADIUS:g} "
-        "of it); check their units"
+        f"viscosity a formula predicts a film of {quantity(dry.film, 'm')}, more than "
+        f"{MAX_FILM_OF_RADIUS:g} of the radius of the gap, {quantity(dry.gap_radius, 'm')}; check "
+        "the units of load, speed and viscosity"
     )
 
 

@@ -172,9 +172,9 @@ def check_heated(film: FilmSolution, radius: float) -> None:
     carried = speed * constants.capacity * film.central_film**2 / (constants.conductivity * radius)
     if carried > MAX_CARRIED_HEAT:
         warnings.warn(
-            f"the film should carry little heat along, got {carried:.2g} of the heat that it "
-            f"conducts (at most {MAX_CARRIED_HEAT:g} expected): the temperature of the film is too "
-            "high, because only conduction across the film is included",
+            f"the flow should carry little heat along, got {carried:.2g} of the heat that is "
+            f"conducted across the film (at most {MAX_CARRIED_HEAT:g} expected): the computed "
+            "temperature of the film is too high, because it includes only this conduction",
             UserWarning,
             stacklevel=3,
         )

@@ -122,8 +122,8 @@ class HeatedSurfaces:
                 break
         else:
             raise ConvergenceError(
-                "heat that crosses the film was not found: use a grid with fewer cells outside the "
-                "contact"
+                "the heat conducted across the film did not converge: use a grid with fewer cells "
+                "outside the contact"
             )
         self._last = found
         crossing: FloatArray = found.reshape(shape) / (resistance + own)

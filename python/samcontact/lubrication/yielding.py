@@ -153,7 +153,7 @@ class _Coupling:
             )  # fmt: skip
         except scipy.optimize.NoConvergence:
             raise ConvergenceError(
-                f"film and plastic flow did not agree at load {self._task.target:g} N after "
+                f"film and plastic flow did not converge at load {self._task.target:g} N after "
                 f"{self.evaluations} solutions: use smaller increments of the load"
             ) from None
 
