@@ -174,8 +174,7 @@ def warm_fluidity(depth: FloatArray) -> FloatArray:
 
 
 def shear_factor(depth: FloatArray) -> FloatArray:
-    """Return the ratio of the shear rate at the walls to its mean over the film, 2 D/sinh 2 D
-    [-]."""
+    """Return (shear rate at the walls)/(mean shear rate of the film), 2 D/sinh 2 D [-]."""
     twice = 2.0 * np.asarray(depth)
     near = twice < 1e-4
     with np.errstate(over="ignore"):
