@@ -27,7 +27,7 @@ def tabor(R: float, w: float, E_star: float, range: float) -> float:
     """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) [-].
 
     R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: length z of the
-    attraction [m], which is w over its largest value. Tabor (1977,
+    attraction [m], w divided by its largest value. Tabor (1977,
     doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
 
     Above about 5 the theory of Johnson, Kendall and Roberts (`jkr`) applies, below about 0.1 the

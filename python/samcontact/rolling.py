@@ -82,8 +82,8 @@ def steady(
     approach : float
         Rigid-body approach [m]. Exactly one of load and approach must be given.
     friction : friction law, or 0.0
-        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0: bodies,
-        of which one is viscoelastic, roll without shear.
+        Friction law; `Coulomb(math.inf)` prevents slip, as in Kalker's linear theory. 0.0: rolling
+        without shear; one body must be viscoelastic.
     creepage : pair of float, optional
         xi, eta: rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
         `None` for a component, or for both, leaves that direction to `tangential_load`.

@@ -110,10 +110,11 @@ class Heterogeneous(LikeMatrix, HtmlTable):
     ) -> Heterogeneous:
         """Matrix with spheres at random places, which do not overlap.
 
-        The number of spheres is a Poisson number, their radii are lognormal, and they are placed
-        by random sequential addition, the largest first. Equal arguments give equal bodies. Spheres
-        with centres outside the box are not drawn, although they may extend into it. Therefore
-        choose the box larger than the region of interest by the largest radius on each side.
+        The number of spheres has a Poisson distribution, their radii are lognormal, and they are
+        placed by random sequential addition, the largest first. Equal arguments give equal bodies.
+        Spheres with centres outside the box are not drawn, although they may extend into it.
+        Therefore choose the box larger than the region of interest by the largest radius on each
+        side.
 
         Parameters
         ----------

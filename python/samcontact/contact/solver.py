@@ -76,7 +76,7 @@ class ContactSolver(ContactFields):
         acts over the whole grid, which is not enlarged.
     stiffness : float, optional
         Stiffness of the machine that prescribes an approach [N/m], with a law of `Adhesion`: the
-        approach of the bodies is that of the machine less load/stiffness. Default: rigid.
+        approach of the bodies is that of the machine minus load/stiffness. Default: rigid.
 
     Raises
     ------

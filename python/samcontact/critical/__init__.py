@@ -49,7 +49,7 @@ class CriticalSphere(HtmlTable):
     energy : float
         Elastic energy stored at the onset [J], the integral of load over interference.
     C : float
-        Maximum pressure over yield stress [-].
+        Maximum pressure divided by yield stress [-].
     p0 : float
         Maximum pressure [Pa].
     a : float
@@ -103,7 +103,7 @@ class CriticalCylinder(HtmlTable):
     load_per_length : float
         Normal load per unit length [N/m].
     C : float
-        Maximum pressure over yield stress [-].
+        Maximum pressure divided by yield stress [-].
     p0 : float
         Maximum pressure [Pa].
     b : float

@@ -34,7 +34,7 @@ class LargestInclusion(HtmlTable):
     area : float
         Inspected area of each maximum [m^2], > 0.
     fields : int, optional
-        Number of measured maxima, 0 if unknown: from it `interval` computes the confidence.
+        Number of measured maxima, which `interval` needs; 0 if unknown.
 
     Raises
     ------
@@ -106,8 +106,8 @@ class LargestInclusion(HtmlTable):
     def return_period(self, volume: float) -> float:
         """Number of inspected areas that correspond to a volume [m^3].
 
-        The inspected volume of one area is its area times the mean of the largest square roots of
-        the areas (Murakami).
+        One inspected area represents a volume of this area times the mean of sqrt(area) of the
+        largest inclusions (Murakami).
         """
         periods = positive("volume", volume) / (self.area * self.mean)
         if periods <= 1.0:

@@ -268,16 +268,16 @@ class Lubricant(HtmlTable):
     def tables(self, max_pressure: float) -> LubricantTables:
         """Return tables of density and reduced pressure versus pressure, up to a pressure [Pa].
 
-        The reduced pressure is the integral of density over viscosity from 0 to p. Choose a
-        pressure that no iterate exceeds, not only the solution. Raises ValueError for a pressure
-        that is not > 0.
+        The reduced pressure is the integral of density/viscosity over the pressure from 0 to p.
+        Choose a pressure that no iterate exceeds, not only the solution. Raises ValueError for a
+        pressure that is not > 0.
         """
         return reduced_pressure(
             positive("max_pressure", max_pressure), self._fluidity, self.density_law
         )
 
     def _fluidity(self, p: FloatArray) -> FloatArray:
-        """Return density over viscosity [1/(Pa s)], also beyond the range of a table."""
+        """Return density/viscosity [1/(Pa s)], also beyond the range of a table."""
         logarithm = np.minimum(self.law.logarithm(p), MAX_LOGARITHM)
         return self.density_law.ratio(p) * np.exp(-logarithm) / self.eta0
 

@@ -34,7 +34,7 @@ class LubricantTables(ShortRepr):
     reduced : ndarray
         Reduced pressure at the nodes, the integral of `fluidity` over the pressure [1/s].
     fluidity : ndarray
-        Relative density over viscosity [1/(Pa s)].
+        Relative density divided by viscosity [1/(Pa s)].
     density : ndarray
         Relative density [-].
     density_slope : ndarray

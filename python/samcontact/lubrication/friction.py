@@ -28,7 +28,7 @@ class FilmFriction(HtmlTable):
     traction : ndarray, shape (2,)
         Force on body 2 along x and y [N].
     coefficient : float
-        Magnitude of the traction over the load [-].
+        Magnitude of the traction divided by the load [-].
     boundary_share : float
         Share of the boundary layer in the traction [-]; zero without sliding.
     rolling_resistance : float

@@ -156,7 +156,7 @@ def steady(
     AccuracyWarning
         An accuracy that needs more than 420 x 420 cells; the result states the errors reached.
     UserWarning
-        A heated film so thick or fast that it carries more heat along than it conducts.
+        A heated film so thick or fast that convection along it exceeds conduction across it.
 
     Notes
     -----

@@ -90,7 +90,7 @@ def stribeck(
         Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) [-]. It changes films with `shear_thinning` or
         `thermal` only.
     boundary : Boundary
-        Boundary layer, which bears at low speeds.
+        Boundary layer, which carries the load at low speeds.
     order : {1, 2, 3}, optional
         Order of the film at the faces of the cells. The share of the layer depends on it where it
         is below 0.1: compare orders 1 and 3, or cells of half the size.

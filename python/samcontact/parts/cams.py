@@ -147,7 +147,7 @@ class TappetContact:
     radius : float
         Radius of curvature of the cam [m], which is the equivalent radius.
     acceleration : float
-        Second derivative of the lift by the angle [m].
+        Second derivative of the lift with respect to the angle [m].
     """
 
     cam: Cam

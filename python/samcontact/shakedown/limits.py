@@ -41,8 +41,8 @@ class ShakedownLimit(HtmlTable):
     Attributes
     ----------
     ratio : float
-        Maximum Hertz pressure p0 over the shear yield stress k [-]. k is the uniaxial yield stress
-        divided by 2 (Tresca) or by the square root of 3 (von Mises).
+        Maximum Hertz pressure p0 divided by the shear yield stress k [-]. k is the uniaxial yield
+        stress divided by 2 (Tresca) or by the square root of 3 (von Mises).
     depth : float
         Depth at which yielding begins if the load exceeds the limit, relative to the half-width or
         radius of the contact along the rolling direction [-]; 0 at the surface.

@@ -45,8 +45,8 @@ def steady(
 
     The gap is fixed to body 1, whose roughness slides over the smooth surface of body 2. The
     material of a viscoelastic body 2 moves through the contact; a viscoelastic body 1 rests in the
-    contact and has its long-time modulus, of which a warning informs. The energy lost in body 2 is
-    the hysteretic part of friction; a shear of the interface adds to it.
+    contact and has its long-time modulus (a warning is issued). The energy lost in body 2 is the
+    hysteretic part of friction; a shear of the interface adds to it.
 
     Parameters
     ----------
