@@ -132,7 +132,6 @@ def require_hardness_used(
 
 _WITHOUT_RELAXATION = {
     "wear": "because the pressure depends on the time between the cycles",
-    "accuracy": "because results depend on the duration of each increment, which is not refined",
 }
 """Reasons why sections do not support viscoelastic bodies."""
 
