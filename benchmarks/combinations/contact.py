@@ -111,6 +111,8 @@ class Contact:
     def heating(self) -> sc.Heat:
         """Return the heating, with a reference distance if the approach is prescribed."""
         heat = dict(self.heat)
+        if self.relaxes and "partition" in heat:
+            heat["partition"] = 1.0  # into the elastic body
         if self.prescribes_approach:
             heat["reference"] = 1e-2
         if self.lasts() and self.travels:

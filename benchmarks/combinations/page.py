@@ -24,6 +24,7 @@ RETESTED = (
     ("rolling", "dent of a pressed particle"),
     ("inclusion", "rolling"),
     ("viscoelastic body", "friction that falls with the slip rate"),
+    ("viscoelastic body", "friction that depends on the temperature"),
     ("plastic body", "friction that depends on the temperature"),
     ("layer of wear particles", "rolling"),
     ("plastic body", "lubricant film"),
@@ -115,11 +116,6 @@ REASONS = (
         "inclusions",
         "Inclusions in layered bodies, in a body that a particle dents, and with the method "
         '"exact", whose stress at the centres of cells makes soft inclusions unstable.',
-    ),
-    Reason(
-        "viscoelastic",
-        "Heat in viscoelastic bodies, whose thermal stress relaxes; also histories of heat and "
-        "heat due to slip.",
     ),
 )
 

@@ -244,7 +244,7 @@ State Simulation::heated_by_slip(Target target) {
   const Grid& grid = setup_->grid;
   const double duration = target.duration;
   // Without a history the heat of earlier increments has no effect.
-  if (!setup_->transient_heating.is_on()) target.duration = 0.0;
+  if (!setup_->has_time()) target.duration = 0.0;
   const auto moving = symmetry_of({target.heating[0].of_power(), target.heating[1].of_power()});
   Field& power = target.slip_power;
   power = state_.slip_power;

@@ -37,10 +37,10 @@ CORRECTION_CHANGE_PER_GRID = 3.0
 """Assumed relative change of a correction for increments from a coarse grid to the finest grid,
 divided by the relative difference of the values on the two grids."""
 
-FIRST_ORDER_RATIOS = 1.4, 3.0
-"""Range of the ratio c(n)/c(2 n) in which convergence is taken as first order (ratio 2), where c(n)
-is the correction of a value for n increments. Outside this range, c(n) - 2 c(2 n) may change on a
-finer grid."""
+REGULAR_RATIOS = {1: (1.4, 3.0), 2: (1.4, 6.0)}
+"""Range of the ratio c(n)/c(2 n) in which convergence is taken as regular, by the highest order,
+where c(n) is the correction of a value for n increments. The ratio is 2 for order 1 and 4 for order
+2. Outside this range, c(n) - 2 c(2 n) may change on a finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
 """Relative error added for the contact area, as a fraction of the relative correction of the
@@ -108,8 +108,8 @@ def extrapolate_grids(series: ArrayLike, lowest: ArrayLike = ASSUMED_ORDER) -> E
     return Estimate(np.where(clean, f[-1] + beyond, f[-1]), np.where(clean, errors, careful), clean)
 
 
-def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
-    """Estimate the change of a value up to infinitely many increments, for convergence of order 1.
+def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) -> Estimate:
+    """Estimate the change of a value up to infinitely many increments.
 
     Parameters
     ----------
@@ -119,6 +119,9 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
     used : int, optional
         Index in `steps` of the doubling that starts from the number of increments used for the
         value.
+    max_order : {1, 2}, optional
+        Highest order of convergence in the increments; the lowest is 1. If it is 2, the observed
+        order is used.
 
     Returns
     -------
@@ -126,11 +129,27 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0) -> Estimate:
         Limit for infinitely many increments minus the value.
     """
     d = np.asarray(steps, dtype=np.float64)
-    last = d[-1]  # further doublings together change the value as much again
+    last = d[-1]
+    rest = _further(d, max_order)
     left = np.abs(last)
     if len(d) > 1:
-        left = np.maximum(np.abs(2.0 * last - d[-2]), 0.1 * left)
-    return Estimate(d[used:].sum(axis=0) + last, left, np.ones(left.shape, dtype=bool))
+        fastest = np.abs(rest - last / (2.0**max_order - 1.0))  # the observed order may still rise
+        shift = np.abs(last + rest - _further(d[:-1], max_order))
+        left = np.maximum(np.maximum(shift, fastest), 0.1 * left)
+    return Estimate(d[used:].sum(axis=0) + rest, left, np.ones(left.shape, dtype=bool))
+
+
+def _further(d: FloatArray, max_order: int) -> FloatArray:
+    """Return the change of a value in all doublings that follow the doublings d, shape (runs, ...).
+
+    With order 1, they together change the value as much as the last doubling.
+    """
+    last: FloatArray = d[-1]
+    if max_order == 1 or len(d) == 1:
+        return last
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.nan_to_num(d[-2] / last, nan=2.0)
+    return np.asarray(last / (np.clip(ratio, 2.0, 2.0**max_order) - 1.0))
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
@@ -146,21 +165,23 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
     return np.maximum(CORRECTION_CHANGE_PER_GRID * change, MIN_CORRECTION_CHANGE)
 
 
-def irregular(more: FloatArray, doubled: FloatArray) -> FloatArray:
-    """Return the part of the corrections for increments that is not of first order.
+def irregular(more: FloatArray, doubled: FloatArray, max_order: int = 1) -> FloatArray:
+    """Return the part of the corrections for increments that is not of a regular order.
 
     Parameters
     ----------
     more, doubled : ndarray
         Corrections of the values for n and for 2 n increments.
+    max_order : {1, 2}, optional
+        Highest order of convergence in the increments.
 
     Returns
     -------
     ndarray
-        Part of each correction that is not of first order; zero where the ratio of the two
-        corrections is within `FIRST_ORDER_RATIOS`.
+        Part of each correction that is not of a regular order; zero where the ratio of the two
+        corrections is within `REGULAR_RATIOS`.
     """
-    low, high = FIRST_ORDER_RATIOS
+    low, high = REGULAR_RATIOS[max_order]
     inside = (
         (more * doubled > 0)
         & (abs(more) >= low * abs(doubled))

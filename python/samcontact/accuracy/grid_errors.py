@@ -47,7 +47,12 @@ MAX_SLOPE_FRACTION = 0.25
 cells). Above this limit, most of the slope may be at wavelengths that the grid does not contain."""
 _KINDS = (
     ("approach", "max_pressure", "max_von_mises"),
-    ("max_equivalent_plastic_strain", "max_residual_von_mises", "imprint_depth"),
+    (
+        "max_equivalent_plastic_strain",
+        "max_residual_von_mises",
+        "imprint_depth",
+        "viscous_work",
+    ),
 )
 _MIN_ERROR_OF_KIND = 0.2
 """Minimum relative error, as a fraction of the largest relative difference in a group of `_KINDS`.

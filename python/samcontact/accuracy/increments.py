@@ -36,7 +36,7 @@ class Correction(NamedTuple):
     by_grid: list[FloatArray]
     """For each doubling, possible error of the correction when it is applied to the finest grid."""
     irregular: FloatArray
-    """Part of the correction that is not of first order."""
+    """Part of the correction that is not of a regular order."""
 
 
 def trial_runs(runs: Runs) -> list[GridRun]:
@@ -45,15 +45,18 @@ def trial_runs(runs: Runs) -> list[GridRun]:
     return sorted(found, key=lambda run: run.increments)
 
 
-def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
-    """Return the correction of the values `finest` of the finest grid with `used` increments."""
+def correction(runs: Runs, used: int, finest: FloatArray, max_order: int = 1) -> Correction:
+    """Return the correction of the values `finest` of the finest grid with `used` increments.
+
+    max_order: highest order of convergence in the increments.
+    """
     made = []
     for run in trial_runs(runs)[:-1]:
         n = run.increments
         made.append(Doubling(n, max(g for g, m in runs if m == 2 * n and (g, n) in runs)))
     steps = np.array([runs[g, 2 * n].values - runs[g, n].values for n, g in made])
     first = [n for n, _ in made].index(used)
-    more, doubled = extrapolate_increments(steps, first), extrapolate_increments(steps, first + 1)
+    more, doubled = (extrapolate_increments(steps, n, max_order) for n in (first, first + 1))
     sizes = np.abs(steps[first:])
     sizes[-1] *= 2.0  # all further doublings together change as much as the last one
     shares = [by_grid(runs[g, used].values, finest) for _, g in made[first:]]
@@ -62,5 +65,5 @@ def correction(runs: Runs, used: int, finest: FloatArray) -> Correction:
         errors=more.errors,
         doublings=made[first:],
         by_grid=[share * size for share, size in zip(shares, sizes, strict=True)],
-        irregular=irregular(more.values, doubled.values),
+        irregular=irregular(more.values, doubled.values, max_order),
     )

@@ -28,6 +28,8 @@ of the values of about a tenth of the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the number of increments of a segment with a `start`. The first increment leads from
 the end of the previous segment to a value beyond `start`; more increments make it shorter."""
+_FEWEST = 2
+"""Number of increments for which a `first_duration` applies; with more increments it is shorter."""
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
     "max_time",
@@ -73,8 +75,12 @@ class RefinableCase:
         self.yields = any(body.is_plastic for body in self.bodies)
         marching = case.heat is not None and case.heat.history is not None
         self._all_increments = marching or depends_on_increments(case)
-        self.has_history = self.yields or case.sticks or self._all_increments
+        self.relaxes = case.relaxes
+        self.has_history = self.yields or case.sticks or self.relaxes or self._all_increments
         """Whether results depend on the number of increments."""
+        smooth = self.relaxes and not (self.yields or case.sticks)
+        self.max_increment_order = 2 if smooth else 1
+        """Highest order of convergence in the number of increments."""
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
         """Whether layers are elastic. Stress is then not evaluated: cells cross interfaces."""
@@ -113,6 +119,8 @@ class RefinableCase:
         path = []
         for number, segment in enumerate(self.case.path):
             changes: dict[str, Any] = {"increments": self._count(number, increments)}
+            if segment.first_duration is not None and number not in self.elastic:
+                changes["first_duration"] = segment.first_duration * _FEWEST / increments
             for kind in ("roll", "slide"):
                 passes = getattr(segment, kind)
                 if passes is not None:
@@ -170,7 +178,8 @@ class RefinableCase:
         """Store what a run shows: half-widths for later grids, and segments without flow."""
         self.grids.settle(run.level, run.half)
         if not self._all_increments:
-            self.elastic = set(run.elastic)
+            path = self.case.path
+            self.elastic = {n for n in run.elastic if not path[n].duration}
 
     def accept(self, accuracy: float) -> None:
         """Relax the contact tolerance to suit a relative accuracy, unless the case sets `tol`."""
@@ -189,6 +198,12 @@ def require_refinable(case: Case) -> None:
         raise ValueError(
             "heat.history requires that bodies move by whole cells, so that the path depends on "
             "the grid: specify [grid] instead of accuracy"
+        )
+    if case.relaxes and case.moves:
+        raise ValueError(
+            "relaxation of a body requires that the bodies move by whole cells, so that the path "
+            "depends on the grid: specify [grid] instead of accuracy, and compare with half the "
+            "cell size"
         )
     surface: Any = case.surface
     straight = surface.radii() is not None and not all(map(math.isfinite, surface.radii()))

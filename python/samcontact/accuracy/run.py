@@ -153,7 +153,7 @@ class AccuracySearch:
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
-                more = correction(self.runs, MIN_INCREMENTS, series[0].values)
+                more = self._correction(MIN_INCREMENTS, series[0].values)
                 limit = self._join(series[0].values + more.values, more.errors)
                 if np.all(self._relative(limit) <= 0.25 * self.target_values):
                     break
@@ -163,13 +163,17 @@ class AccuracySearch:
         for run in series[:-1]:
             self.used = run.increments
             off = np.abs(limit.values - self._join(run.values, 0.0 * run.values).values)
-            left = correction(self.runs, self.used, run.values).irregular
+            left = self._correction(self.used, run.values).irregular
             uneven = self._join(run.values, left)
             if np.all(
                 (self._relative(limit._replace(errors=off)) <= MAX_CORRECTED_ERROR * allowed)
                 & (self._relative(uneven) <= MAX_IRREGULAR_SHARE * allowed)
             ):
                 break
+
+    def _correction(self, used: int, finest: FloatArray) -> Correction:
+        """Return the correction of values with `used` increments."""
+        return correction(self.runs, used, finest, self.refinable.max_increment_order)
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
         """Return the estimate of each quantity; in layered bodies, the maximum over materials."""
@@ -212,7 +216,7 @@ class AccuracySearch:
         found = extrapolate_grids([run.values for run in grids], self.refinable.orders)
         found = found._replace(errors=found.errors + grids[-1].margins)
         if self.refinable.has_history:
-            more = correction(self.runs, self.used, grids[-1].values)
+            more = self._correction(self.used, grids[-1].values)
             errors = found.errors + more.errors + self._with_cross_error(found.values, more)
             found = Estimate(found.values + more.values, errors, found.extrapolated)
         return combined(found, self.parts)
@@ -249,7 +253,7 @@ class AccuracySearch:
         """
         if not self.refinable.has_history:
             return False
-        found = correction(self.runs, self.used, grids[-1].values)
+        found = self._correction(self.used, grids[-1].values)
         if self._error_ratio(grids, found.errors) > 0.5 and self._more_increments():
             return True
         depends = self._error_ratio(grids, np.sum(found.by_grid, axis=0)) > MAX_CORRECTION_CHANGE

@@ -11,7 +11,7 @@ import numpy as np
 
 from .layered import Body, Layered, materials_of
 from .material import Material
-from .relaxation import RelaxationTerms, long_time_share
+from .relaxation import RelaxationTerms, creep_terms, long_time_share
 
 
 def relaxation_of(body: Body) -> RelaxationTerms | None:
@@ -22,6 +22,12 @@ def relaxation_of(body: Body) -> RelaxationTerms | None:
 def relaxes(*bodies: Body) -> bool:
     """Whether a body is viscoelastic."""
     return any(relaxation_of(body) is not None for body in bodies)
+
+
+def longest_creep_time(body: Body) -> float:
+    """Return the longest retardation time of a body [s]; 0 for an elastic body."""
+    terms = relaxation_of(body)
+    return 0.0 if terms is None else float(max(creep_terms(terms)[1], default=0.0))
 
 
 def instantaneous(body: Body) -> Body:

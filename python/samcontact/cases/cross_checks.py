@@ -130,21 +130,9 @@ def require_hardness_used(
                 )
 
 
-_WITHOUT_RELAXATION = {
-    "wear": "because the pressure depends on the time between the cycles",
-    "accuracy": "because results depend on the duration of each increment, which is not refined",
-}
-"""Reasons why sections do not support viscoelastic bodies."""
-
-
 def require_durations(case: Any) -> None:
     """Raise ValueError unless the path has durations where, and only where, they are required."""
     relaxes = case.body1.relaxes or case.body2.relaxes
-    for section, reason in _WITHOUT_RELAXATION.items():
-        if relaxes and getattr(case, section) is not None:
-            raise ValueError(
-                f"relaxation of a body cannot be combined with {section}, {reason}: omit one"
-            )
     heated = case.heat is not None and case.heat.is_timed
     timed = relaxes or heated or case.friction.needs_duration
     for index, segment in enumerate(case.path):

@@ -21,32 +21,43 @@ def possible_heat(
     """Check the heat of a simulation against its bodies, grid and settings, and return it."""
     heat = checked_heat(given, bodies, grid, settings.law)
     if relaxes(*bodies):
-        _require_possible(bodies, heat)
+        _require_no_extrapolation(bodies, heat, settings)
+        require_known_stress(heat, bodies, grid)
     return heat
 
 
-def _require_possible(bodies: tuple[Body, Body], heat: Heat) -> None:
-    """Raise ValueError for heat that is not supported with viscoelastic bodies."""
-    for name in ("history", "partition"):
-        if getattr(heat, name) is not None:
-            require_no_relaxation(
-                f"heat.{name} is not supported with viscoelastic bodies; set heat.factor", *bodies
-            )
-    require_cold(heat, bodies)
+def _require_no_extrapolation(bodies: tuple[Body, Body], heat: Heat, settings: Settings) -> None:
+    """Raise ValueError for sub-increments whose heat history would advance the creep twice."""
+    yields = any(body.is_plastic for body in bodies)
+    if heat.history is not None and settings.increment_tol is not None and yields:
+        require_no_relaxation(
+            "increment_tol and heat.history together are not supported with viscoelastic bodies; "
+            "omit increment_tol",
+            *bodies,
+        )
 
 
-def require_cold(heat: Heat, bodies: tuple[Body, Body]) -> None:
-    """Raise ValueError if heat enters a viscoelastic body, whose thermal stress would relax."""
-    for n, (body, factor) in enumerate(zip(bodies, heat.shares, strict=True), 1):
-        if factor > 0 and relaxes(body):
+def require_known_stress(heat: Heat, bodies: tuple[Body, Body], grid: Grid) -> None:
+    """Raise ValueError if heat enters a viscoelastic body on a grid with layers.
+
+    The expansion of the body does not depend on its modulus, but its thermal stress relaxes.
+    """
+    name = "factor" if heat.partition is None else "partition: fraction of the heat"
+    for n, (body, share) in enumerate(zip(bodies, heat.shares, strict=True), 1):
+        if share > 0 and relaxes(body) and grid.has_volume:
             raise ValueError(
-                f"heat.factor must be 0 for viscoelastic body{n}, got {factor!r}: its thermal "
-                "stress would relax, which is not computed"
+                f"heat.{name} must be 0 for viscoelastic body{n} on a grid with layers, got "
+                f"{share!r}: the thermal stress of this body relaxes, which is not computed; omit "
+                "grid.dz (pressure and displacement are exact), or let the heat enter the other "
+                "body only"
             )
 
 
 def relaxing_duration(duration: Any) -> float:
-    """Check and return the duration of an increment [s]; infinite for the long-time state."""
+    """Check and return the duration of an increment [s]; infinite for the long-time state.
+
+    The duration may be 0 if the heat does not restrict it.
+    """
     if duration is None:
         raise ValueError(
             "duration is required because a body is viscoelastic: give the duration of the "

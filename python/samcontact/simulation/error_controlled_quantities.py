@@ -20,6 +20,7 @@ from .._util.checks import FloatArray, axis_number
 from .._util.tensors import von_mises
 from ..bodies.layered import Body, materials_of, matrix_of
 from ..bodies.material import Material
+from ..bodies.viscoelastic import relaxes
 
 if TYPE_CHECKING:
     from ..problem.grid import Grid
@@ -34,6 +35,8 @@ BODY_QUANTITIES = (
 )
 """Quantities of a body, whose names are followed by `_body1` or `_body2`; all but the first require
 an elastic-plastic body."""
+OF_RELAXING = ("imprint_depth", "viscous_work")
+"""Quantities of a viscoelastic body."""
 _FIELDS = {
     "max_von_mises": "stress",
     "max_equivalent_plastic_strain": "equivalent_plastic_strain",
@@ -42,12 +45,13 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Return the names of the quantities of the contact and of all elastic-plastic bodies.
+    """Return the names of the quantities of the contact and of all inelastic bodies.
 
     If no body is elastic-plastic, the only quantity of a body is the von Mises stress of `body`.
     """
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
-    found = list(CONTACT_QUANTITIES)
+    relaxing = [n for n, material in enumerate(bodies, 1) if relaxes(material)]
+    found = [*CONTACT_QUANTITIES, *(f"{name}_body{n}" for n in relaxing for name in OF_RELAXING)]
     if not volume:
         return found
     if not inelastic and bodies[body - 1].law != "rigid":
@@ -74,6 +78,8 @@ def parts(state: State, name: str) -> tuple[float, ...]:
     if name == "contact_area":
         return (state.contact_area,)
     kind, body = name[: -len("_body1")], int(name[-1])
+    if kind == "viscous_work":
+        return (state.viscous_work(body),)
     if kind == "imprint_depth":
         own = in_own_box(state, "residual_displacement", body)
         return (peak_value(state.residual_displacement(body) if own is None else own),)

@@ -16,6 +16,7 @@ from .._util.checks import FloatArray
 from .._util.display import HtmlTable, Rows, percent
 from .._util.errors import IncrementWarning, is_ignored
 from ..bodies.layered import materials_of
+from ..bodies.viscoelastic import relaxes
 from ..diagnostics.resolution import cells_across, spots
 from ..solutions.peak import peak
 from . import coarsening, error_controlled_quantities
@@ -46,6 +47,10 @@ for other fields. In theory, the ratio is 1 for order 1, and 2.4 for order 1/2, 
 single cells. The two ratios used here are calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
+
+_RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
+"""The same ratios for viscoelastic bodies without plastic flow or partial slip, after halving and
+doubling: exact for first-order convergence, an upper bound for the usual second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
 """Function that runs a setup on a grid, with an initial heat, along a path."""
@@ -181,7 +186,8 @@ def estimated(
         logger "samcontact" records why).
     """
     path = [cleaned(step) for step in path]
-    if not is_path_dependent(engine.setup, states) or any("pressure" in step for step in path):
+    affects = is_path_dependent(engine.setup, states) or (certified and _creeps(engine, path))
+    if not affects or any("pressure" in step for step in path):
         return None
     try:
         with warnings.catch_warnings():
@@ -190,6 +196,11 @@ def estimated(
     except Exception as error:
         _logger.info("the error due to increments is not estimated: %s", error)
         return None
+
+
+def _creeps(engine: Engine, path: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether a viscoelastic body creeps in an increment of the path."""
+    return relaxes(*engine.setup.bodies) and any(step.get("duration") for step in path)
 
 
 def _compared(
@@ -220,9 +231,10 @@ def _compared(
     merged, ends = halves or doubled(steps, first, start, grid.dx, heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
     # Motions by single cells are merged on larger cells.
-    factors = [
-        f * len(steps) / len(path) for f in (_HALVING_FACTORS if halves else _DOUBLING_FACTORS)
-    ]
+    ratios = _HALVING_FACTORS if halves else _DOUBLING_FACTORS
+    if not is_path_dependent(engine.setup, states):
+        ratios = _RELAXING_FACTORS[halves is not None]
+    factors = [ratio * len(steps) / len(path) for ratio in ratios]
     second = repeat(setup, grid, heat, merged)
     if level > 0:
         compared += f", both on cells {2**level} times as large"

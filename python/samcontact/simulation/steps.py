@@ -36,7 +36,7 @@ from ..problem.heating import (
     require_reference,
     require_speeds,
 )
-from ..problem.relaxing import relaxing_duration, require_cold
+from ..problem.relaxing import relaxing_duration, require_known_stress
 
 STEP_ARGUMENTS = (
     "load", "approach", "pressure", "shear", "advance", "shift", "tangential_load", "twist",
@@ -145,7 +145,8 @@ class StepArguments:
         slides_for, of_heat = 0.0, duration
         if self._slips_by_rate:
             slides_for, of_heat = _of_friction(friction, heat, duration)
-        if self.relaxes:
+        timed = heat.history is not None or (heat.partition is not None and duration != math.inf)
+        if self.relaxes and not timed:
             lasts: float | None = relaxing_duration(duration)
         else:
             lasts = _duration(heat, of_heat, is_unloaded=is_unloaded)
@@ -182,7 +183,8 @@ class StepArguments:
                 f"got {in_short(factor)}: the heat flux follows from the frictional power"
             )
         changed = replace(heat, factor=value_per_body("heat_factor", factor))
-        require_cold(changed, self.bodies)
+        if self.relaxes:
+            require_known_stress(changed, self.bodies, self.grid)
         return changed
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:

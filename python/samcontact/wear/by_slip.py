@@ -28,7 +28,7 @@ from .by_slip_checks import FrettingSetup, closing, make_setup
 from .checkpoint import require_own
 from .coating import worn_shares
 from .plastic import flow_between, largest, moved_up, strains_of
-from .problem import WearProgress, centred, simulation_of
+from .problem import WearProgress, centred, creep_after, simulation_of
 from .repeating import repeat
 from .results import FrettingCycle, FrettingResult
 
@@ -45,6 +45,9 @@ The limit is not smaller because, at the edge of the stick zone, slip directions
 over many repeats. This rotation does not noticeably affect the frictional work.
 """
 _MAX_REPEATS = 20
+_MAX_CREEPING_REPEATS = 200
+_MIN_MISMATCH_OF_TOL = 10.0
+"""Smallest limit of the change of the tractions of viscoelastic bodies, relative to `tol`."""
 _SMALL_FLOW = 0.01
 """Equivalent plastic strain in a repeat, relative to the yield strain, that is neglected."""
 
@@ -80,7 +83,7 @@ def fretting(
         approach, shift or tangential_load, twist or torque; with ``heat=Heat(partition=...)``, each
         step has a duration. The last step must repeat an earlier step. The steps up to this earlier
         step are a lead-in, which causes no wear. The first repetitions, until the shear is
-        periodic, cause no wear either.
+        periodic, cause no wear either. For viscoelastic bodies see Notes.
     friction : Coulomb
         Friction law with a finite coefficient > 0.
     energy : float or pair of floats
@@ -122,6 +125,14 @@ def fretting(
     IncrementWarning
         Plastic strain still grows in the last computed loop, by more than 1 % of the yield strain:
         the bodies do not shake down, and the plastic flow in the other loops is neglected.
+
+    Notes
+    -----
+    Each step of viscoelastic bodies has a duration. With ``repeats=1`` the loops follow each other
+    in time: the lead-in is computed once, then each cycle is one loop, which continues the creep of
+    the previous one and wears from the first loop on. With more repeats, the loop continues until
+    pressure and shear are periodic, so that further creep would change them by less than 1 %; the
+    time of the other loops does not matter then. A long hold in the lead-in shortens this.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -176,7 +187,7 @@ class _Repeat:
 
 def _solve_repeat(setup: FrettingSetup, standing: WearProgress) -> _Repeat:
     """Solve one repeat on the current surfaces, after a lead-in from unloaded bodies."""
-    states, flow = _closed(simulation_of(setup, standing), setup)
+    states, flow = _closed(simulation_of(setup, standing), setup, bool(standing.creep))
     slips = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)
     slip_distance = slips.sum(axis=0)
@@ -188,22 +199,42 @@ def _solve_repeat(setup: FrettingSetup, standing: WearProgress) -> _Repeat:
     return _Repeat(states, work, slip_distance, work, ratio * slip_distance, flow)
 
 
-def _closed(simulation: Simulation, setup: FrettingSetup) -> tuple[tuple[State, ...], float]:
-    """Repeat the loop until the shear is periodic; return states and flow of the last repeat."""
+def _closed(
+    simulation: Simulation, setup: FrettingSetup, continues: bool
+) -> tuple[tuple[State, ...], float]:
+    """Repeat the loop until it is periodic; return states and flow of the last repeat.
+
+    continues: whether the simulation continues the previous loop, without a lead-in.
+    """
     lead = closing(setup.cycle)
-    for step in setup.cycle[:lead]:
+    for step in setup.cycle[: 0 if continues else lead]:
         simulation.step(**step)
-    for _ in range(_MAX_REPEATS):
+    count = _MAX_CREEPING_REPEATS if setup.relaxes else _MAX_REPEATS
+    for _ in range(count):
         start = simulation.state
         states = [simulation.step(**step) for step in setup.cycle[lead:]]
         start, *states = on_common_grid([start, *states])
-        bound = float(setup.friction.bound(max(s.pressure.max() for s in states)))
-        if np.abs(states[-1].shear - start.shear).max() <= _MAX_SHEAR_MISMATCH * bound:
+        if setup.follows_time or _is_periodic(setup, start, states):
             return tuple(states), flow_between(setup, start, states[-1])
-    raise ValueError(
-        "cycle must give a periodic response, but the shear at its end still changes "
-        f"after {_MAX_REPEATS} repetitions: use a closed cycle"
+    remedy = (
+        "hold the load for a long time in the lead-in" if setup.relaxes else "use a closed cycle"
     )
+    raise ValueError(
+        "cycle must give a periodic response, but the tractions at its end still change "
+        f"after {count} repetitions: {remedy}"
+    )
+
+
+def _is_periodic(setup: FrettingSetup, start: State, states: Sequence[State]) -> bool:
+    """Whether a loop ends with the tractions with which it started."""
+    highest = max(float(state.pressure.max()) for state in states)
+    bound, limit = float(setup.friction.bound(highest)), _MAX_SHEAR_MISMATCH
+    if setup.relaxes:  # all further loops together change the tractions by less than the limit
+        limit *= setup.crept_share
+        limit = max(limit, _MIN_MISMATCH_OF_TOL * states[-1].setup.settings.tol)
+        if np.abs(states[-1].pressure - start.pressure).max() > limit * highest:
+            return False
+    return bool(np.abs(states[-1].shear - start.shear).max() <= limit * bound)
 
 
 def _advance(
@@ -225,6 +256,12 @@ def _advance(
         setup = setup.over(solved.states[-1].grid)
         now, removed = now.over(setup), centred(removed, setup.grid.surface_shape)
         max_repeats = _max_repeats(setup, solved)
+        if setup.follows_time and max_repeats < 1:
+            raise ValueError(
+                f"{setup.law} must be at most {max_repeats * max(setup.coefficients):.3g} 1/Pa, so "
+                "that the wear of a loop of viscoelastic bodies hardly changes the pressure, got "
+                f"{max(setup.coefficients)!r} 1/Pa: check the unit, or use larger cells"
+            )
         if left > (_MAX_PARTS - parts) * max_repeats:
             raise ValueError(
                 f"{setup.law} and repeats are too large: a cycle may be divided into at "
@@ -251,13 +288,14 @@ def _worn(
     """
     heights = dict(now.heights)
     strains = strains_of(setup, solved.states[-1])
+    creep = creep_after(setup, solved.states[-1])
     for body in setup.worn:
         coefficient, before = setup.coefficients[body - 1], heights[body]
         heights[body] = [*before[:-1], before[-2] - coefficient * removed]
         if body in strains:
             part = coefficient * count * solved.worn
             strains[body] = moved_up(setup, body, strains[body], part)
-    return replace(now, heights=heights, strains=strains)
+    return replace(now, heights=heights, strains=strains, creep=creep)
 
 
 def _max_repeats(setup: FrettingSetup, solved: _Repeat) -> float:

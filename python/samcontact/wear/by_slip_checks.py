@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from .._util.cached_property import cached_property
 from .._util.checks import (
     exactly_one,
     finite_array,
@@ -18,13 +20,14 @@ from .._util.checks import (
 from .._util.short_text import in_short
 from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, require_bodies
-from ..bodies.viscoelastic import require_no_relaxation
+from ..bodies.relaxation import long_time_share
+from ..bodies.viscoelastic import longest_creep_time, relaxation_of, relaxes
 from ..contact.tangential_drive import TangentialInput
 from ..diagnostics.plausibility import warn_if_implausible, wear_coefficient
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw, sticking_law
 from ..problem.grid import Grid
-from .problem import NO_RELAXATION, WearProblem
+from .problem import WearProblem
 from .results import FrettingCycle
 
 _ALLOWED_ARGUMENTS = (
@@ -42,6 +45,23 @@ class FrettingSetup(WearProblem):
     law: str
     coefficients: tuple[float, float]
     repeats: int
+
+    @property
+    def relaxes(self) -> bool:
+        """Whether a body is viscoelastic."""
+        return relaxes(*self.bodies)
+
+    @property
+    def follows_time(self) -> bool:
+        """Whether the loops of viscoelastic bodies follow each other in time."""
+        return self.relaxes and self.repeats == 1
+
+    @cached_property
+    def crept_share(self) -> float:
+        """Share of the slowest creep that takes place in a loop [-]; 1 without creep."""
+        duration = sum(step.get("duration") or 0.0 for step in self.cycle[closing(self.cycle) :])
+        slowest = max(map(longest_creep_time, self.bodies))
+        return -math.expm1(-duration / slowest) if slowest > 0 and duration > 0 else 1.0
 
     @property
     def record(self) -> type[FrettingCycle]:
@@ -67,7 +87,6 @@ def make_setup(
     require_type("grid", grid, Grid)
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
-    require_no_relaxation(NO_RELAXATION, *bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
         raise ValueError(
@@ -82,6 +101,8 @@ def make_setup(
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     path = step_list("cycle", cycle, _ALLOWED_ARGUMENTS)
     closing(path)
+    if repeats > 1:
+        _require_long_time_state(bodies)
     return FrettingSetup(
         surfaces=given,
         grid=grid,
@@ -96,6 +117,17 @@ def make_setup(
         coefficients=coefficients,
         repeats=repeats,
     )
+
+
+def _require_long_time_state(bodies: tuple[Body, Body]) -> None:
+    """Raise ValueError for a fluid, whose response never becomes periodic."""
+    for n, body in enumerate(bodies, 1):
+        terms = relaxation_of(body)
+        if terms is not None and long_time_share(terms) == 0:
+            raise ValueError(
+                f"repeats must be 1 because the shares of body{n} have the sum 1: a fluid flows "
+                "without limit, and its response never becomes periodic"
+            )
 
 
 def closing(path: list[dict[str, Any]]) -> int:

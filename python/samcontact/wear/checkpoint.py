@@ -28,6 +28,8 @@ from .problem import BodyStrain, WearProblem, WearProgress
 from .results import AnyCycle
 
 _KIND = "wear"
+_HISTORIES = ("heat", "creep")
+"""Histories of `WearProgress` that are stored if they are not empty."""
 
 
 def _identity(problem: WearProblem) -> Identity:
@@ -64,8 +66,7 @@ def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProg
     tree: Tree = {f"heights{body}": np.stack(rows) for body, rows in standing.heights.items()}
     tree["cells"] = np.array(standing.grid.surface_shape)
     tree |= {f"strain{body}": vars(kept) for body, kept in standing.strains.items()}
-    if standing.heat:
-        tree["heat"] = standing.heat
+    tree |= {name: part for name in _HISTORIES if (part := getattr(standing, name))}
     write_file(path, _KIND, {"run": _identity(problem), **tree, "cycles": records})
 
 
@@ -112,7 +113,9 @@ def _standing(tree: Tree, problem: WearProblem) -> WearProgress:
     cycles = _cycles(tree["cycles"], problem)
     nx, ny = tree["cells"].tolist()
     problem = problem.over(dataclasses.replace(problem.grid, nx=nx, ny=ny))
-    standing = WearProgress(problem.grid, {}, {}, cycles, tree.get("heat", {}))
+    standing = WearProgress(
+        problem.grid, {}, {}, cycles, **{n: tree.get(n, {}) for n in _HISTORIES}
+    )
     for body in problem.worn:
         _, rows = problem.rows(body)
         shape = (len(cycles) + 1, rows, problem.grid.ny)

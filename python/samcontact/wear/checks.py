@@ -26,7 +26,7 @@ from .._util.short_text import in_short
 from .._util.travels import along_x
 from ..bodies.free_faces import require_endless
 from ..bodies.layered import Body, elastic, require_bodies
-from ..bodies.viscoelastic import require_no_relaxation
+from ..bodies.viscoelastic import instantaneous
 from ..contact.solver import ContactSolver
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
 from ..heat import Heat
@@ -36,7 +36,7 @@ from ..problem.friction import FrictionLaw, is_law
 from ..problem.grid import Grid, within_period
 from ..problem.moving_topography import heights_over
 from ..simulation.steps import STEP_ARGUMENTS
-from .problem import NO_RELAXATION, WearProblem
+from .problem import WearProblem
 from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_order
 
@@ -108,7 +108,6 @@ def make_setup(
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
-    require_no_relaxation(NO_RELAXATION, *bodies)
     surfaces = given.over(grid)
     finite_array("gap", surfaces.initial_gap)  # finite bodies are not supported
     limit = number("threshold", threshold)
@@ -252,7 +251,9 @@ def _elastic_pressure(setup: WearSetup) -> FloatArray:
         return gap
 
     gap = gap_over if setup.surfaces.are_known else gap_over(grid)
-    body1, body2 = (elastic(body) if body.is_plastic else body for body in setup.bodies)
+    body1, body2 = (
+        elastic(body) if body.is_plastic else instantaneous(body) for body in setup.bodies
+    )
     friction = setup.friction
     if isinstance(friction, FrictionLaw):
         friction = friction.sliding_ratio

@@ -20,13 +20,13 @@ from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief
-from ..simulation.kept_heat import heat_of
+from ..simulation.kept_history import heat_of
 from ..solutions.state import State, on_common_grid
 from .checkpoint import require_own
 from .checks import WearSetup, make_filter, make_setup
 from .coating import worn_shares
 from .plastic import largest, moved_up, rows_of, strains_of
-from .problem import BodyStrain, WearProgress, simulation_of
+from .problem import BodyStrain, WearProgress, creep_after, simulation_of
 from .repeating import repeat
 from .results import Cycle, Moments, WearResult
 from .steps import Window, depth
@@ -76,7 +76,8 @@ def run(
     cycles : int, optional
         Maximum number of cycles, >= 1.
     worn : sequence of {1, 2}, optional
-        Elastic-plastic bodies that wear.
+        Elastic-plastic bodies that wear. The other body may be viscoelastic. Each step then has a
+        duration, and the creep of a cycle continues in the next one.
     smoothing_length : float, optional
         Standard deviation of the Gaussian that smooths the edge of the wear [m], from one cell to
         0.29 times the contact size. This length is a property of the material: results converge as
@@ -153,7 +154,12 @@ def _advance(setup: WearSetup, standing: WearProgress) -> tuple[Moments, WearPro
     end = moments[-1]
     setup = setup.over(end.grid)
     heat = heat_of(end) if setup.keep_heat else {}
-    standing = replace(standing.over(setup), strains=strains_of(setup, end), heat=heat)
+    standing = replace(
+        standing.over(setup),
+        strains=strains_of(setup, end),
+        heat=heat,
+        creep=creep_after(setup, end),
+    )
     setup = _with_room_for_filter(setup, standing.strains)
     return moments, _wear(setup, standing.over(setup), moments[0])
 
@@ -227,7 +233,8 @@ def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress
         ),
         coating_worn_share=worn_shares(setup.bodies, heights, number),
     )
-    return WearProgress(setup.grid, heights, strains, [*standing.cycles, record], standing.heat)
+    cycles = [*standing.cycles, record]
+    return replace(standing, heights=heights, strains=strains, cycles=cycles)
 
 
 def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatArray:

@@ -13,20 +13,17 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from ..bodies.layered import Body
+from ..bodies.viscoelastic import relaxes
 from ..problem.domain import SurfaceGeometry
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.moving_topography import Relief, heights_over
 from ..restart.tree import Tree
-from ..simulation.kept_heat import continue_heat
+from ..simulation.kept_history import continue_history, creep_of
+from ..simulation.kept_history import widened as widened_creep
 from ..simulation.simulation import Simulation
+from ..solutions.state import State
 from .results import AnyCycle
-
-NO_RELAXATION = (
-    "wear does not support viscoelastic bodies, whose pressure depends on the time between the "
-    "cycles; use elastic bodies with the long-time moduli"
-)
-"""Reason why bodies that wear must not be viscoelastic."""
 
 P = TypeVar("P", bound="WearProblem")
 
@@ -105,6 +102,8 @@ class WearProgress:
     cycles: list[AnyCycle] = field(default_factory=list)
     heat: Tree = field(default_factory=dict)
     """Heat history at the end of the last cycle; empty: unheated bodies."""
+    creep: Tree = field(default_factory=dict)
+    """Tractions and memory of viscoelastic bodies at the end of the last solution; empty: none."""
 
     @staticmethod
     def start(problem: WearProblem) -> WearProgress:
@@ -130,7 +129,8 @@ class WearProgress:
             heights[body] = [_placed(around, place, one) for one in rows]
         sides = (j, grid.ny - old.ny - j)
         strains = {body: _widened(kept, i, sides) for body, kept in self.strains.items()}
-        return WearProgress(grid, heights, strains, self.cycles, self.heat)
+        creep = widened_creep(self.creep, old, grid)
+        return WearProgress(grid, heights, strains, self.cycles, self.heat, creep)
 
 
 def centred(field: FloatArray, shape: tuple[int, int]) -> FloatArray:
@@ -156,6 +156,11 @@ def _widened(kept: BodyStrain, rows: int, sides: tuple[int, int]) -> BodyStrain:
 
     back = None if kept.backstress is None else padded(kept.backstress)
     return BodyStrain(kept.first + rows, padded(kept.strain), padded(kept.equivalent), back)
+
+
+def creep_after(problem: WearProblem, state: State) -> Tree:
+    """Return the tractions and memory of viscoelastic bodies at a state; empty without them."""
+    return creep_of(state) if relaxes(*problem.bodies) else {}
 
 
 def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | None]:
@@ -185,7 +190,7 @@ def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
         simulation.set_plastic_strain(
             body, kept.strain, kept.equivalent, kept.backstress, first=kept.first
         )
-    continue_heat(simulation.engine, standing.heat)
+    continue_history(simulation.engine, standing.heat, standing.creep)
     return simulation
 
 

@@ -347,8 +347,5 @@ def test_refusals():
         simulation(SOFT).relax()
     with pytest.raises(ValueError, match="body2 must not be viscoelastic, got 1 relaxation time"):
         sc.ContactSolver(GRID, RIGID, SLS)
-    warm = SLS.with_thermal(0.2, 1e-4, 1e-7)
-    with pytest.raises(ValueError, match=r"heat.factor must be 0 for viscoelastic body2"):
-        simulation(warm, heat=sc.Heat((0.0, 1e-3), time=1.0))
     with pytest.raises(ValueError, match="duration has no effect without"):
         simulation(SOFT).step(load=1.0, duration=1.0)

@@ -87,6 +87,28 @@ def test_march_on_a_wave_converges_to_steady_sliding():
     assert (coarse / fine > 4**1.5).all()
 
 
+def test_march_on_a_wave_in_full_contact_is_of_second_order():
+    """Steps of one cell against the closed form; the steady solution has the error of the cells."""
+    body = sc.Material.elastic(1.0, 0.0).with_relaxation(times=[0.05], shares=[0.9])
+    q, height, mean = 2 * np.pi, 1e-3, 0.2
+    exact = height**2 * q**2 * body.loss(q) / 4
+    errors, steps = [], []
+    for n in (16, 32, 64):
+        grid = sc.Grid(n, 1, 1 / n, 1 / n, periodic="xy")
+        gap = height * (1 - np.cos(q * grid.x))[:, None]
+        given = grid, RIGID, body, gap
+        load = mean * grid.cell_area * n
+        steady = sc.sliding.steady(*given, load=load, velocity=1.0)
+        state = marched(sc.Simulation(*given, tol=1e-10), 6 * n, load, 1.0, both=False)[-1]
+        slope = height * q * np.sin(q * grid.x)[:, None]
+        force = (state.pressure * slope).mean()
+        errors.append(force / exact - 1)
+        steps.append(1 - force / (steady.pressure * slope).mean())
+    assert (np.abs(errors) < [1.4e-2, 3.3e-3, 8.1e-4]).all()
+    np.testing.assert_allclose(steps, [1.4e-2, 3.3e-3, 8.1e-4], rtol=0.02)
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
+
+
 @pytest.mark.parametrize(("speed", "modulus"), [(1e12, 1e7), (1e-12, 4e6)])
 def test_fast_and_slow_creepage_is_elastic(speed, modulus):
     """Partial slip of different bodies with the instantaneous and with the long-time moduli."""
