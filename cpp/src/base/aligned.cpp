@@ -3,6 +3,7 @@
 
 #include <map>
 #include <mutex>
+#include <utility>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -38,6 +39,47 @@ void touch(char* p, std::size_t bytes) {
 
 void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(bytes)); }
 
+/// Keeps the last field that was released, if it was too large for a region, for the next field of
+/// nearly the same size: each increment builds a spectrum of the same box. It is released before
+/// the system is asked for more memory, so it hardly adds to the maximum memory.
+class Spare {
+ public:
+  static bool suits(std::size_t bytes) { return bytes > smallest && bytes <= largest; }
+
+  /// Null if there is no such field.
+  void* take(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    if (p_ == nullptr || bytes_ < bytes || bytes_ - bytes > bytes / 8) return nullptr;
+    return std::exchange(p_, nullptr);
+  }
+  void give_back(void* p, std::size_t bytes) {
+    release();
+    const std::lock_guard lock(mutex_);
+    p_ = p;
+    bytes_ = bytes;
+  }
+  void release() {
+    const std::lock_guard lock(mutex_);
+    if (p_ != nullptr) to_system(std::exchange(p_, nullptr), bytes_);
+  }
+
+  void lock() { mutex_.lock(); }
+  void unlock() { mutex_.unlock(); }
+
+ private:
+  static constexpr std::size_t smallest = std::size_t{1} << 24, largest = std::size_t{1} << 27;
+
+  std::mutex mutex_;
+  void* p_ = nullptr;
+  std::size_t bytes_ = 0;
+};
+
+/// Never destroyed: fields may outlive every static object.
+Spare& spare() {
+  static auto* const one = new Spare;  // NOLINT(cppcoreguidelines-owning-memory)
+  return *one;
+}
+
 /// Fields placed side by side in regions on huge pages. A solve allocates dozens of fields; the
 /// system would hand out and clear every small page of each, up to a third of the time of a first
 /// solve. One region without fields is kept for the next solve, which adds nothing to the maximum
@@ -56,6 +98,7 @@ class Regions {
       if (char* p = from_holes(start, holes, length)) return p;
     }
     try {
+      spare().release();
       char* start = static_cast<char*>(from_system(region));
       return from_holes(start, regions_[start] = {{0, region}}, length);
     } catch (const std::bad_alloc&) {
@@ -144,18 +187,32 @@ constexpr bool with_regions = true;
 
 }  // namespace
 
-void lock_memory() { regions().lock(); }
-void unlock_memory() { regions().unlock(); }
+void lock_memory() {
+  regions().lock();
+  spare().lock();
+}
+void unlock_memory() {
+  spare().unlock();
+  regions().unlock();
+}
 
 void* allocate_bytes(std::size_t bytes) {
   void* p = with_regions && Regions::suits(bytes) ? regions().take(bytes) : nullptr;
-  if (p == nullptr) p = from_system(bytes);
+  if (with_regions && Spare::suits(bytes)) {
+    // Its pages have been cleared before.
+    if (void* kept = spare().take(bytes)) return kept;
+  }
+  if (p == nullptr) {
+    if (bytes >= worth_huge_pages) spare().release();
+    p = from_system(bytes);
+  }
   touch(static_cast<char*>(p), bytes);
   return p;
 }
 
 void deallocate_bytes(void* p, std::size_t bytes) {
   if (with_regions && Regions::suits(bytes) && regions().give_back(p, bytes)) return;
+  if (with_regions && Spare::suits(bytes)) return spare().give_back(p, bytes);
   to_system(p, bytes);
 }
 

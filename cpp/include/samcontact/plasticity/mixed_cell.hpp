@@ -71,8 +71,8 @@ class MixedLaw {
   struct Kept {
     double part, stiffness;
   };
-  /// p for a ratio of moduli: that of a sphere. If moduli differ by a large factor, softer cells
-  /// have 1 and stiffer ones half of that of a sphere, with which the iteration was found to take
+  /// p for a ratio of moduli: that of a sphere, a part of it in stiffer cells, and 1 in softer
+  /// cells if moduli differ by a large factor. With these values the iteration was found to take
   /// the fewest steps.
   Kept kept(const Kept& sphere, double ratio) const;
 

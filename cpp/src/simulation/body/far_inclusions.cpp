@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "samcontact/base/deviator.hpp"
+#include "samcontact/fft/rows.hpp"
 #include "samcontact/simulation/body/cell_history.hpp"
 #include "samcontact/simulation/cells/tensor_fields.hpp"
 #include "samcontact/simulation/cells/traction_window.hpp"
@@ -27,20 +30,23 @@ constexpr double yield_excess = 0.02;
 struct Response {
   Field stress, displacement;  // [component][k][i][j] [Pa] and [i][j] [m]
 
-  /// tractions: on the box.
+  /// tractions: on the box. rows: of the box in which the stress is needed.
   Response(const operators::VolumeOperators& operators, const Box& box, const Field& strain,
-           const operators::Tractions& tractions, double shear_sign)
+           const operators::Tractions& tractions, double shear_sign,
+           const std::vector<fft::RowRun>& rows)
       : stress(6 * box.volume_size()), displacement(box.surface_size()) {
     operators::VolumeSpectrum spectrum = operators.make_spectrum();
     operators::forward(operators.transform(), strain.data(), spectrum);
     operators.residual_displacement(operators::Axis::z).apply(spectrum, displacement.data());
     const std::size_t plane = box.surface_size();
     operators.for_each_layer(
-        spectrum, strain.data(), &tractions, shear_sign, [&](int k, const double* layer) {
+        spectrum, strain.data(), &tractions, shear_sign,
+        [&](int k, const double* layer) {
           for (std::size_t c = 0; c < 6; ++c) {
             std::copy_n(layer + c * plane, plane, stress.data() + (c * box.nz + k) * plane);
           }
-        });
+        },
+        box.nz, [&](int) { return std::span<const fft::RowRun>(rows); });
   }
 };
 
@@ -65,7 +71,8 @@ class FarStep {
                MixedCells(setup_, body, from.placement().first[body], fft::Symmetry::none,
                           {from.inclusions_flow[body], from.matrix_flow[body]})) {
     cells_.take(zones_, fields_.equivalent, fields_.backstress, setup_.strength(body, from.travel));
-    Response all = response(around_, fields_.strain);
+    const Box seen = near_.united({0, 0, setup_.grid.nx, 1, 1});
+    Response all = response(around_, seen, fields_.strain);
     outside_ = outside_of_near(all, history);
     stress_ = std::move(all.stress);
     sources.stress(body, around_, Tensor::full, stress_);
@@ -106,15 +113,26 @@ class FarStep {
   }
 
  private:
-  Response response(const Box& box, const Field& strain) const {
-    const auto operators =
-        setup_.cache.volume(body_, box, Tensor::full, from_.method, fft::Symmetry::none, {});
-    return {*operators, box, strain, window(from_.tractions, setup_.grid, box),
-            operators::shear_sign(body_)};
+  /// seen: contains the rows in which the stress is needed.
+  Response response(const Box& box, const Box& seen, const Field& strain) const {
+    const auto& cache = setup_.cache;
+    const auto operators = box == around_ ? cache.volume_of_motion(body_, box, from_.method)
+                                          : cache.volume(body_, box, Tensor::full, from_.method,
+                                                         fft::Symmetry::none, {});
+    std::vector<char> used(box.nx, 0);
+    for (int i = std::max(box.i0, seen.i0); i < std::min(box.i0 + box.nx, seen.i0 + seen.nx); ++i) {
+      used[i - box.i0] = 1;
+    }
+    return {*operators,
+            box,
+            strain,
+            window(from_.tractions, setup_.grid, box),
+            operators::shear_sign(body_),
+            fft::runs_of(used)};
   }
   /// What remains of the response to all strain without that in the near box.
   OutsideStrain outside_of_near(const Response& all, const PlasticState& history) const {
-    const Response own = response(near_, history.strain(near_));
+    const Response own = response(near_, near_, history.strain(near_));
     Field stress = cut(all.stress, around_, near_);
     for (std::size_t i = 0; i < stress.size(); ++i) stress[i] -= own.stress[i];
     OutsideStrain outside;

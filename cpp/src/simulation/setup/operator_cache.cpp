@@ -192,6 +192,24 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
   return kept_.front().operators;
 }
 
+OperatorCache::Operators OperatorCache::volume_of_motion(int body, const Box& box,
+                                                         operators::ResidualMethod method) const {
+  {
+    const std::lock_guard lock(mutex_);
+    const auto last = of_motion_[body].lock();
+    const auto fits = [&](const Grid& grid) {
+      return grid.nx == box.nx && grid.ny == box.ny && grid.nz == box.nz;
+    };
+    if (last && !fits(last->grid())) {
+      kept_.remove_if([&](const Kept& k) { return k.operators == last; });
+    }
+  }
+  Operators found = volume(body, box, operators::Tensor::full, method, fft::Symmetry::none, {});
+  const std::lock_guard lock(mutex_);
+  of_motion_[body] = found;
+  return found;
+}
+
 std::shared_ptr<const operators::ZoneTables> OperatorCache::zone_tables(
     int body, operators::Tensor tensor, const operators::Heating& heating) const {
   require_volume(grid_, media_, body);

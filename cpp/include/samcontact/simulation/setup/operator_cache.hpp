@@ -86,6 +86,9 @@ class OperatorCache {
   Operators volume(int body, const Box& box, operators::Tensor tensor,
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating) const;
+  /// Likewise, for all strain near the grid that acts on a body in motion; only the last ones of
+  /// each body are kept, because this box grows while the body moves.
+  Operators volume_of_motion(int body, const Box& box, operators::ResidualMethod method) const;
 
   /// Tables of the zones of a body; the last ones with and without heat are kept.
   std::shared_ptr<const operators::ZoneTables> zone_tables(int body, operators::Tensor tensor,
@@ -128,6 +131,7 @@ class OperatorCache {
   operators::BandSplit split_;
   mutable std::mutex mutex_;
   mutable std::list<Kept> kept_;  // most recently used first
+  mutable std::array<std::weak_ptr<const operators::VolumeOperators>, 2> of_motion_;  // in kept_
   mutable std::vector<KeptZones> zone_tables_;
   mutable std::array<std::shared_ptr<const ZoneScan>, 2> zone_scans_;
   mutable std::mutex heat_mutex_;
