@@ -309,6 +309,9 @@ KINDS = {
             {"kind": "tabulated", "gap": [0.0, 1e-7, 2e-7], "stress": [1e7, 5e6, 0.0]},
         )
     },
+    "pull off": STICKS
+    | {"contact": {"adhesion": {"kind": "exponential", "work": 1.0, "range": 1e-7}},
+       "path": [{"approach": 1e-6, "increments": 2}, {"pull_off": {"step": 1e-7}}]},
     "fretting": STICKS
     | {"path": [{"load": 2.0, "increments": 2},
                 {"load": 2.0, "fret": {"tangential_load_x": 0.1, "tangential_load_y": 0.05,

@@ -131,6 +131,17 @@ def computed(folder):
     path = [{"approach": z, "shift": (0.2 * z, 0.0), "duration": 0.3} for z in there]
     return followed(sim, path, folder, True)
 """,
+    "pull off": """
+def computed(folder):
+    grid = sc.Grid(20, 20, 1e-8, 1e-8, dz=1e-8)
+    law = sc.Adhesion.exponential(0.05, range=2e-9)
+    sim = sc.Simulation(grid, sc.Material.rigid(), sc.Material.elastic(1e9, 0.3),
+                        sc.surfaces.paraboloid(grid, 2e-7), adhesion=law, on_border="warn")
+    path = [{"load": 1e-7}, {"pull_off": sc.paths.Retraction(1e-9)}, {"approach": 0.0}]
+    states = sim.run(path, progress=False, checkpoint=folder)
+    assert len(states) > 8 and not states[-2].in_contact.any()
+    return of_states(states)
+""",
     "creep": """
 def computed(folder):
     grid, gap = ball()

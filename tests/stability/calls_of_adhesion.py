@@ -21,20 +21,21 @@ def slope(r):
 
 
 def touching():
-    """Return the simulation of a small tip that adheres."""
+    """Return the simulation of a small tip that adheres to a viscoelastic body."""
     gap = sc.surfaces.paraboloid(GRID, 1e-6)
-    simulation = sc.Simulation(GRID, TIP, SOFT, gap, adhesion=LAW)
-    simulation.step(approach=0.0)
+    rubber = SOFT.with_relaxation([1.0], [0.4])
+    simulation = sc.Simulation(GRID, TIP, rubber, gap, adhesion=LAW)
+    simulation.step(approach=0.0, duration=0.0)
     return simulation
 
 
 TIP_IN_CONTACT = touching()
 
 
-def retracted(simulation, step, until, max_steps):
+def retracted(simulation, step, until, max_steps, speed):
     """Retract a tip, whose simulation is new in each call."""
     one = touching() if simulation is TIP_IN_CONTACT else simulation
-    return sc.paths.pull_off(one, step=step, until=until, max_steps=max_steps)
+    return sc.paths.pull_off(one, step=step, until=until, max_steps=max_steps, speed=speed)
 
 
 CALLS = [
@@ -68,5 +69,8 @@ CALLS = [
      {"length": 1e-6, "amplitude": 1e-8, "w": 0.1, "E_star": 1e9}),
     ("adhesion.WaveContact.mean_pressure", WAVE.mean_pressure, {"half_width": RADII}),
     ("paths.pull_off", retracted,
-     {"simulation": TIP_IN_CONTACT, "step": 2e-8, "until": "apart", "max_steps": 60}),
+     {"simulation": TIP_IN_CONTACT, "step": 2e-8, "until": "apart", "max_steps": 60,
+      "speed": 1e-8}),
+    ("paths.Retraction", sc.paths.Retraction,
+     {"step": 2e-8, "until": "apart", "max_steps": 60, "speed": 1e-8}),
 ]  # fmt: skip

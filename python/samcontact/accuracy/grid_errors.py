@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._util.checks import FloatArray, require_list, step_list
+from .._util.checks import FloatArray, require_list
 from .._util.display import HtmlTable, Rows, percent, quantity, rows_of
 from .._util.errors import ResolutionWarning
 from .._util.quantities import described
@@ -23,7 +23,7 @@ from ..simulation.increment_errors import IncrementErrors
 from ..simulation.repeated import coarsened
 from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
-from ..simulation.steps import STEP_ARGUMENTS
+from ..simulation.unfolding import run_list, solved_path
 from ..solutions.contact_area import perimeter_correction
 from ..solutions.peak import peak
 from ..solutions.state import on_common_grid
@@ -197,8 +197,9 @@ def estimate_errors(
         )
     if path is None or states is None:
         raise ValueError("path and states are required if run is a samcontact.Simulation")
-    path = step_list("path", path, STEP_ARGUMENTS)
+    path = run_list("path", path)
     require_list("states", states, State)
+    path = solved_path(path, run.engine, states)
     if len(path) != len(states):
         raise ValueError(
             f"path and states must have equal lengths, got {len(path)} and {len(states)}"

@@ -137,9 +137,8 @@ def require_durations(case: Any) -> None:
     timed = relaxes or heated or case.friction.needs_duration
     for index, segment in enumerate(case.path):
         if segment.is_timed != timed:
-            name = "duration" if segment.passes is None else "speed"
             raise ValueError(
-                f"path[{index}]: {name} must be given if, and only if, heat.history, "
+                f"path[{index}]: {segment.time_field} must be given if, and only if, heat.history, "
                 "heat.partition or falling_coulomb is given, or a body has relaxation: add the "
                 "missing one, or remove the other"
             )
@@ -151,6 +150,7 @@ def _require_repeatable(case: Any) -> None:
         return
     if case.wear is not None:
         raise ValueError("shakedown cannot be combined with wear: omit one of them")
+    _require_fixed_path(case, "shakedown", "may differ between cycles")
     if case.accuracy is not None and case.fatigue is not None:
         raise ValueError(
             "fatigue cannot be combined with both shakedown and accuracy, which store the state "
@@ -240,9 +240,25 @@ def _require_law_of_friction(case: Any) -> None:
             )
 
 
+def _require_fixed_path(case: Any, section: str, reason: str) -> None:
+    """Raise ValueError for a retraction, whose number of increments follows from the states."""
+    for index, segment in enumerate(case.path):
+        if segment.pull_off is not None:
+            raise ValueError(
+                f"path[{index}].pull_off cannot be combined with {section}, because its number of "
+                f"increments {reason}: prescribe approach"
+            )
+
+
 def _require_law_of_contact(case: Any) -> None:
     """Raise ValueError for tension without adhesion, and for fields not allowed with adhesion."""
     law = contact_law_of(case.contact)
+    for index, segment in enumerate(case.path):
+        if segment.pull_off is not None and not law.varies:
+            raise ValueError(
+                f"path[{index}].pull_off requires a law of adhesion: set [contact] adhesion, e.g. "
+                'adhesion = {kind = "exponential", work = "50 mJ/m^2", range = "2 nm"}'
+            )
     if law.attracts:
         if case.wear is not None:
             raise ValueError(f'contact.adhesion must be "hard" with [wear], got {law!r}')
@@ -275,6 +291,7 @@ def _require_accuracy(case: Any) -> None:
         )
     if case.grid is not None and not reason_for_grid(case):
         raise ValueError("grid cannot be combined with accuracy: omit one of them")
+    _require_fixed_path(case, "accuracy", "differs between grids")
     for index, segment in enumerate(case.path):
         if changed(segment, ("increments",)):
             raise ValueError(f"path[{index}].increments cannot be combined with accuracy: omit it")

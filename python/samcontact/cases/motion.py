@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
 from .. import dents, measured, paths
 from ..paths.ramps import fractions
@@ -27,6 +27,7 @@ from .base import (
     convert,
     in_unit,
 )
+from .retracting import MAX_INCREMENTS, PullOff, settings_of_pull_off
 from .slipping import TANGENTIAL_FIELDS, EndState, Force, Fretting
 from .surface_shape import SelfAffineRoughness
 from .tilting import TILTING_FIELDS, TiltingSection
@@ -99,6 +100,7 @@ class Segment(TiltingSection):
     roll: Rolling | None = None
     slide: Sliding | None = None
     fret: Fretting | None = None
+    pull_off: Annotated[PullOff | None, BeforeValidator(settings_of_pull_off)] = None
     duration: Annotated[NonNegative, in_unit("s")] | None = None
     first_duration: Annotated[Positive, in_unit("s")] | None = None
     heat_factor: HeatFactor | None = None
@@ -116,8 +118,14 @@ class Segment(TiltingSection):
 
     @model_validator(mode="after")
     def _one_target(self) -> Segment:
-        given = [self.load, self.load_factor, self.approach]
-        if given.count(None) != 2:
+        if self.pull_off is not None:
+            given = self.model_fields_set - {"pull_off", "increments"}
+            names = sorted(name for name in given if getattr(self, name) is not None)
+            if names:
+                raise ValueError(f"pull_off cannot be combined with {', '.join(names)}: omit them")
+            return self
+        targets = [self.load, self.load_factor, self.approach]
+        if targets.count(None) != 2:
             raise ValueError(
                 "exactly one of load and approach must be given (or load_factor, with a part)"
             )
@@ -184,7 +192,12 @@ class Segment(TiltingSection):
     @property
     def is_timed(self) -> bool:
         """Whether the steps of this segment have a duration."""
-        return (self.duration if self.passes is None else self.passes.speed) is not None
+        return getattr(self.passes or self.pull_off or self, self.time_field) is not None
+
+    @property
+    def time_field(self) -> str:
+        """Name of the field that gives the steps of this segment a duration."""
+        return "duration" if self.passes is None and self.pull_off is None else "speed"
 
     @property
     def slips(self) -> list[str]:
@@ -208,6 +221,9 @@ class Segment(TiltingSection):
 
         Raises ValueError if the segment cannot start from the end of the previous segment.
         """
+        if self.pull_off is not None:
+            is_given = "increments" in self.model_fields_set
+            return self.pull_off.steps(self.increments if is_given else MAX_INCREMENTS, reached)
         name, target = self.quantity, getattr(self, self.quantity)
         if self.fret is not None:
             fretting = self.fret.steps(name, target, self.increments, reached)

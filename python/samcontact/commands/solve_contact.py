@@ -29,6 +29,7 @@ from ..simulation.increment_errors import check_errors
 from ..simulation.journal import Journal, describe
 from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
+from ..simulation.unfolding import count_text
 from ..solutions.peak import peak_of_dataset
 from ..solutions.state import on_common_grid
 from .error_sheet import errors_sheet
@@ -86,7 +87,9 @@ def solve_contact(
                     error = stop
             run = _ContactRun(case, checkpoints, console, simulation, on_common_grid(states))
             if error is not None:
-                text = run.partial(error, f"{len(states)} of {len(path)} increments", figures)
+                text = run.partial(
+                    error, f"{len(states)} of {count_text(path)} increments", figures
+                )
                 raise StoppedEarlyError(with_resume_hint(text, directory)) from error
             return run.write(figures=figures, animate=animate)
         except BaseException:

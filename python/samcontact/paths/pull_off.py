@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,6 +20,87 @@ MAX_RISE = 0.05
 issued."""
 PAST_MAXIMUM = 0.98
 """Share of the largest tension below which a retraction is past its maximum."""
+
+
+@dataclass(frozen=True)
+class Retraction:
+    """Retraction of two adhesive bodies until they separate, as a part of a path.
+
+    An entry ``{"pull_off": Retraction()}`` of the path of `Simulation.run` stands for as many
+    increments as the separation requires. The approach, or that of a machine of finite stiffness,
+    decreases by `step` in each of them, from its value in the preceding state. `pull_off` retracts
+    a simulation at once.
+
+    Attributes
+    ----------
+    step : float or None
+        Decrease of the approach in an increment [m], > 0. None: a quarter of the length w/a_max of
+        the law of adhesion on the grid, with its work of adhesion w and largest attraction a_max;
+        for the exponential law, a quarter of the range.
+    until : {"apart", "maximum"}
+        End of the retraction, as in `pull_off`.
+    max_steps : int
+        Largest number of increments, from 1 to 10000.
+    speed : float or None
+        Rate at which the approach decreases [m/s], > 0, for viscoelastic bodies and friction laws
+        that require durations.
+
+    Raises
+    ------
+    ValueError, TypeError
+        An attribute has an invalid value or type.
+    """
+
+    step: float | None = None
+    until: str = "apart"
+    max_steps: int = 400
+    speed: float | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("step", "speed"):
+            if (value := getattr(self, name)) is not None:
+                object.__setattr__(self, name, positive(name, value))
+        choice("until", self.until, ("apart", "maximum"))
+        object.__setattr__(self, "max_steps", integer("max_steps", self.max_steps, 1, MAX_STEPS))
+
+    def require_speed(self, needed: bool) -> None:
+        """Raise ValueError unless the speed is given if, and only if, it is needed."""
+        if (self.speed is not None) != needed:
+            raise ValueError(
+                "speed must be given if, and only if, a body is viscoelastic or the friction law "
+                f"depends on the slip rate, got {self.speed!r}: "
+                + ("set the speed of the retraction [m/s]" if needed else "omit it")
+            )
+
+    def increments(
+        self, current: Callable[[], Any], step: float, stiffness: float | None
+    ) -> Iterator[dict[str, float]]:
+        """Iterate over the arguments of the increments; each is solved before the next is asked.
+
+        current: function that returns the present state. step: decrease of the approach in an
+        increment [m]. stiffness: stiffness of the machine [N/m], None: rigid. Raises ValueError if
+        `max_steps` increments do not separate the surfaces. Warns (IncrementWarning) if the
+        increments do not resolve the largest tension.
+        """
+        state = current()
+        compliance = 0.0 if stiffness is None else 1.0 / stiffness
+        machine = state.approach + compliance * state.load
+        lasts = {} if self.speed is None else {"duration": step / self.speed}
+        tension = [-state.load]
+        for n in range(1, self.max_steps + 1):
+            yield {"approach": machine - n * step, **lasts}
+            state = current()
+            tension.append(-state.load)
+            most = max(tension)
+            is_past = most > 0 and tension[-1] < PAST_MAXIMUM * most
+            if _is_apart(state, most) or (self.until == "maximum" and is_past):
+                _warn_of_step(tension, step)
+                return
+        raise ValueError(
+            f"max_steps = {self.max_steps} increments of {step:.3g} m do not separate the "
+            f"surfaces: at the approach {state.approach:.4g} m the tension is {-state.load:.4g} N; "
+            "use a larger step or max_steps"
+        )
 
 
 @dataclass(frozen=True, repr=False)
@@ -49,7 +130,12 @@ class PullOff(ShortRepr):
 
 
 def pull_off(
-    simulation: Any, *, step: float, until: str = "apart", max_steps: int = 400
+    simulation: Any,
+    *,
+    step: float,
+    until: str = "apart",
+    max_steps: int = 400,
+    speed: float | None = None,
 ) -> PullOff:
     """Retract a simulation with adhesion, until its surfaces separate.
 
@@ -70,6 +156,9 @@ def pull_off(
         below its maximum (single cells that open reduce it by less).
     max_steps : int, optional
         Largest number of increments.
+    speed : float, optional
+        Rate at which the approach decreases [m/s], > 0, for viscoelastic bodies and friction laws
+        that require durations.
 
     Returns
     -------
@@ -88,8 +177,7 @@ def pull_off(
         largest at the start.
     """
     step = positive("step", step)
-    until = choice("until", until, ("apart", "maximum"))
-    max_steps = integer("max_steps", max_steps, 1, MAX_STEPS)
+    retraction = Retraction(step, until, max_steps, speed)
     if not hasattr(simulation, "adhesion") or not hasattr(simulation, "step"):
         raise TypeError(f"simulation must be a samcontact.Simulation, got {in_short(simulation)}")
     if not simulation.adhesion.attracts:
@@ -97,33 +185,25 @@ def pull_off(
             f"simulation must have adhesion, got adhesion = {simulation.adhesion!r}: without "
             "attraction, the largest tension is 0"
         )
+    retraction.require_speed(simulation.engine.setup.needs_duration)
     states = [simulation.state]
-    most, where = -states[0].load, states[0].approach
     work = 0.0
-    compliance = 0.0 if simulation.stiffness is None else 1.0 / simulation.stiffness
-    machine = states[0].approach + compliance * states[0].load
-    for n in range(1, max_steps + 1):
-        before = states[-1]
-        state = simulation.step(approach=machine - n * step)
+    for arguments in retraction.increments(lambda: states[-1], step, simulation.stiffness):
+        before, state = states[-1], simulation.step(**arguments)
         states.append(state)
         work += 0.5 * (before.load + state.load) * (state.approach - before.approach)
-        if -state.load > most:
-            most, where = -state.load, state.approach
-        is_apart = not state.in_contact.any() and -state.load <= 0.01 * max(most, 0.0)
-        is_past = most > 0 and -state.load < PAST_MAXIMUM * most
-        if is_apart or (until == "maximum" and is_past):
-            _warn_of_step(states, step)
-            return PullOff(states, max(most, 0.0), where, work, bool(is_apart))
-    raise ValueError(
-        f"max_steps = {max_steps} increments of {step:.3g} m do not separate the surfaces: at the "
-        f"approach {states[-1].approach:.4g} m the tension is {-states[-1].load:.4g} N; use a "
-        "larger step or max_steps"
-    )
+    pulled = max(states, key=lambda state: -state.load)
+    most = max(-pulled.load, 0.0)
+    return PullOff(states, most, pulled.approach, work, _is_apart(states[-1], most))
 
 
-def _warn_of_step(states: Sequence[Any], step: float) -> None:
+def _is_apart(state: Any, most: float) -> bool:
+    """Whether the surfaces are separated after a largest tension [N]."""
+    return not state.in_contact.any() and -state.load <= 0.01 * max(most, 0.0)
+
+
+def _warn_of_step(tension: Sequence[float], step: float) -> None:
     """Warn if the increments do not resolve the maximum of the tension."""
-    tension = [-state.load for state in states]
     peak = max(range(len(tension)), key=tension.__getitem__)
     if tension[peak] <= 0.0:
         return
@@ -136,5 +216,5 @@ def _warn_of_step(states: Sequence[Any], step: float) -> None:
             f"the tension {where} in increments of {step:.3g} m, so the pull-off force may be too "
             "small: use a smaller step",
             IncrementWarning,
-            stacklevel=3,
+            stacklevel=4,
         )

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from .._util.cached_property import cached_property
+from ..bodies.viscoelastic import relaxes
 from .settings import Settings
 
 if TYPE_CHECKING:
@@ -41,6 +42,11 @@ class SimulationSetup:
     def adhesion(self) -> ContactLaw:
         """Contact law (hard contact or an attractive law)."""
         return self.settings.adhesion
+
+    @property
+    def needs_duration(self) -> bool:
+        """Whether cold increments have a duration."""
+        return relaxes(self.body1, self.body2) or self.friction.needs_duration
 
     def resolved_adhesion(self, grid: Grid) -> ContactLaw:
         """Return the contact law as it is solved on a grid."""

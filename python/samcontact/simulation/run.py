@@ -14,16 +14,17 @@ from ..solutions.state import State
 from .engine import Engine
 from .journal import journal_of
 from .steps import largest_cold_load, largest_target
+from .unfolding import count_text, largest_count, unfolded
 
 _logger = logging.getLogger("samcontact")
 
 
-def _log(state: State, number: int, count: int) -> None:
+def _log(state: State, number: int, count: str) -> None:
     """Write one increment of a run to the log."""
     if not _logger.isEnabledFor(logging.INFO):
         return
     _logger.info(
-        "increment %d of %d: load %.6g N, approach %.6g m, maximum pressure %.6g Pa",
+        "increment %d of %s: load %.6g N, approach %.6g m, maximum pressure %.6g Pa",
         number, count, state.load, state.approach, state.pressure.max(),
     )  # fmt: skip
     _logger.debug(
@@ -51,9 +52,9 @@ def run_into(
     with (
         monitor.deferred_resolution_checks(),
         journal_of(checkpoint, engine, path=steps) as journal,
-        progress_bar(len(steps), "increment", shown=progress, leave=leave) as bar,
+        progress_bar(largest_count(steps), "increment", shown=progress, leave=leave) as bar,
     ):
-        for arguments in steps:
+        for arguments in unfolded(steps, engine, lambda: engine.state):
             state = journal.next() if journal else None
             kept = state is not None
             try:
@@ -64,7 +65,7 @@ def run_into(
             finally:
                 if journal and not kept and len(states) > journal.count:
                     journal.add()
-            _log(states[-1], len(states), len(steps))
+            _log(states[-1], len(states), count_text(steps))
             bar.update()
             if progress:
                 strain = max(map(states[-1].max_equivalent_plastic_strain, (1, 2)))

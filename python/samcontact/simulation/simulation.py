@@ -9,7 +9,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, boolean, require_fast, require_type, step_list
+from .._util.checks import FloatArray, boolean, require_fast, require_type
 from .._util.display import HtmlTable
 from .._util.errors import attach
 from .._util.travels import AT_REST
@@ -34,7 +34,7 @@ from .increment_errors import check_errors
 from .relaxing import relaxing_step
 from .restoring import loaded, reduced, repeat_with
 from .run import run_into
-from .steps import STEP_ARGUMENTS
+from .unfolding import run_list
 
 
 class Simulation(Configured, HtmlTable):
@@ -269,7 +269,7 @@ class Simulation(Configured, HtmlTable):
         Parameters
         ----------
         path : iterable of dict
-            Arguments of each step, e.g. from `samcontact.paths`.
+            Arguments of each step, e.g. from `samcontact.paths`; or `paths.Retraction`.
         progress : bool, optional
             Show a progress bar, or at most ten lines if there is no terminal.
         checkpoint : path, optional
@@ -295,7 +295,7 @@ class Simulation(Configured, HtmlTable):
         boolean("progress", progress)
         states: list[State] = []
         try:
-            steps = step_list("path", path, STEP_ARGUMENTS)
+            steps = run_list("path", path)
             run_into(states, self.engine, self.monitor, self.step, steps, progress, checkpoint)
             found = on_common_grid(states)
             check_errors(self.engine, self.monitor, found, 2, repeat_with(type(self)), stacklevel=2)

@@ -91,7 +91,7 @@ UNSET = {
     "Ry": 3e-3, "advance": [1e-5, 0.0], "exponent": 3.0, "start": 1e-9, "reach": 1e-4,
     "heat_factor": 1e-3, "velocity": [1.0, 0.0], "wavelength_min": 15e-6, "wavelength_max": 60e-6,
     "roll_off": 40e-6, "roll": ROLL, "slide": {"distance": 1e-5, "step": 5e-6}, "increments": 12,
-    "shift_x": 1e-8, "shift_y": 1e-8, "twist": 1e-6, "tangential_load_x": 0.2,
+    "shift_x": 1e-8, "shift_y": 1e-8, "pull_off": {}, "twist": 1e-6, "tangential_load_x": 0.2,
     "tangential_load_y": 0.2, "torque": 1e-9, "moment_x": 1e-8, "moment_y": 1e-8, "tilt_x": 1e-6,
     "tilt_y": 1e-6, "fret": {"shift_x": 1e-8},
     "width": 1.7, "depth": 1.5, "approach": 1e-7, "load": 1.0, "image_tol": 1e-2, "floor": 0.2,
