@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Command ``samcontact``, started by its script or by ``python -m samcontact``."""
 
+import gc
+import os
+
 from .commands import array_libraries
 from .commands.loading import uncollected
 
@@ -11,6 +14,9 @@ with uncollected():
 def start() -> None:
     """Run the command in a process of its own."""
     array_libraries.hide()
+    # case files need no plugins, and the search reads the metadata of all installed packages
+    os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")
+    gc.freeze()  # loaded modules are never unused: no collection examines them
     main()
 
 

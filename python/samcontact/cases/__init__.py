@@ -1,13 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Case files: TOML descriptions of simulations; every field is validated."""
 
-from .asperities import AsperityCase
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from .base import CaseError
 from .case import Case
-from .films import FilmCase
-from .kinds import ALL_KINDS, AnyCase, kind_of
+from .kinds import CLASSES, kind_of
 from .reading import load_case, parse_case
-from .sliding import SlidingCase
+
+if TYPE_CHECKING:
+    from .asperities import AsperityCase
+    from .films import FilmCase
+    from .kinds import ALL_KINDS, AnyCase
+    from .sliding import SlidingCase
 
 __all__ = [
     "ALL_KINDS",
@@ -21,3 +29,18 @@ __all__ = [
     "load_case",
     "parse_case",
 ]
+
+_PLACES = {name: module for module, name in CLASSES.items()} | {
+    "ALL_KINDS": "kinds", "AnyCase": "kinds",
+}  # fmt: skip
+"""Modules of the names that are loaded on first use."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_PLACES[name]}", __name__), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

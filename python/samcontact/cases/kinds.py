@@ -1,29 +1,50 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinds of case files, by the sections that they contain."""
+"""Kinds of case files, by the sections that they contain.
+
+The module of a kind is loaded with its first case: each takes longer than a small contact.
+"""
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from .asperities import AsperityCase
 from .case import Case
-from .films import FilmCase
-from .sliding import SlidingCase
 
-AnyCase = Case | AsperityCase | FilmCase | SlidingCase
-KINDS: dict[str, type[AnyCase]] = {
-    "asperities": AsperityCase,
-    "film": FilmCase,
-    "sliding": SlidingCase,
-}
-"""Kinds of files other than those of one contact, by the section that only they have."""
-ALL_KINDS: tuple[type[AnyCase], ...] = (Case, *KINDS.values())
-"""Classes of all kinds of case files."""
+if TYPE_CHECKING:
+    from .asperities import AsperityCase
+    from .films import FilmCase
+    from .sliding import SlidingCase
+
+    AnyCase = Case | AsperityCase | FilmCase | SlidingCase
+    ALL_KINDS: tuple[type[AnyCase], ...]
+
+CLASSES = {"asperities": "AsperityCase", "films": "FilmCase", "sliding": "SlidingCase"}
+"""Names of the classes of all kinds of files other than those of one contact, by module."""
+_SECTIONS = {"lubricant": "films", "asperities": "asperities", "film": "films",
+             "sliding": "sliding"}  # fmt: skip
+"""Modules of these kinds, by a section that only they have."""
 
 
 def kind_of(content: Mapping[str, Any]) -> type[AnyCase]:
     """Return the class of a case with these sections."""
-    if "lubricant" in content:
-        return FilmCase
-    return next((kind for name, kind in KINDS.items() if name in content), Case)
+    module = next((place for name, place in _SECTIONS.items() if name in content), None)
+    return Case if module is None else _class_in(module)
+
+
+def _class_in(module: str) -> type[AnyCase]:
+    found: type[AnyCase] = getattr(
+        importlib.import_module(f".{module}", __package__), CLASSES[module]
+    )
+    return found
+
+
+def __getattr__(name: str) -> Any:
+    """Load all kinds for `AnyCase`, their union, and `ALL_KINDS`, a tuple of their classes."""
+    if name not in ("AnyCase", "ALL_KINDS"):
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    asperities, films, sliding = map(_class_in, CLASSES)
+    if name == "AnyCase":
+        return Case | asperities | films | sliding
+    return Case, asperities, films, sliding

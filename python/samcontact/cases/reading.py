@@ -6,12 +6,15 @@ from __future__ import annotations
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .._util.checks import file_path
 from .base import CaseError
-from .kinds import AnyCase, kind_of
+from .kinds import kind_of
 from .rolling_parts import short_places
+
+if TYPE_CHECKING:
+    from .kinds import AnyCase
 
 if sys.version_info >= (3, 11):
     import tomllib

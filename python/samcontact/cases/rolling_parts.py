@@ -17,7 +17,6 @@ from .._util.checks import FloatArray
 from .._util.short_text import in_short
 from ..bearings.rating import STEEL_CONTACT_MODULUS
 from ..bodies.layered import softest
-from ..lubrication import bearing_speeds
 from .base import Count, Finite, Length, NonNegative, Radius, in_unit
 from .errors import SHORT_FORMS
 from .surface_shape import FirstGrid, SurfaceShape
@@ -242,6 +241,8 @@ class BearingSurface(_RollingSurface):
         if "pinion_speed" in rates:
             return None
         inner, outer = rates.get("inner_speed", 0.0), rates.get("outer_speed", 0.0)
+        from ..lubrication import bearing_speeds  # for films only
+
         return bearing_speeds(self.bearing, inner, outer)
 
     def nominal_load(self, grid: Grid | None) -> float | None:

@@ -10,11 +10,16 @@ from collections.abc import Iterator
 
 @contextlib.contextmanager
 def uncollected() -> Iterator[None]:
-    """Omit garbage collection, because loaded modules contain almost nothing that is unused."""
+    """Omit garbage collection, because loaded modules contain almost nothing that is unused.
+
+    In a process that runs nothing but a command, later collections do not examine them either.
+    """
     enabled = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
+        if gc.get_freeze_count():  # `samcontact.__main__.start`
+            gc.freeze()
         if enabled:
             gc.enable()

@@ -40,11 +40,12 @@ def run(
 ) -> None:
     """Solve a case file and write results.nc and figures."""
     with short_errors(files=True):
-        from ..cases import load_case
-        from .interrupted import is_interrupted
-        from .tables import new_console
+        with uncollected():
+            from ..cases import load_case
+            from .interrupted import is_interrupted
+            from .tables import new_console
 
-        case = load_case(case_file)
+            case = load_case(case_file)
         directory = case.output_directory if output is None else output
         console, figures = new_console(quiet), not no_figures
         try:

@@ -225,7 +225,8 @@ class _ContactRun:
             check_errors(run.engine, run.monitor, self.states, 1, repeat, stacklevel=3)
             return None
         try:
-            with self.console.status("repeating the run on a coarsened grid"):
+            text = "repeating the run on a coarsened grid"
+            with nullcontext() if self.console.quiet else self.console.status(text):
                 return estimate_errors(self.simulation, self.case.steps(), self.states)
         except Exception as error:
             text = f"could not estimate the grid errors: {error}"

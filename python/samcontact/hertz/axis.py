@@ -12,19 +12,18 @@ from collections.abc import Callable
 
 import numpy as np
 
+from .._util.bounded_minimum import bounded_minimum
 from .._util.checks import FloatArray, poisson_ratio
 from .._util.lazy_scipy import scipy
 
 
 def _maximum(function: Callable[[float], float], upper: float) -> tuple[float, float]:
     """Return the maximum of a function of depth on [0, upper], and the depth of the maximum."""
-    found = scipy.optimize.minimize_scalar(
-        lambda s: -function(s), bounds=(0.0, upper), method="bounded", options={"xatol": 1e-10}
-    )
+    place, lowest = bounded_minimum(lambda s: -function(s), 0.0, upper, tolerance=1e-10)
     at_surface = function(0.0)
-    if at_surface >= -found.fun:
+    if at_surface >= -lowest:
         return at_surface, 0.0
-    return float(-found.fun), float(found.x)
+    return float(-lowest), float(place)
 
 
 def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:

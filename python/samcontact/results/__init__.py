@@ -5,13 +5,20 @@ Variables with names ending in _body1 or _body2 refer to body 1 or body 2. Tenso
 labelled xx, yy, zz, yz, xz, xy; shear strains are tensor components (half the engineering strains).
 """
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from .._util.tensors import COMPONENTS
 from .dataset import to_dataset
 from .file import open_results, save, scalars
-from .films import films_dataset, films_of
-from .pvd import to_pvd
-from .vtk import to_vtk
 from .zones import on_grid
+
+if TYPE_CHECKING:
+    from .films import films_dataset, films_of
+    from .pvd import to_pvd
+    from .vtk import to_vtk
 
 __all__ = [
     "COMPONENTS",
@@ -25,3 +32,16 @@ __all__ = [
     "to_pvd",
     "to_vtk",
 ]
+
+_PLACES = {"films_dataset": "films", "films_of": "films", "to_pvd": "pvd", "to_vtk": "vtk"}
+"""Modules of the names that are loaded on first use."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_PLACES[name]}", __name__), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
