@@ -70,7 +70,7 @@ std::vector<double> Grid::y() const { return centres(ny, dy); }
 
 std::vector<double> Grid::z(int layers) const {
   std::vector<double> c(layers);
-  for (int k = 0; k < layers; ++k) c[k] = (k + 0.5) * dz;
+  for (int k = 0; k < layers; ++k) c[k] = (k0 + k + 0.5) * dz;
   return c;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Box of cells: a rectangle of surface cells and the layers below it, counted from the surface
-// down.
+// Box of cells: a rectangle of surface cells and layers below it, counted from the surface down.
 #pragma once
 
 #include <algorithm>
@@ -14,27 +13,38 @@ namespace samcontact {
 struct Box {
   int i0 = 0, j0 = 0;  // first cell of the rectangle
   int nx = 0, ny = 0, nz = 0;
+  int k0 = 0;  // first layer; nz is the number of layers from the surface to its bottom
 
   static Box whole(const Grid& grid) { return {0, 0, grid.nx, grid.ny, grid.nz}; }
   /// The whole surface as a single layer.
   static Box surface(const Grid& grid) { return {0, 0, grid.nx, grid.ny, 1}; }
 
+  /// Its rectangle as a single layer.
+  Box layer() const { return {i0, j0, nx, ny, 1}; }
+
   bool empty() const { return nx == 0 || ny == 0; }
   bool operator==(const Box&) const = default;
   std::size_t surface_size() const { return static_cast<std::size_t>(nx) * ny; }
-  std::size_t volume_size() const { return surface_size() * nz; }
+  int layers() const { return nz - k0; }
+  std::size_t volume_size() const { return surface_size() * layers(); }
   /// Grid of the cells of the box.
   Grid grid(const Grid& of) const {
-    Grid part{nx, ny, of.dx, of.dy, nz, of.dz};
+    Grid part{nx, ny, of.dx, of.dy, layers(), of.dz};
     part.period = of.period;
+    part.k0 = k0;
     return part;
   }
 
-  Box moved(int along_x, int along_y) const { return {i0 + along_x, j0 + along_y, nx, ny, nz}; }
+  Box moved(int along_x, int along_y) const {
+    return {i0 + along_x, j0 + along_y, nx, ny, nz, k0};
+  }
+  /// The box and all layers above it.
+  Box from_surface() const { return {i0, j0, nx, ny, nz}; }
   bool contains(const Box& other) const;
   /// Cells that both boxes contain; empty if there are none.
   Box intersected(const Box& other) const;
-  /// Smallest box that contains both boxes; an empty box contributes its depth only.
+  /// Smallest box that contains both boxes; an empty box contributes its depth only, and one without
+  /// layers its rectangle only.
   Box united(const Box& other) const;
 };
 

@@ -19,7 +19,8 @@ struct Period {
 };
 
 /// Cell-centred grid. x_i = (i - (nx-1)/2) dx [m], y likewise; layer k spans [k dz, (k+1) dz] with
-/// z into the body. Without nz the volume has no bottom; without dz there is the surface only.
+/// z into the body. Without nz the volume has no bottom; without dz there is the surface only. A
+/// part of a grid may start below the surface, at layer k0.
 ///
 /// Index orders in the core: a surface field is [i][j] (y fastest); a volume field is depth-major,
 /// [k][i][j]; a tensor field is [component][k][i][j] with components xx, yy, zz, yz, xz, xy.
@@ -27,6 +28,7 @@ struct Grid {
   int nx, ny, nz;
   double dx, dy, dz;
   Period period;  // a part of a grid has the period of the whole grid
+  int k0 = 0;     // layers of cells between the surface and the first layer
 
   /// Throws std::invalid_argument if a count is not positive (nz: negative) or a size is not a
   /// positive finite number (dz: 0 is allowed without layers).

@@ -97,7 +97,7 @@ class HalfSpace : public Medium {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto layer = [&](int k) {
       const auto cell = [&](const Grid& own, bool rotated) {
-        return residual_influence(rotated ? exchanged(axis) : axis, own, k);
+        return residual_influence(rotated ? exchanged(axis) : axis, own, grid.k0 + k);
       };
       return sums_.sum(grid, CellOffsets::lattice(offsets.nx, offsets.ny), cell,
                        exchanged_components);

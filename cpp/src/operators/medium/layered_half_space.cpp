@@ -68,10 +68,10 @@ class LayeredHalfSpace : public Medium {
     const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
     const auto layer = [&](int k) {
       if (!grid.period.is_on()) {
-        return layered_residual_displacement(stack_, axis, grid, lattice, k);
+        return layered_residual_displacement(stack_, axis, grid, lattice, grid.k0 + k);
       }
       const auto cell = [&](const Grid& own, bool rotated) {
-        return layered_residual_of_cell(stack_, rotated ? exchanged(axis) : axis, own, k);
+        return layered_residual_of_cell(stack_, rotated ? exchanged(axis) : axis, own, grid.k0 + k);
       };
       return sums_.sum(grid, lattice, cell, exchanged_components);
     };

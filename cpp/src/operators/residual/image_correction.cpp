@@ -195,7 +195,7 @@ ImageCorrection::Axis ImageCorrection::stacked(const std::vector<Axis>& layers) 
 void ImageCorrection::build_layers(const Grid& grid, const Stack& body, double tol) {
   const int cells = cells_over_period(tol);
   const double shortest = 0.5 * std::min(period_x_, period_y_);
-  auto layers = layers::swept_layers(body, grid.nz, grid.dz);
+  auto layers = layers::swept_layers(body, grid.k0, grid.nz, grid.dz);
   std::vector<Axis> axes;
   for (auto& layer : layers) {
     if (layer.cells == 0) continue;

@@ -58,7 +58,7 @@ LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform
 
 LayerResidualStress::LayerResidualStress(const Grid& grid, const VolumeTransform& transform,
                                          const Stack& body, const Share& share, bool blends)
-    : stack_(body, grid.nz, grid.dz) {
+    : stack_(body, grid.k0, grid.nz, grid.dz) {
   for (int ky = 0; ky < transform.mh(); ++ky) {
     passes_.push_back(passes(grid, transform, ky, share, blends));
   }

@@ -14,6 +14,7 @@ Grid line_of(const Grid& grid) {
   const bool along_x = grid.period.x == 0;
   Grid line(along_x ? grid.nx : 1, along_x ? 1 : grid.ny, grid.dx, grid.dy, grid.nz, grid.dz);
   line.period = {along_x ? 0 : 1, along_x ? 1 : 0, grid.period.reference};
+  line.k0 = grid.k0;
   return line;
 }
 

@@ -57,7 +57,7 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
     return {d[0] - d[2], d[1] - d[2], d[3], d[4], d[5], 0.0};
   };
   for_each_layer_difference<6>(
-      lattice, nz_ - first_, [dz, this](int level) { return (first_ + level) * dz; }, corner,
+      lattice, nz_ - first_, [&](int level) { return (grid.k0 + first_ + level) * dz; }, corner,
       [&](int k, const double* differences) {
         Field quarter(spectrum.size());
         for (int c = 0; c < count(tensor); ++c) {

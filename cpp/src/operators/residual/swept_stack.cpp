@@ -40,32 +40,51 @@ void fill_coefficients(double kx, double ky, double h, double weight, double* mo
 
 }  // namespace
 
-std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz) {
+std::vector<SweptLayer> swept_layers(const Stack& body, int k0, int nz, double dz) {
   std::vector<SweptLayer> found;
+  const int end = k0 + nz;
+  const double upper = k0 * dz;
   double top = 0.0;
   int first = 0;
+  // The part of a layer above the first cell.
+  const auto add_above = [&](const Elastic& elastic, double bottom) {
+    if (!(top < upper)) return;
+    const double above = std::min(bottom, upper);
+    found.push_back({elastic, above - top, 0, dz});
+    top = above;
+    first = k0;
+  };
   for (std::size_t n = 0; n < body.layers.size(); ++n) {
     const auto& [elastic, thickness] = body.layers[n];
     const double bottom = top + thickness, face = bottom / dz;
-    if (face <= nz + off_face && std::fabs(face - std::round(face)) > off_face) {
+    if (face <= end + off_face && std::fabs(face - std::round(face)) > off_face) {
       throw std::invalid_argument(
           "the bottom of layers[" + std::to_string(n) + "], at " + to_text(bottom) +
           " m, must coincide with a cell boundary, got dz = " + to_text(dz) +
           " m: use a whole fraction of the thickness");
     }
-    const int last = face < nz ? static_cast<int>(std::lround(face)) : nz;
-    const double within = face > nz + off_face ? nz * dz - top : thickness;
+    if (k0 > 0) {
+      add_above(elastic, bottom);
+      if (face <= k0 + off_face) {
+        top = bottom;
+        continue;
+      }
+    }
+    const double left = k0 > 0 ? bottom - top : thickness;
+    const int last = face < end ? static_cast<int>(std::lround(face)) : end;
+    const double within = face > end + off_face ? end * dz - top : left;
     if (last > first) found.push_back({elastic, within, last - first, dz});
-    const double beyond = last > first ? thickness - within : thickness;
+    const double beyond = last > first ? left - within : left;
     if (beyond > 0) found.push_back({elastic, beyond, 0, dz});
     first = last;
     top = bottom;
   }
   if (!body.substrate.is_rigid()) {
-    found.push_back({body.substrate, INFINITY, nz - first, dz});
-  } else if (first < nz) {
+    add_above(body.substrate, INFINITY);
+    found.push_back({body.substrate, INFINITY, end - first, dz});
+  } else if (first < end) {
     throw std::invalid_argument("the grid must end above the rigid substrate, at " + to_text(top) +
-                                " m, got " + std::to_string(nz) + " layers of dz = " + to_text(dz) +
+                                " m, got " + std::to_string(end) + " layers of dz = " + to_text(dz) +
                                 " m");
   }
   return found;

@@ -61,7 +61,7 @@ Field with_given_stress(const Field& given, const Box& box, int k, const double*
   const std::size_t plane = box.surface_size(), parts = given.size() / box.volume_size();
   Field sum(layer, layer + parts * plane);
   for (std::size_t c = 0; c < parts; ++c) {
-    const double* more = given.data() + (c * box.nz + k) * plane;
+    const double* more = given.data() + (c * box.layers() + k) * plane;
     for (std::size_t i = 0; i < plane; ++i) sum[c * plane + i] += more[i];
   }
   return sum;
@@ -194,7 +194,7 @@ void PlasticBody::activate(std::uint32_t cell, const plasticity::Tensor& deviato
 double PlasticBody::find_stress(ActiveCells& active) {
   const CellHistory::Limits limits = cells_.first_limits();
   std::vector<std::vector<LayerCheck>> checked;  // by zone and layer
-  for (const Box& box : zones().boxes()) checked.emplace_back(box.nz);
+  for (const Box& box : zones().boxes()) checked.emplace_back(box.layers());
   const auto check = [&](std::size_t zone, int k, const double* layer) {
     const Field sum = with_given_stress(given_stress_[zone], zones().boxes()[zone], k, layer);
     const std::size_t plane = zones().boxes()[zone].surface_size();

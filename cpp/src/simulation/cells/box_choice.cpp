@@ -57,7 +57,7 @@ Box BoxChoice::with_margin(const Box& box) const {
     j1 = std::min(j1, grid_.ny);
   }
   const int nz = box.nz < grid_.nz ? std::min(grid_.nz, box.nz + box_margin) : box.nz + box_margin;
-  return {i0, j0, i1 - i0, j1 - j0, nz};
+  return {i0, j0, i1 - i0, j1 - j0, nz, std::max(0, box.k0 - box_margin)};
 }
 
 Box BoxChoice::fitted(const Box& needed, const Box& before) const {
@@ -79,18 +79,18 @@ Box BoxChoice::fitted(const Box& needed, const Box& before) const {
   int nz = needed.nz;
   if (before.nz > 0 && nz > before.nz) nz = std::max(nz, before.nz + before.nz / 4);
   if (needed.nz <= grid_.nz && nz > grid_.nz - grid_.nz / 8) nz = grid_.nz;
-  return stored({i0, j0, i1 - i0, j1 - j0, nz});
+  return stored({i0, j0, i1 - i0, j1 - j0, nz, needed.k0});
 }
 
 Box BoxChoice::rim_of(const Box& box, const Cell& cell) const {
   const int i = cell.i - box.i0, j = cell.j - box.j0;
   const bool rim = (i == 0 && !mirrors_x()) || (j == 0 && !mirrors_y()) || i == box.nx - 1 ||
-                   j == box.ny - 1 || cell.k == box.nz - 1;
-  return rim ? with_margin({cell.i, cell.j, 1, 1, cell.k + 1}) : box;
+                   j == box.ny - 1 || cell.k == box.nz - 1 || (cell.k == box.k0 && cell.k > 0);
+  return rim ? with_margin({cell.i, cell.j, 1, 1, cell.k + 1, cell.k}) : box;
 }
 
 Box BoxChoice::in_grid_or(const Box& box, const Box& needed) const {
-  Box allowed = box.united(Box::whole(grid_));
+  Box allowed = box.united(Box::whole(grid_)).from_surface();
   if (grid_.nz == 0) allowed.nz = std::max(allowed.nz, needed.nz);
   return needed.intersected(allowed);
 }

@@ -57,12 +57,12 @@ Inclusions::Inclusions(const Box& box, int k0, std::vector<std::int32_t> number,
 
 Box Inclusions::in_grid(const Grid& grid, int first) const {
   if (grid.period.x > 0) {
-    return {0, box_.j0, grid.nx, box_.ny, k0_ + box_.nz};
+    return {0, box_.j0, grid.nx, box_.ny, k0_ + box_.nz, k0_};
   }
   const int begin = std::max(0, box_.i0 - first);
   const int end = std::min(grid.nx, box_.i0 + box_.nx - first);
   if (begin >= end) return {};
-  return {begin, box_.j0, end - begin, box_.ny, k0_ + box_.nz};
+  return {begin, box_.j0, end - begin, box_.ny, k0_ + box_.nz, k0_};
 }
 
 fft::Symmetry Inclusions::symmetry(const Grid& grid) const {

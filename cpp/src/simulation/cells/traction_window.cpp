@@ -19,8 +19,7 @@ Box window_of(const operators::Tractions& tractions, const Grid& grid) {
 operators::Tractions window(const operators::Tractions& tractions, const Grid& grid,
                             const Box& box) {
   const Box surface = Box::surface(grid);
-  Box part = box;
-  part.nz = 1;
+  const Box part = box.layer();
   if (part == surface) return tractions;
   operators::Tractions out;
   const auto cut = [&](const Field& from, Field& to) {

@@ -258,6 +258,7 @@ void PlasticIncrement::finish(std::size_t b, const Field& mapped, State& state) 
   }
   if (state.flowed[i] || body.cells().mixed().is_on()) {
     state.flow_boxes[i] = whole_boxes(body.zones().boxes(), task_.setup().grid, symmetry_);
+    for (Box& box : state.flow_boxes[i]) box = box.from_surface();
     state.plastic[i] = body.finish();
   }
   if (!mirror_images_) return;

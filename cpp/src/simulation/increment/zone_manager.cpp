@@ -23,6 +23,9 @@ constexpr double change = 0.05;
 /// need two passes over all cells.
 constexpr double max_near_cells = 0.5;
 
+/// Part of the layers of a box that must lie above its inclusions for it to begin there.
+constexpr double min_part_above = 0.25;
+
 /// Relative change below which the extent of the pressure hardly changes.
 constexpr double nearly_converged_change = 0.05;
 /// Cells by which a zone grows if its outermost cells have plastic flow.
@@ -130,9 +133,15 @@ bool ZoneManager::fit(const Field& gap) {
     if (needed.empty()) continue;
     // The stress is that of the tractions over the box: it must contain all of them.
     needed = needed.united(window);
-    if (touches) needed = needed.united(body.surface().seen());
+    if (touches) {
+      Box seen = body.surface().seen();
+      seen.nz = 0;
+      needed = needed.united(seen);
+    }
     if (body.zones().count() == 1 && now.contains(needed)) continue;
-    needed = choice_.in_grid_or(needed, needed.united(choice_.with_margin(window)));
+    Box around = choice_.with_margin(window);
+    if (needed.k0 > 0) around.nz = 0;  // only wider
+    needed = choice_.in_grid_or(needed, needed.united(around));
     set_box(body, choice_.fitted(needed, body.zones().around()));
     grown = true;
   }
@@ -201,10 +210,21 @@ bool ZoneManager::grow_beyond() {
   return grown;
 }
 
+Box ZoneManager::below_surface(const PlasticBody& body, Box box) const {
+  const Box mixed = body.cells().mixed().box();
+  box.k0 = 0;
+  if (mixed.empty() || task_.settings.softening[body.index()]) return box;
+  int top = choice_.with_margin(mixed).k0;
+  if (body.history()) top = std::min(top, body.history()->tiles().first_layer());
+  if (top >= min_part_above * box.nz) box.k0 = top;
+  return box;
+}
+
 void ZoneManager::take_up_inclusions(PlasticBody& body) {
   const Box mixed = body.cells().mixed().box();
   if (mixed.empty()) return;
-  const Box now = whole_or_none(body), needed = now.united(choice_.with_margin(mixed));
+  const Box now = whole_or_none(body),
+            needed = below_surface(body, now.united(choice_.with_margin(mixed)));
   if (body.zones().count() == 1 && now.contains(needed)) return;
   set_box(body, choice_.fitted(needed, body.zones().around()));
 }
@@ -232,7 +252,7 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
   }
   near = choice_.fitted(choice_.in_grid_or({}, choice_.with_margin(near)), {});
   const auto cost = static_cast<double>(near.volume_size());
-  if (cost > max_near_cells * static_cast<double>(body.cells().mixed().box().volume_size()))
+  if (cost > max_near_cells * static_cast<double>(body.cells().mixed().box().from_surface().volume_size()))
     return false;
   FarInclusions far =
       renew_far_inclusions(task_.from, body.index(), *body.history(), near, sources_);
@@ -249,7 +269,8 @@ void ZoneManager::take_up_zones(PlasticBody& body) {
     if (split_.is_worthwhile(body, boxes)) return set_zones(body, Zones(std::move(boxes)), true);
   }
   const auto parts = parts_of(task_.from.flow_boxes[body.index()], task_.setup().grid, symmetry_);
-  set_zones(body, parts.size() == 1 ? Zones(parts) : Zones({choice_.fitted(around(parts), {})}));
+  const Box box = parts.size() == 1 ? parts.front() : choice_.fitted(around(parts), {});
+  set_box(body, below_surface(body, box));
 }
 
 bool ZoneManager::fit_zones(PlasticBody& body) {

@@ -160,7 +160,7 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
                                                fft::Symmetry symmetry,
                                                const operators::Heating& heating) const {
   require_volume(grid_, media_, body);
-  const Box size{0, 0, box.nx, box.ny, box.nz};
+  const Box size{0, 0, box.nx, box.ny, box.nz, box.k0};
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
     return k.medium == media_[body] && k.size == size && k.tensor == tensor && k.method == method &&
@@ -173,10 +173,10 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
   Operators shallower;
   for (const Kept& k : kept_) {
     const bool fits = k.medium == media_[body] && k.size.nx == size.nx && k.size.ny == size.ny &&
-                      k.tensor == tensor && k.method == method && k.symmetry == symmetry &&
-                      k.heating == heating;
+                      k.size.k0 == size.k0 && k.tensor == tensor && k.method == method &&
+                      k.symmetry == symmetry && k.heating == heating;
     if (!fits || k.size.nz > size.nz) continue;
-    if (!shallower || k.size.nz > shallower->grid().nz) shallower = k.operators;
+    if (!shallower || k.size.layers() > shallower->grid().nz) shallower = k.operators;
   }
   kept_.remove_if([&](const Kept& k) {
     const int own = k.operators == shallower ? 2 : 1;

@@ -135,7 +135,7 @@ void Strength::for_cells(const Box& box, const Use& use) const {
     }
   }
   std::size_t n = 0;
-  for (int k = 0; k < box.nz; ++k) {
+  for (int k = box.k0; k < box.nz; ++k) {
     for (const double depth : worn) use(n++, mid_depth(k) + depth);
   }
 }

@@ -53,12 +53,11 @@ void HeatSource::stress(int body, const Box& box, Tensor tensor, Field& sum) con
   if (!acts_on(body)) return;
   const std::vector<double> depths = grid_.z(box.nz);
   find_stress(body, depths, stress_[body]);
-  Box layer = box;
-  layer.nz = 1;
+  const Box layer = box.layer();
   const std::size_t plane = layer.surface_size();
   Field out(operators::count(tensor) * box.volume_size());
-  for (int k = 0; k < box.nz; ++k) {
-    const Field here = below_in(stress_[body].at(depths[k]), 6, grid_, layer);
+  for (int k = 0; k < box.layers(); ++k) {
+    const Field here = below_in(stress_[body].at(depths[box.k0 + k]), 6, grid_, layer);
     double* to = out.data() + k * plane;
     for (const int c : operators::components(tensor)) {
       put_component(here.data(), plane, c, tensor, to);

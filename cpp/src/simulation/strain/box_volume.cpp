@@ -14,7 +14,7 @@ BoxVolume::BoxVolume(const Setup& setup, int body, const Zones& zones, operators
       zones_(zones),
       tensor_(tensor),
       box_(from_planes_on(zones.around(), setup.grid, symmetry)),
-      surface_{box_.i0, box_.j0, box_.nx, box_.ny, 1},
+      surface_(box_.layer()),
       operators_(setup.cache.volume(body, whole_box(box_, setup.grid, symmetry), tensor, method,
                                     symmetry, heating)),
       spectrum_(operators_->make_spectrum()) {}
@@ -55,15 +55,16 @@ void BoxVolume::for_each_layer(bool strained, const Field& strain,
   operators_->for_each_layer(spectrum_, strained ? spreaded.data() : nullptr, &here, sign,
                              [&](int k, const double* stress) {
                                for (std::size_t zone = 0; zone < zones_.count(); ++zone) {
-                                 Box layer = zones_.boxes()[zone];
-                                 if (k >= layer.nz) continue;
-                                 layer.nz = 1;
+                                 const Box& own = zones_.boxes()[zone];
+                                 const int at = box_.k0 + k;
+                                 if (at < own.k0 || at >= own.nz) continue;
+                                 const Box layer = own.layer();
                                  Field part(components * layer.surface_size());
                                  for (int c = 0; c < components; ++c) {
                                    extract(stress + c * surface_.surface_size(), surface_,
                                            part.data() + c * layer.surface_size(), layer);
                                  }
-                                 use(zone, k, part.data());
+                                 use(zone, at - own.k0, part.data());
                                }
                              });
 }

@@ -58,12 +58,11 @@ OutsideStrain outside_strain(const Setup& setup, int body, const PlasticState& h
   operators->for_each_layer(spectrum, strain.data(), nullptr, 1.0, [&](int k, const double* s) {
     for (std::size_t zone = 0; zone < zones.count(); ++zone) {
       const Box& box = zones.boxes()[zone];
-      if (k >= box.nz) continue;
-      Box layer = box;
-      layer.nz = 1;
+      if (k < box.k0 || k >= box.nz) continue;
       for (int c = 0; c < components; ++c) {
         extract(s + c * surface.surface_size(), surface,
-                out.stress[zone].data() + (c * box.nz + k) * box.surface_size(), layer);
+                out.stress[zone].data() + (c * box.layers() + k - box.k0) * box.surface_size(),
+                box.layer());
       }
     }
   });

@@ -44,7 +44,7 @@ std::vector<Box> Lattice::of_grid(const Box& box) const {
 
 PlasticState::PlasticState(const PlasticState* before, fft::Symmetry symmetry, Tensor tensor,
                            const PlasticFields& fields, const Box& around, const Lattice& lattice)
-    : box_(fields.zones.around().united(around)),
+    : box_(fields.zones.around().united(around).from_surface()),
       symmetry_(symmetry),
       tensor_(tensor),
       lattice_(before != nullptr ? before->lattice_ : lattice),

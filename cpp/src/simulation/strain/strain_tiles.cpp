@@ -37,7 +37,7 @@ void StrainTiles::put(const Box& box, const std::vector<const double*>& fields, 
   for_each_tile(inside, [&](const Tile& tile, const Box& part) {
     const auto found = tiles_.find(tile);
     const Part* before = found == tiles_.end() ? nullptr : found->second.get();
-    const Box both = before != nullptr ? before->box.united(part) : part;
+    const Box both = (before != nullptr ? before->box.united(part) : part).from_surface();
     Field values(fields.size() * both.volume_size(), 0.0);
     for (std::size_t p = 0; p < fields.size(); ++p) {
       double* to = values.data() + p * both.volume_size();
@@ -91,6 +91,24 @@ std::shared_ptr<const StrainTiles::Part> StrainTiles::finished(const Box& box, F
   part->box = box;
   part->values = std::move(values);
   return part;
+}
+
+int StrainTiles::first_layer() const {
+  int first = std::numeric_limits<int>::max();
+  for (const auto& [tile, part] : tiles_) {
+    const Box& box = part->box;
+    const std::size_t plane = box.surface_size(), fields = part->values.size() / box.volume_size();
+    const auto is_empty = [&](int k) {
+      for (std::size_t p = 0; p < fields; ++p) {
+        if (!is_zero(part->values.data() + (p * box.layers() + k) * plane, plane)) return false;
+      }
+      return true;
+    };
+    int k = 0;
+    while (k < box.layers() && is_empty(k)) ++k;
+    first = std::min(first, box.k0 + k);
+  }
+  return first;
 }
 
 double StrainTiles::max_equivalent() const {

@@ -56,7 +56,8 @@ class Medium {
   virtual CellInfluence stress_influence(Traction traction, const Grid& cell, double z) const;
   virtual CellInfluence residual_influence(Axis axis, const Grid& cell, int layer) const;
 
-  /// Residual-stress operator of the layers of a grid, the first of which starts at the surface.
+  /// Residual-stress operator of the layers of a grid. The exact method needs layers from the
+  /// surface on.
   virtual std::unique_ptr<ResidualStress> residual_stress(
       const Grid& grid, const VolumeTransform& transform,
       const ResidualSettings& settings) const = 0;

@@ -36,7 +36,7 @@ class Images {
 
 class LayerResidualStress : public ResidualStress {
  public:
-  /// The layers of the grid start at the surface. settings: settings of the fast method. Throws
+  /// settings: settings of the fast method. Throws
   /// std::invalid_argument if an interface of the body lies inside a layer of cells.
   LayerResidualStress(const Grid& grid, const VolumeTransform& transform, const Stack& body,
                       const ResidualSettings& settings);

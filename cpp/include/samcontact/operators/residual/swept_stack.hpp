@@ -34,16 +34,16 @@ enum Coefficient {
   coefficient_count
 };
 
-/// Layers of a body with nz cells of thickness dz from the surface down; the part below is a layer
-/// of its own. Throws std::invalid_argument if an interface lies inside a cell.
-std::vector<SweptLayer> swept_layers(const Stack& body, int nz, double dz);
+/// Layers of a body with nz cells of thickness dz, below k0 layers without cells; the parts above
+/// and below the cells are layers of their own. Throws std::invalid_argument if an interface lies inside a cell.
+std::vector<SweptLayer> swept_layers(const Stack& body, int k0, int nz, double dz);
 
 class SweptStack {
  public:
   /// on_rigid: whether the last layer lies on a rigid base; otherwise it is infinite.
   SweptStack(const std::vector<SweptLayer>& layers, bool on_rigid);
-  SweptStack(const Stack& body, int nz, double dz)
-      : SweptStack(swept_layers(body, nz, dz), body.substrate.is_rigid()) {}
+  SweptStack(const Stack& body, int k0, int nz, double dz)
+      : SweptStack(swept_layers(body, k0, nz, dz), body.substrate.is_rigid()) {}
 
   /// Number of coefficients of each wavenumber.
   int numbers() const { return numbers_; }

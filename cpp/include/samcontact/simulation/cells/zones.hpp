@@ -30,7 +30,7 @@ void for_each_tile(const Box& box, const Use& use) {
   const int i1 = tile_of(box.i0 + box.nx - 1), j1 = tile_of(box.j0 + box.ny - 1);
   for (int i = tile_of(box.i0); i <= i1; ++i) {
     for (int j = tile_of(box.j0); j <= j1; ++j) {
-      const Box tile{i * tile_width, j * tile_width, tile_width, tile_width, box.nz};
+      const Box tile{i * tile_width, j * tile_width, tile_width, tile_width, box.nz, box.k0};
       use(Tile{i, j}, tile.intersected(box));
     }
   }
@@ -57,7 +57,7 @@ class Zones {
     const Box& box = boxes_[zone];
     const std::size_t n = number - first_[zone], ki = n / box.ny;
     return {box.i0 + static_cast<int>(ki % box.nx), box.j0 + static_cast<int>(n % box.ny),
-            static_cast<int>(ki / box.nx)};
+            box.k0 + static_cast<int>(ki / box.nx)};
   }
   /// Index of a cell; -1 outside the zones.
   std::ptrdiff_t number(const Cell& cell) const {
@@ -71,9 +71,10 @@ class Zones {
   std::ptrdiff_t number_in(std::size_t zone, const Cell& cell) const {
     const Box& box = boxes_[zone];
     const int i = cell.i - box.i0, j = cell.j - box.j0;
-    if (i < 0 || i >= box.nx || j < 0 || j >= box.ny || cell.k >= box.nz) return -1;
+    if (i < 0 || i >= box.nx || j < 0 || j >= box.ny) return -1;
+    if (cell.k < box.k0 || cell.k >= box.nz) return -1;
     return static_cast<std::ptrdiff_t>(
-        first_[zone] + (static_cast<std::size_t>(cell.k) * box.nx + i) * box.ny + j);
+        first_[zone] + (static_cast<std::size_t>(cell.k - box.k0) * box.nx + i) * box.ny + j);
   }
   std::ptrdiff_t find(const Cell& cell) const;
 

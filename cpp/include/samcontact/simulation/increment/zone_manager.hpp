@@ -46,6 +46,8 @@ class ZoneManager {
   /// Uses a single stored box.
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
   void take_up_zones(PlasticBody& body);
+  /// The box without the layers above all inclusions and all strain of a body, if these are many.
+  Box below_surface(const PlasticBody& body, Box box) const;
   /// Makes the box contain all inclusions of a body.
   void take_up_inclusions(PlasticBody& body);
   /// Makes the box contain the inclusions near the contact only, if the contact moves on without

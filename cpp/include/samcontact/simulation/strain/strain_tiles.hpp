@@ -36,6 +36,8 @@ class StrainTiles {
 
   const Tiles& tiles() const { return tiles_; }
   std::size_t strain_parts() const { return operators::count(tensor_); }
+  /// First layer with a field that is not zero; very large without any.
+  int first_layer() const;
   /// Number of cells with equivalent plastic strain.
   std::size_t yielded_cells() const;
   double max_equivalent() const;
