@@ -28,7 +28,7 @@ of the values of about a tenth of the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the number of increments of a segment with a `start`. The first increment leads from
 the end of the previous segment to a value beyond `start`; more increments make it shorter."""
-_FEWEST = 2
+_FIRST_INCREMENTS = 2
 """Number of increments for which a `first_duration` applies; with more increments it is shorter."""
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
@@ -120,7 +120,7 @@ class RefinableCase:
         for number, segment in enumerate(self.case.path):
             changes: dict[str, Any] = {"increments": self._count(number, increments)}
             if segment.first_duration is not None and number not in self.elastic:
-                changes["first_duration"] = segment.first_duration * _FEWEST / increments
+                changes["first_duration"] = segment.first_duration * _FIRST_INCREMENTS / increments
             for kind in ("roll", "slide"):
                 passes = getattr(segment, kind)
                 if passes is not None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import logging
 import math
 import warnings
+from functools import partial
 
 import numpy as np
 
@@ -74,6 +75,8 @@ class AccuracySearch:
         self.min_grids = MIN_GRIDS[any(slow)]
         self.solves = Solves(refinable.run_identity)
         self.runs: dict[tuple[int, int], GridRun] = {}
+        order = refinable.max_increment_order
+        self.correction = partial(correction, self.runs, max_order=order)
         self.grids: list[GridRun] = []
         self.used = MIN_INCREMENTS if refinable.has_history else 1
         self.needs = ""
@@ -153,7 +156,7 @@ class AccuracySearch:
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
-                more = self._correction(MIN_INCREMENTS, series[0].values)
+                more = self.correction(MIN_INCREMENTS, series[0].values)
                 limit = self._join(series[0].values + more.values, more.errors)
                 if np.all(self._relative(limit) <= 0.25 * self.target_values):
                     break
@@ -163,17 +166,13 @@ class AccuracySearch:
         for run in series[:-1]:
             self.used = run.increments
             off = np.abs(limit.values - self._join(run.values, 0.0 * run.values).values)
-            left = self._correction(self.used, run.values).irregular
+            left = self.correction(self.used, run.values).irregular
             uneven = self._join(run.values, left)
             if np.all(
                 (self._relative(limit._replace(errors=off)) <= MAX_CORRECTED_ERROR * allowed)
                 & (self._relative(uneven) <= MAX_IRREGULAR_SHARE * allowed)
             ):
                 break
-
-    def _correction(self, used: int, finest: FloatArray) -> Correction:
-        """Return the correction of values with `used` increments."""
-        return correction(self.runs, used, finest, self.refinable.max_increment_order)
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
         """Return the estimate of each quantity; in layered bodies, the maximum over materials."""
@@ -216,7 +215,7 @@ class AccuracySearch:
         found = extrapolate_grids([run.values for run in grids], self.refinable.orders)
         found = found._replace(errors=found.errors + grids[-1].margins)
         if self.refinable.has_history:
-            more = self._correction(self.used, grids[-1].values)
+            more = self.correction(self.used, grids[-1].values)
             errors = found.errors + more.errors + self._with_cross_error(found.values, more)
             found = Estimate(found.values + more.values, errors, found.extrapolated)
         return combined(found, self.parts)
@@ -253,7 +252,7 @@ class AccuracySearch:
         """
         if not self.refinable.has_history:
             return False
-        found = self._correction(self.used, grids[-1].values)
+        found = self.correction(self.used, grids[-1].values)
         if self._error_ratio(grids, found.errors) > 0.5 and self._more_increments():
             return True
         depends = self._error_ratio(grids, np.sum(found.by_grid, axis=0)) > MAX_CORRECTION_CHANGE

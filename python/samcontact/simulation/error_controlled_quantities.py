@@ -45,7 +45,7 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Return the names of the quantities of the contact and of all inelastic bodies.
+    """Return the names of quantities of the contact, of elastic-plastic and of viscoelastic bodies.
 
     If no body is elastic-plastic, the only quantity of a body is the von Mises stress of `body`.
     """

@@ -49,7 +49,7 @@ single cells. The two ratios used here are calibrated, see docs/theory/accuracy.
 _logger = logging.getLogger("samcontact")
 
 _RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
-"""The same ratios for viscoelastic bodies without plastic flow or partial slip, after halving and
+"""Both ratios for viscoelastic bodies without plastic flow or partial slip, after halving and after
 doubling: exact for first-order convergence, an upper bound for the usual second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]

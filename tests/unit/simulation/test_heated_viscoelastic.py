@@ -11,7 +11,7 @@ METAL = sc.Material.elastic(3 * E, 0.3).with_thermal(0.3, 3e-3, 2e-7)
 RUBBER = SOFT.with_thermal(0.2, 5e-3, 1e-7)
 TERMS = {"times": [1.0, 10.0], "shares": [0.3, 0.4]}
 CREEPS = RUBBER.with_relaxation(**TERMS)
-LONG = scaled(SOFT, 0.3).with_thermal(*RUBBER.thermal)
+RELAXED = scaled(SOFT, 0.3).with_thermal(*RUBBER.thermal)
 pytestmark = pytest.mark.filterwarnings(
     "ignore::samcontact.ResolutionWarning", "ignore::samcontact.IncrementWarning",
     "ignore::samcontact.UnitWarning", "ignore::samcontact.ElasticStrainWarning",
@@ -29,7 +29,7 @@ def equal(one, other, rel=1e-6):
 def test_slow_and_fast_contacts_with_a_history_of_heat_are_elastic(terms):
     """The heat enters the elastic body, whose history goes on in the same increments."""
     heat = sc.Heat((2e-6, 0.0), history=(0.5, 1e6))
-    long, duration = (LONG, 1e4) if terms is TERMS else (RUBBER, 2.0)
+    long, duration = (RELAXED, 1e4) if terms is TERMS else (RUBBER, 2.0)
     body = RUBBER.with_relaxation(**terms)
     path = [{"load": part * LOAD, "duration": duration} for part in (0.1, 0.2, 0.15)]
     one, two = (simulation(b, METAL, heat=heat) for b in (body, long))
@@ -84,7 +84,7 @@ def test_the_expansion_of_a_viscoelastic_body_does_not_depend_on_its_modulus():
         hot, cold = (state.surface_displacement(2) for state in states)
         return hot - cold
 
-    soft = expansion(LONG)
+    soft = expansion(RELAXED)
     for body, timed in ((RUBBER, {}), (CREEPS, {"duration": 0.7}), (CREEPS, {"duration": 1e5})):
         np.testing.assert_allclose(expansion(body, **timed), soft, atol=1e-9 * np.abs(soft).max())
 
