@@ -125,6 +125,14 @@ def test_a_long_range_is_the_limit_of_stiff_spheres():
     assert pulled < 2.0
 
 
+def test_the_limit_of_long_ranges_is_that_of_dmt():
+    """Pull-off force 2 pi w R at the Tabor number 0.03, with all the attraction on the grid."""
+    law = sc.Adhesion.exponential(W, (R * (W / E) ** 2 / 0.03**3) ** (1 / 3))
+    solver, gap = ball(96, 44.0, law)
+    pulled = -loads_along(solver, gap, np.arange(0.1, -0.4, -0.1) * LENGTH).min()
+    assert pulled == pytest.approx(sc.adhesion.dmt(R, W), rel=5e-3)
+
+
 def wave_error(alpha, share):
     """Return the relative error of the pull-off pressure of a wave.
 
