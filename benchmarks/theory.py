@@ -17,7 +17,7 @@ import numpy as np
 import samcontact as sc
 from samcontact import shakedown
 
-from . import adhesive_craters, increment_errors, roller_ends
+from . import adhesive_craters, adhesive_spheres, increment_errors, roller_ends
 from .steel import LOAD, balls
 from .study import ROOT, table
 
@@ -257,6 +257,7 @@ TABLES: dict[str, Callable[[], str]] = {
     "shakedown_limits": shakedown_limits,
     "shakedown_cycles": shakedown_cycles,
     "roller_end": roller_ends.stated_pressures,
+    "maugis": adhesive_spheres.maugis,
     "craters": adhesive_craters.craters,
     "adhesion_cost": adhesive_craters.adhesion_cost,
 }

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
+from functools import lru_cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -21,6 +22,8 @@ from .grid import Grid
 
 RESOLVED = 0.5
 """Resolution number kappa of a range that is refined to the grid."""
+RESOLVED_DROP = 0.4
+"""The same for the drop of constant attraction, whose edge is sharper."""
 MAX_RESOLVED, MAX_SOLVABLE = 0.6, 1.0
 """Resolution number kappa above which a warning is issued, and above which the law is refused."""
 
@@ -63,7 +66,8 @@ class Adhesion(ContactLaw):
         """Return the law of Maugis (1992, doi:10.1016/0021-9797(92)90285-T) with a resolved drop.
 
         w: work of adhesion [J/m^2]; stress: constant attraction [Pa] up to a gap near w/stress,
-        around which it falls to zero over the shortest distance that the grid resolves.
+        around which it falls to zero, as half a cosine wave, over the shortest distance that the
+        grid resolves.
         """
         return DugdaleAdhesion(positive("w", w), stress)
 
@@ -93,12 +97,7 @@ class Adhesion(ContactLaw):
         """
         require_type("grid", grid, Grid)
         require_bodies(body1, body2, inclusions=True)
-        cores = relaxed(body1)._core, relaxed(body2)._core
-        influence = _core.self_influence(grid._core, *cores)
-        alone = Grid(1, 1, grid.dx, grid.dy)
-        ratio = grid.dy / grid.dx
-        shape = grid.dx * math.asinh(ratio) + grid.dy * math.asinh(1.0 / ratio)
-        modulus = 2.0 * shape / (math.pi * _core.self_influence(alone._core, *cores))
+        influence, modulus = _of_cell(grid, body1, body2)
         law = self._refined(influence)
         return ResolvedAdhesion(law, influence * law.steepest_fall, law != self, modulus, grid)
 
@@ -197,7 +196,7 @@ class DugdaleAdhesion(Adhesion):
     def _refined(self, influence: float) -> Adhesion:
         if self.drop is not None:
             return self
-        drop = influence * self.stress / RESOLVED
+        drop = 0.5 * math.pi * influence * self.stress / RESOLVED_DROP
         return replace(self, drop=min(drop, 2.0 * self.work / self.stress))
 
 
@@ -295,6 +294,20 @@ class ResolvedAdhesion(HtmlTable):
             ("range", quantity(self.range, "m")),
             ("range chosen for the grid", "yes" if self.is_refined else "no"),
         ]
+
+
+@lru_cache(maxsize=8)  # on periodic grids, the influence takes as long as a small contact
+def _of_cell(grid: Grid, body1: Body, body2: Body) -> tuple[float, float]:
+    """Return the displacement of a cell due to a unit pressure on it [m/Pa], and its modulus [Pa].
+
+    The modulus E* is that of half-spaces with the same displacement of a single cell.
+    """
+    cores = relaxed(body1)._core, relaxed(body2)._core
+    alone = Grid(1, 1, grid.dx, grid.dy)
+    ratio = grid.dy / grid.dx
+    shape = grid.dx * math.asinh(ratio) + grid.dy * math.asinh(1.0 / ratio)
+    modulus = 2.0 * shape / (math.pi * _core.self_influence(alone._core, *cores))
+    return float(_core.self_influence(grid._core, *cores)), modulus
 
 
 def resolved_of(law: ContactLaw, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion | None:

@@ -312,7 +312,8 @@ def adhesive_contacts():
         sc.adhesion.jkr_profile(lambda r: r, np.linspace(1e-9, 1e-8, 99), 0.1 / 3, 1e9),
     ]  # fmt: skip
     on = laws[0].on(sc.Grid(9, 9, 1e-9, 1e-9), BALL, BALL)
-    return [*laws, on, *forms, sc.paths.PullOff([1.0] * 200, 1e-6 / 3, 1e-9 / 3, 1e-15 / 3, True)]
+    pulled = sc.paths.PullOff([1.0] * 200, 1e-6 / 3, 1e-9 / 3, 1e-15 / 3, True)
+    return [*laws, on, *forms, pulled, sc.paths.Retraction(1e-9 / 3, speed=1e-6 / 3)]
 
 
 def hardened_flank():

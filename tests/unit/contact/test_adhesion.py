@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
+from benchmarks.adhesive_spheres import TRANSITIONS, maugis_error
 
 pytestmark = pytest.mark.filterwarnings("ignore:the attraction at the edge")
 R, W, E = 1e-6, 0.05, 1e9
@@ -102,31 +103,16 @@ def test_a_finely_resolved_wavy_sphere_equals_the_theory_of_guduru():
     assert extrapolated < 0.04
 
 
-def maugis_error(transition, n, step):
-    """Return the largest error of the load along the stable branch, relative to pi w R."""
-    stiffness = 4 * E / 3
-    stress = transition / 2 * (math.pi * W * stiffness**2 / R) ** (1 / 3)
-    sphere = sc.adhesion.maugis(R, W, E, stress)
-    radii = np.linspace(0.02, 1.6, 300) * RADIUS
-    approach, load = sphere.approach(radii), sphere.load(radii)
-    first = int(np.argmin(approach))
-    box = 2.2 * float(sphere.outer_radius(radii[-1])) / RADIUS
-    path = np.arange(approach[-1], approach[first] + 0.05 * LENGTH, -step * LENGTH)
-    found = loads_along(*ball(n, box, sc.Adhesion.dugdale(W, stress)), path)
-    return np.abs(found - np.interp(path, approach[first:], load[first:])).max() / FORCE
-
-
 def test_constant_attraction_equals_maugis():
-    assert maugis_error(0.5, 64, 0.15) < 0.022
+    assert maugis_error(1.0, 64, 0.15) < 0.012
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("transition", [0.1, 0.5, 1.0, 3.0])
+@pytest.mark.parametrize("transition", TRANSITIONS)
 def test_constant_attraction_approaches_maugis(transition):
-    """The branch of the largest transition parameter is jagged near its end."""
-    errors = [maugis_error(transition, n, 0.05) for n in (64, 128, 256)]
-    assert errors[2] < errors[0]
-    assert errors[2] < 0.015
+    coarse, middle, fine = (maugis_error(transition, n) for n in (64, 128, 256))
+    assert middle < 0.01
+    assert fine < 0.6 * middle < 0.36 * coarse
 
 
 def test_a_long_range_is_the_limit_of_stiff_spheres():
@@ -137,6 +123,14 @@ def test_a_long_range_is_the_limit_of_stiff_spheres():
     pulled = -loads_along(solver, gap, np.arange(0.5, -1.0, -0.1) * LENGTH).min() / FORCE
     assert pulled == pytest.approx(1.959, rel=2e-3)
     assert pulled < 2.0
+
+
+def test_the_limit_of_long_ranges_is_that_of_dmt():
+    """Pull-off force 2 pi w R at the Tabor number 0.03, with all the attraction on the grid."""
+    law = sc.Adhesion.exponential(W, (R * (W / E) ** 2 / 0.03**3) ** (1 / 3))
+    solver, gap = ball(96, 44.0, law)
+    pulled = -loads_along(solver, gap, np.arange(0.1, -0.4, -0.1) * LENGTH).min()
+    assert pulled == pytest.approx(sc.adhesion.dmt(R, W), rel=5e-3)
 
 
 def wave_error(alpha, share):

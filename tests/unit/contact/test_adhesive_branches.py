@@ -122,6 +122,35 @@ def test_a_rough_contact_has_least_energy():
     np.testing.assert_allclose(pressure.sum() * grid.dx * grid.dy, stored, rtol=1e-4)
 
 
+def rough_heights(n, slope=0.1):
+    """Return heights of a self-affine surface (Hurst exponent 0.8) with side 1 and a rms slope."""
+    rng = np.random.default_rng(5)
+    q = np.hypot(*np.meshgrid(np.fft.fftfreq(n, 1 / n), np.fft.fftfreq(n, 1 / n), indexing="ij"))
+    amplitude = np.where((q >= 2) & (q <= n / 8), np.maximum(q, 1e-9) ** -1.8, 0)
+    z = np.fft.ifft2(amplitude * np.exp(2j * np.pi * rng.random((n, n)))).real
+    steps = (np.roll(z, -1, 0) - z) ** 2 + (np.roll(z, -1, 1) - z) ** 2
+    return z * slope / (np.sqrt(steps.mean()) * n)
+
+
+@pytest.mark.parametrize(
+    ("n", "distance", "contact", "most"),
+    [(128, 1.0, 0.22, 60), pytest.param(256, 0.8, 0.31, 100, marks=pytest.mark.slow)],
+)
+def test_rough_contacts_take_few_iterations(n, distance, contact, most):
+    """From undeformed surfaces, at kappa = 0.5; distance: mean gap over the rms height."""
+    size = 1e-6
+    grid = sc.Grid(n, n, size / n, size / n, periodic="xy")
+    heights = rough_heights(n) * size
+    rms = float(heights.std())
+    unit = sc.Adhesion.exponential(1.0, 0.2 * rms)
+    law = sc.Adhesion.exponential(0.5 / unit.on(grid, TIP, POLYMER).kappa, 0.2 * rms)
+    solver = sc.ContactSolver(grid, TIP, POLYMER, adhesion=law, tol=1e-9)
+    gap = heights.max() - heights
+    found = solver.solve(gap, approach=gap.mean() - distance * rms)
+    assert found.in_contact.mean() == pytest.approx(contact, abs=0.01)
+    assert found.iterations <= most
+
+
 def test_weak_adhesion_is_the_hard_contact():
     grid = sc.Grid(48, 48, 15e-9, 15e-9)
     gap = sc.surfaces.paraboloid(grid, R)

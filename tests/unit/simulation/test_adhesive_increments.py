@@ -101,6 +101,12 @@ def test_pull_off_is_the_largest_tension():
         sc.paths.pull_off(other, step=1e-12, max_steps=3)
 
 
+def test_a_refined_attraction_above_the_yield_stress_is_told():
+    soft = sc.Material.perfect_plastic(E, 0.3, 40e6)
+    with pytest.warns(sc.ResolutionWarning, match="exceeds the yield stress 40 MPa, and its range"):
+        ball(sc.Adhesion.jkr(W), n=16, dx=12e-9, body=soft, dz=12e-9).step(approach=-1e-9)
+
+
 def test_a_restart_continues_on_the_branch(tmp_path):
     simulation = ball(sc.Adhesion.jkr(W))
     for approach in (0.0, 1e-9, -1e-9):

@@ -80,6 +80,38 @@ class LennardJones final : public ContactLaw {
   double work_, z0_;
 };
 
+/// Constant up to half the drop before work/stress, then half a cosine wave to zero. Without kinks,
+/// the edge of the attraction moves from cell to cell without jumps.
+class Dugdale final : public ContactLaw {
+ public:
+  Dugdale(double work, double stress, double drop)
+      : stress_(stress), drop_(drop), start_(std::max(0.0, work / stress - 0.5 * drop)) {}
+
+  double attraction(double gap) const override {
+    if (gap <= start_) return stress_;
+    return gap >= start_ + drop_ ? 0.0 : 0.5 * stress_ * (1.0 + std::cos(phase(gap)));
+  }
+  double largest_attraction() const override { return stress_; }
+  double fall(double gap) const override {
+    if (gap <= start_ || gap >= start_ + drop_) return 0.0;
+    return steepest_fall() * std::sin(phase(gap));
+  }
+  double steepest_fall() const override { return 0.5 * std::numbers::pi * stress_ / drop_; }
+  double reach() const override { return start_ + drop_; }
+  double energy(double gap) const override {
+    if (std::isinf(gap)) return 0.0;
+    if (gap <= start_) return stress_ * gap;
+    if (gap >= start_ + drop_) return stress_ * (start_ + 0.5 * drop_);
+    const double wave = drop_ / std::numbers::pi * std::sin(phase(gap));
+    return stress_ * (start_ + 0.5 * (gap - start_ + wave));
+  }
+
+ private:
+  double phase(double gap) const { return std::numbers::pi * (gap - start_) / drop_; }
+
+  double stress_, drop_, start_;
+};
+
 class Tabulated final : public ContactLaw {
  public:
   Tabulated(std::vector<double> gaps, std::vector<double> attractions)
@@ -136,10 +168,7 @@ SharedContactLaw dugdale_adhesion(double work, double stress, double drop) {
   require_positive("drop", drop);
   require(drop <= 2 * work / stress, "drop",
           "at most 2 work/stress = " + to_short_text(2 * work / stress, 6) + " m", drop);
-  const double middle = work / stress;
-  // A drop that begins at once has no plateau.
-  if (middle - 0.5 * drop <= 1e-9 * middle) return tabulated_adhesion({0.0, stress, drop, 0.0});
-  return tabulated_adhesion({0.0, stress, middle - 0.5 * drop, stress, middle + 0.5 * drop, 0.0});
+  return std::make_shared<const Dugdale>(work, stress, drop);
 }
 
 SharedContactLaw lennard_jones_adhesion(double work, double z0) {

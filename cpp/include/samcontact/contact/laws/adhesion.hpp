@@ -12,7 +12,7 @@ namespace samcontact::contact {
 /// std::invalid_argument for parameters that are not positive and finite.
 SharedContactLaw exponential_adhesion(double work, double range);
 
-/// a = stress up to a gap, from which it falls to 0 linearly within the distance `drop` [m] (the
+/// a = stress up to a gap, then half a cosine wave to 0 within the distance `drop` [m] (the
 /// law of Maugis 1992 with a resolved drop); the integral is the work. Throws also for a drop
 /// longer than 2 work/stress.
 SharedContactLaw dugdale_adhesion(double work, double stress, double drop);
