@@ -34,6 +34,7 @@ PARTS = (
     "scaling",
     "counts",
     "threads",
+    "busy",
     "small_contacts",
 )
 OPTIONAL_PARTS = ("plastic_zones_large",)  # measured on request only

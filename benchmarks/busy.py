@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Processor and wall time of one and two threads while other processes load the machine.
 
-Runs with one and with two threads alternate, so that other work of the machine affects both. While
-other processes are busy, two threads should cost at most 1.3 times the processor time of one
-thread, and not take longer.
+Processes with one and with two threads alternate, so that other work of the machine affects both.
 """
 
 from __future__ import annotations
@@ -15,14 +13,31 @@ import subprocess
 import sys
 import time
 import warnings
-from collections.abc import Iterator
-
-import click
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
 
 import samcontact as sc
 
+from .harness import ROOT, Meter, Task
+
+NAME = "busy"
+TITLE = "Busy machine"
+HIDDEN_COLUMNS = ("memory_MB",)
 BUSY_PROCESSES = (0, 3, 8)
-CASES = ("three balls on a flat", "two find_load")
+ROUNDS = 5
+GOAL = 1.3
+"""Maximum processor time of two threads over that of one."""
+
+
+def tasks(quick: bool, folder: Path) -> list[Task]:
+    rounds = 1 if quick else ROUNDS
+    return [
+        Task(NAME, case, f"{count} busy processes", "compare",
+             {"case": case, "count": count, "rounds": rounds})
+        for count in BUSY_PROCESSES
+        for case in CASES
+    ]  # fmt: skip
 
 
 def balls() -> None:
@@ -54,11 +69,26 @@ def searches() -> None:
         )
 
 
+CASES: dict[str, Callable[[], None]] = {"three balls on a flat": balls, "two find_load": searches}
+
+
+def compare(meter: Meter, case: str, count: int, rounds: int) -> dict[str, Any]:
+    """Measure one and two threads in turn next to `count` busy processes; return the ratios."""
+    with background_load(count):
+        pairs = meter(lambda: [[measured(case, n) for n in (1, 2)] for _ in range(rounds)])
+    (clock, processor), (clock2, processor2) = (
+        [statistics.median(pair[k][quantity] for pair in pairs) for quantity in (0, 1)]
+        for k in (0, 1)
+    )
+    return {"wall time 2 / 1": clock2 / clock, "processor time 2 / 1": processor2 / processor}
+
+
 def measured(case: str, threads: int) -> tuple[float, float]:
     """Return wall and processor time [s] of a case in a new process, without process start."""
     done = subprocess.run(
-        [sys.executable, "-m", "benchmarks.busy", "--case", case],
+        [sys.executable, "-m", f"benchmarks.{NAME}", case],
         env=os.environ | {"OMP_NUM_THREADS": str(threads), "OPENBLAS_NUM_THREADS": "1"},
+        cwd=ROOT,
         capture_output=True,
         text=True,
         check=True,
@@ -70,10 +100,9 @@ def measured(case: str, threads: int) -> tuple[float, float]:
 def solve(case: str) -> None:
     """Measure a case, after a first solution that loads all libraries."""
     warnings.simplefilter("ignore")
-    work = balls if case == CASES[0] else searches
     balls()
     clock, processor = time.perf_counter(), time.process_time()
-    work()
+    CASES[case]()
     print(time.perf_counter() - clock, time.process_time() - processor)
 
 
@@ -89,31 +118,17 @@ def background_load(count: int) -> Iterator[None]:
             process.wait()
 
 
-@click.command(help=__doc__)
-@click.argument("rounds", default=5)
-@click.option("--case", hidden=True, help="Only measure this case, in this process.")
-def main(rounds: int, case: str | None) -> None:
-    if case:
-        solve(case)
-        return
-    print(
-        "busy  case                   clock of 1 [s]  clock 2/1  processor of 1 [s]  processor 2/1"
-    )
-    for busy in BUSY_PROCESSES:
-        for case in CASES:
-            with background_load(busy):
-                pairs = [[measured(case, threads) for threads in (1, 2)] for _ in range(rounds)]
-            medians = [
-                [statistics.median(pair[k][quantity] for pair in pairs) for k in (0, 1)]
-                for quantity in (0, 1)
-            ]
-            (clock, clock2), (processor, processor2) = medians
-            print(
-                f"{busy:4d}  {case:22} {clock:14.2f}  {clock2 / clock:9.2f}  {processor:18.2f}  "
-                f"{processor2 / processor:13.2f}",
-                flush=True,
-            )
+def notes(rows: list[dict[str, Any]]) -> list[str]:
+    """Return a sentence on the largest ratio next to busy processes."""
+    loaded = [row for row in rows if not str(row["method"]).startswith("0 ")]
+    if not loaded:
+        return []
+    worst = max(row["processor time 2 / 1"] for row in loaded)
+    return [
+        f"While other processes are busy, two threads take at most {worst:.2f} times the processor "
+        "time of one."
+    ]
 
 
 if __name__ == "__main__":
-    main(prog_name="python -m benchmarks.busy")
+    solve(sys.argv[1])

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from . import scaling, small_contacts, study, tables, threads, viscous
+from . import busy, scaling, small_contacts, study, tables, threads, viscous
 from .adhesion_peers.page import STUDY as ADHESION
 from .peers import page as peers
 from .roofline import page as roofline
@@ -141,6 +141,12 @@ def of_parts(text: str) -> Iterator[Worst]:
         if row["method"] == "2 threads"
     }
     yield at_most("benchmarks", "time on two threads / on one", two, 1.0)
+    crowded = {
+        f"{row['case']}, {row['method']}": row["processor time 2 / 1"]
+        for row in rows_of(text, busy)
+        if row["method"] != "0 busy processes"
+    }
+    yield at_most("benchmarks", "processor time of two threads / of one", crowded, busy.GOAL)
     exact = {
         f"{row['across']:.0f} cells per radius": row["time_ratio"]
         for row in rows_of(text, scaling)

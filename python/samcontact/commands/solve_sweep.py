@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     import xarray as xr
 
 MAX_PRINTED_ERRORS = 10  # maximum number of printed errors
+MAX_PRINTED_CASES = 20  # maximum number of printed cases if the statistics are printed as well
+MAX_RANGE = 100_000  # maximum number of values in a range
+_RANGE = re.compile(r"(-?\d{1,18})\.\.(-?\d{1,18})")
 
 
 def run_sweep(
@@ -69,7 +73,11 @@ def run_sweep(
         except SweepInterrupted as stop:
             dataset, code = stop.dataset, exit_code(stop.__cause__ or stop)
     summary = summary_of(dataset, list(parameters), case)
-    console.print(summary.sheet())
+    statistics = summary.statistics()
+    if statistics is None or dataset["status"].size <= MAX_PRINTED_CASES:
+        console.print(summary.sheet())
+    if statistics is not None:
+        console.print(statistics)
     status = dataset["status"].values
     for word in ("failed", "cancelled"):
         if count := int(np.count_nonzero(status == word)):
@@ -120,7 +128,21 @@ def _values(text: str) -> list[Any]:
     try:
         return list(tomllib.loads(f"v = [{text}]")["v"])
     except tomllib.TOMLDecodeError:
-        return [_value(word.strip()) for word in text.split(",")]
+        words = [word.strip() for word in text.split(",")]
+        return [value for word in words for value in (_in_range(word) or [_value(word)])]
+
+
+def _in_range(word: str) -> list[Any]:
+    """Return the whole numbers of a range such as "0..199"; none if the text is no range."""
+    found = _RANGE.fullmatch(word)
+    if found is None:
+        return []
+    first, last = map(int, found.groups())
+    if not first <= last < first + MAX_RANGE:
+        raise ValueError(
+            f"--set: a range FIRST..LAST must have 1 to {MAX_RANGE} whole numbers, got {word}"
+        )
+    return list(range(first, last + 1))
 
 
 def _value(word: str) -> Any:

@@ -22,6 +22,7 @@ from ..cases.films import FilmCase
 from ..files.atomic import replacing
 from ..files.ownership import recording
 from ..solutions.peak import peak_of_dataset
+from .sweep_statistics import are_realisations, known_numbers, statistics_sheet
 from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers
 
 if TYPE_CHECKING:
@@ -80,6 +81,12 @@ class SweepSummary:
         sheet.add("status", self.status)
         return sheet
 
+    def statistics(self) -> Sheet | None:
+        """Return the table of statistics of a sweep over seeds; None for other sweeps."""
+        if not are_realisations(self.parameters):
+            return None
+        return statistics_sheet(self.title, self.quantities, self.values)
+
     def write_csv(self, file: Path) -> Path:
         """Write one row for each case, with units in the first line; values are in SI units."""
         heads = [_headed(name, self.units[name]) for name in self.parameters]
@@ -97,11 +104,19 @@ class SweepSummary:
         return file
 
     def write_figure(self, file: Path) -> Path | None:
-        """Draw the quantities that vary over the parameters; None if there is nothing to draw."""
+        """Draw the quantities that vary over the parameters; None if there is nothing to draw.
+
+        For realisations, which differ in seeds only, draw the distributions.
+        """
         from ..plotting.parts import save
+        from ..plotting.realisations import realisations_figure
         from ..plotting.sweeps import study_figure
 
-        figure = study_figure(self.parameters, self.units, self.quantities, self.values)
+        if are_realisations(self.parameters):
+            samples = {name: known_numbers(column) for name, column in self.values.items()}
+            figure = realisations_figure(self.quantities, samples)
+        else:
+            figure = study_figure(self.parameters, self.units, self.quantities, self.values)
         if figure is None:
             return None
         with recording(file.parent):

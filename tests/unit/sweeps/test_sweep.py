@@ -4,7 +4,6 @@
 import json
 import os
 import signal
-import threading
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from multiprocessing import get_context
 
@@ -13,6 +12,7 @@ import pytest
 import xarray as xr
 from distributed import Client, LocalCluster
 from sweep_cases import BASE, CASE
+from watched import Watched
 
 import samcontact as sc
 from case_texts import MINIMAL
@@ -63,26 +63,6 @@ def calls(monkeypatch):
 
     monkeypatch.setattr(worker, "solve_case", counted)
     return loads
-
-
-class Watched:
-    """An executor that calls something, once, when some of its tasks are done."""
-
-    def __init__(self, executor, count, action):
-        self.executor, self.left, self.action = executor, count, action
-        self.lock = threading.Lock()
-
-    def submit(self, *task):
-        future = self.executor.submit(*task)
-        future.add_done_callback(self._done)
-        return future
-
-    def _done(self, _):
-        with self.lock:
-            self.left -= 1
-            due = self.left == 0
-        if due:
-            self.action()
 
 
 def test_one_dataset_with_what_single_runs_give(serial):
