@@ -359,6 +359,22 @@ KINDS = {
                      "bulk_modulus": 1.4e9, "modulus_slope": 11.0},
 "surface": GEAR | {"torque": 10.0},
        "film": {"pinion_speed": 150.0, "load_factor": 0.9}},
+    "transient film": SMOOTH_FILM
+    | {"lubricant": OIL, "relief1": DENT, "relief2": ROUGH,
+       "film": {"load": 20.0, "entrainment": 1.0, "slide_to_roll": 0.1, "transient": {
+           "duration": 1e-4, "steps": 8, "times": [0.0, 1e-4], "load_factors": [1.0, 2.0],
+           "speed_factors": [1.0, 0.5]}}},
+    "pressed film": SMOOTH_FILM
+    | {"lubricant": OIL, "body2": COLD, "relief2": DENT,
+       "film": {"load": 20.0, "speed1": 1.0, "speed2": 0.0, "increments": 2},
+       "grid": {"cells_per_radius": 8, "nz": 8, "dz": 1e-5}},
+    "heated film": SMOOTH_FILM
+    | {"lubricant": OIL | {"eyring_stress": 5e6, "thermal": {
+           "conductivity": 0.14, "capacity": 1.7e6, "beta": 0.05, "temperature": 320.0}},
+       "body1": BALL | {"thermal": SWIFT["thermal"]},
+       "body2": BALL | {"thermal": SWIFT["thermal"]},
+       "film": {"load": 20.0, "entrainment": 1.0, "slide_to_roll": 0.1, "shear_thinning": True,
+                "thermal": True}, "grid": {"cells_per_radius": 8}},
     "film of a table": SMOOTH_FILM
     | {"lubricant": {"kind": "tabulated", "p": [0.0, 5e8, 1e9], "eta": [0.04, 10.0, 1e3],
                      "rho": [870.0, 970.0, 1000.0]},

@@ -161,6 +161,28 @@ def computed(folder):
     sim = sc.Simulation(grid, elastic, body, gap, tol=1e-3, on_border="warn")
     return followed(sim, path, folder)
 """,
+    "transient film": """
+def computed(folder):
+    grid, oil = sc.Grid(24, 16, 25e-6, 25e-6), sc.Lubricant.roelands(0.04, 22e-9)
+    gap = sc.surfaces.paraboloid(grid, 0.01)
+    film = sc.lubrication.steady(grid, elastic, elastic, gap, load=40.0, speed=(1.0, 1.0),
+                                 lubricant=oil, tol=1e-4)
+    dent = lambda x, y: -1e-7 * np.exp(-((x + 1e-4) ** 2 + y**2) / 4e-9)
+    run = sc.lubrication.transient(film, duration=2e-4, steps=6, relief2=dent, tol=1e-4,
+                                   load=lambda t: 40.0 * (1 + 500 * t), checkpoint=folder)
+    return digest(run.time, run.film, run.pressure, *(one.content for one in run.solutions))
+""",
+    "pressed film": """
+def computed(folder):
+    grid, oil = sc.Grid(32, 22, 54e-6, 54e-6, 8, 60e-6), sc.Lubricant.roelands(0.1, 20e-9)
+    sim = sc.Simulation(grid, elastic, steel, sc.surfaces.paraboloid(grid, 0.01), on_border="warn")
+    films = sc.lubrication.press_loads(sim, loads=[600.0, 1100.0], speed=(4.0, 4.0), lubricant=oil,
+                                       order=1, tol=1e-3, checkpoint=folder)
+    assert films[1].plasticity.equivalent_plastic_strain.max() > 0
+    stresses = [one.plasticity.von_mises for one in films]
+    return digest(*(f for one in films for f in (one.film, one.pressure, one.gap)), *stresses,
+                  sim.state.plastic_strain())
+""",
     "found load": """
 def computed(folder):
     def problem(load):

@@ -25,6 +25,7 @@ SOLVED = sc.lubrication.FilmSolution(
 
 BOUNDARY = sc.lubrication.Boundary(2e-9)
 INLET_GRID = sc.Grid(30, 30, 4e-5, 4e-5)
+DEEP_GRID = sc.Grid(30, 30, 4e-5, 4e-5, dz=4e-5)
 GAP = sc.surfaces.paraboloid(INLET_GRID, 0.01)
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # of the small grid
@@ -115,10 +116,15 @@ CALLS = [
       "thermal": True, "body1": WARM_STEEL, "body2": WARM_STEEL}),
     ("lubrication.transient", sc.lubrication.transient,
      {**HOW, "start": FLOWING, "duration": 1e-5, "steps": 1, "relief1": lambda x, y: 1e-8 + 0 * x,
-      "relief2": lambda x, y: 0 * y, "load": lambda t: 40.0, "speed": lambda t: (1.0, 1.0)}),
+      "relief2": lambda x, y: 0 * y, "load": lambda t: 40.0, "speed": lambda t: (1.0, 1.0),
+      "checkpoint": None, "progress": False}),
     ("lubrication.press", sc.lubrication.press,
      {**HOW, "simulation": sc.Simulation(INLET_GRID, STEEL, STEEL, GAP), "load": 40.0,
       "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY}),
+    ("lubrication.press_loads", sc.lubrication.press_loads,
+     {**HOW, "simulation": sc.Simulation(DEEP_GRID, STEEL, STEEL, GAP), "loads": [30.0, 40.0],
+      "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY, "checkpoint": None,
+      "progress": False}),
     ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
      {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),
 ]  # fmt: skip

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 _DISPLAY_FACTORS = {
     "µm": 1e6, "µm²": 1e12, "mm²": 1e6, "µm³": 1e18, "MPa": 1e-6, "GPa": 1e-9, "%": 1e2, "µJ": 1e6,
-    "mrad": 1e3,
+    "mrad": 1e3, "ms": 1e3,
 }  # fmt: skip
 """Factors from SI units to the units shown."""
 _MAX_AREA_IN_SQUARE_MICRONS = 1e-8  # area [m^2] below which µm² are shown

@@ -22,6 +22,8 @@ FIRST_CASES = {
     "ehl": "l1_ball_in_oil",
     "gear_film": "l3_gear_flank_in_oil",
     "stribeck": "l4_from_full_film_to_dry",
+    "dent_in_oil": "l5_dent_in_oil",
+    "yielding_film": "l6_race_that_yields_in_oil",
     "roller": "b6_misaligned_roller",
     "gear": "b4_gear_flank",
     "case_depth": "b7_case_depth",

@@ -39,6 +39,8 @@ class FilmGridSection(Section):
     ny: Count | None = None
     dx: Length | None = None
     dy: Length | None = None
+    nz: Count | None = None
+    dz: Length | None = None
     periodic: Literal["", "y"] = ""
     contact_x: Position | None = None
     contact_y: Position | None = None
@@ -56,6 +58,8 @@ class FilmGridSection(Section):
             for name in ("periodic", "contact_x", "contact_y"):
                 if name in self.model_fields_set:
                     raise ValueError(f"{name} requires nx, ny, dx and dy: add them, or omit it")
+        if self.nz is not None and self.dz is None:
+            raise ValueError("nz requires dz: add it, or omit nz")
         if self.periodic and self.contact_y is not None:
             raise ValueError('contact_y has no effect with periodic = "y": omit it')
         return self
@@ -66,7 +70,14 @@ class FilmGridSection(Section):
 
         if self.nx is None or self.ny is None or self.dx is None or self.dy is None:
             return None
-        return Grid(self.nx, self.ny, self.dx, self.dy, periodic=self.periodic)
+        return Grid(self.nx, self.ny, self.dx, self.dy, self.nz or 0, self.dz, self.periodic)
+
+    def with_depth(self, given: FilmGridSection) -> FilmGridSection:
+        """Return the grid with layers: those given, or as high as the shorter side of a cell."""
+        assert self.dx is not None
+        assert self.dy is not None
+        shorter = self.dx if self.ny == 1 else min(self.dx, self.dy)
+        return self.model_copy(update={"nz": given.nz, "dz": given.dz or shorter})
 
     def shift(self, grid: Grid, direction: tuple[float, float], is_known: bool) -> tuple[int, int]:
         """Return the distance of the contact from the centre of the grid, in cells.

@@ -10,13 +10,24 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from ..lubrication import Boundary
-from .base import Finite, Length, NonNegative, Pair, Position, Positive, Section, changed, in_unit
+from .base import (
+    Count,
+    Finite,
+    Length,
+    NonNegative,
+    Pair,
+    Position,
+    Positive,
+    Section,
+    changed,
+    in_unit,
+)
+from .film_transient import TransientSection, Vectors
 from .surface_shape import SurfaceShape
 
 Velocity = Annotated[Finite | Pair, in_unit("m/s")]
 Angle = Annotated[Finite, in_unit("rad")]
 AngularSpeed = Annotated[Finite, in_unit("rad/s")]
-Vectors = tuple[tuple[float, float], tuple[float, float]]
 
 
 class BoundarySection(Section):
@@ -50,6 +61,10 @@ class FilmSection(Section):
     boundary: BoundarySection | None = None
     roughness1: Annotated[NonNegative, in_unit("m")] = 0.0
     roughness2: Annotated[NonNegative, in_unit("m")] = 0.0
+    shear_thinning: bool = False
+    thermal: bool = False
+    increments: Count = 1
+    transient: TransientSection | None = None
     order: Literal[1, 2, 3] = 3
     tol: Annotated[float, Field(ge=1e-10, le=1e-2)] = 1e-6
     max_iterations: Annotated[int, Field(ge=1, le=1000)] = 40
@@ -141,8 +156,8 @@ class FilmSection(Section):
         """Return arguments of `steady` and of `stribeck`."""
         boundary = None if self.boundary is None else self.boundary.build()
         return {
-            "boundary": boundary, "order": self.order, "tol": self.tol,
-            "max_iterations": self.max_iterations,
+            "boundary": boundary, "order": self.order, "shear_thinning": self.shear_thinning,
+            "thermal": self.thermal, "tol": self.tol, "max_iterations": self.max_iterations,
         }  # fmt: skip
 
 

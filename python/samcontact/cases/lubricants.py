@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from .. import lubricants
-from ..lubricants import Lubricant
+from ..lubricants import Lubricant, LubricantHeat
 from ..lubricants.grades import DENSITY
 from .base import NonNegative, Positive, Section, in_unit
 
@@ -19,16 +19,28 @@ PressureViscosity = Annotated[NonNegative, in_unit("1/Pa")]
 Kinematic = Annotated[Positive, in_unit("m**2/s")]
 Temperature = Annotated[Positive, in_unit("K")]
 Stress = Annotated[Positive, in_unit("Pa")]
+REFERENCE = LubricantHeat.temperature
+"""Temperature of the given viscosity by default [K]."""
 Density = Literal["dowson-higginson", "incompressible"]
 
 
+class LubricantThermal(Section):
+    """Thermal constants of a lubricant, see `Lubricant.with_thermal`."""
+
+    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
+    capacity: Annotated[Positive, in_unit("J/(m**3*K)")]
+    beta: Annotated[NonNegative, in_unit("1/K")] | None = None
+    temperature: Temperature | None = None
+
+
 class _Lubricant(Section):
-    """Lubricant, with the constants of its shear stress, from which friction is computed."""
+    """Lubricant, with the constants of its shear stress, for the friction, and of its heat."""
 
     eyring_stress: Stress | None = None
     carreau_stress: Stress | None = None
     carreau_exponent: Annotated[float, Field(ge=0.0, le=1.0)] | None = None
     limiting_shear: Positive | None = None
+    thermal: LubricantThermal | None = None
 
     @model_validator(mode="after")
     def _possible(self) -> _Lubricant:
@@ -53,7 +65,17 @@ class _Lubricant(Section):
             made = made.with_carreau(self.carreau_stress, self.carreau_exponent)
         if self.limiting_shear is not None:
             made = made.with_limiting_shear(self.limiting_shear)
+        if self.thermal is not None:
+            heat = self.thermal
+            beta, temperature = self._warming(heat)
+            made = made.with_thermal(heat.conductivity, heat.capacity, beta, temperature)
         return made
+
+    def _warming(self, heat: LubricantThermal) -> tuple[float, float]:
+        """Return decrease of the viscosity [1/K] and temperature of the given viscosity [K]."""
+        if heat.beta is None:
+            raise ValueError("thermal.beta is required for this kind of lubricant: add it")
+        return heat.beta, REFERENCE if heat.temperature is None else heat.temperature
 
 
 class RoelandsLubricant(_Lubricant):
@@ -111,38 +133,52 @@ class TabulatedLubricant(_Lubricant):
         return Lubricant.tabulated(self.p, self.eta, self.rho)
 
 
-class GradeLubricant(_Lubricant):
+class _MineralOil(_Lubricant):
+    """Oil whose viscosity is known at two temperatures."""
+
+    temperature: Temperature
+
+    @abstractmethod
+    def oil(self) -> lubricants.Oil:
+        """Return the oil."""
+
+    def newtonian(self) -> Lubricant:
+        try:
+            return self.oil().lubricant(self.temperature)
+        except ValueError as error:
+            raise ValueError(str(error).replace("T must", "temperature must", 1)) from None
+
+    def _warming(self, heat: LubricantThermal) -> tuple[float, float]:
+        if heat.temperature is not None:
+            raise ValueError(
+                "thermal.temperature cannot be combined with the temperature of the oil: omit it"
+            )
+        beta = self.oil().beta(self.temperature) if heat.beta is None else heat.beta
+        return beta, self.temperature
+
+
+class GradeLubricant(_MineralOil):
     """Typical mineral oil of an ISO viscosity grade, see `lubricants.iso_vg`."""
 
     kind: Literal["grade"]
     grade: Annotated[
         str, BeforeValidator(lambda given: str(given) if type(given) is int else given)
     ]
-    temperature: Temperature
 
-    def newtonian(self) -> Lubricant:
-        return _at(lubricants.iso_vg(self.grade), self.temperature)
+    def oil(self) -> lubricants.Oil:
+        return lubricants.iso_vg(self.grade)
 
 
-class OilLubricant(_Lubricant):
+class OilLubricant(_MineralOil):
     """Mineral oil by the viscosities of its data sheet, see `lubricants.oil`."""
 
     kind: Literal["oil"]
     nu40: Kinematic
     nu100: Kinematic
     mass_density: Annotated[Positive, in_unit("kg/m**3")] = DENSITY
-    temperature: Temperature
 
-    def newtonian(self) -> Lubricant:
-        made = lubricants.oil(self.nu40, self.nu100, self.mass_density)
-        return _at(made, self.temperature)
-
-
-def _at(oil: lubricants.Oil, temperature: float) -> Lubricant:
-    try:
-        return oil.lubricant(temperature)
-    except ValueError as error:
-        raise ValueError(str(error).replace("T must", "temperature must", 1)) from None
+    def oil(self) -> lubricants.Oil:
+        return lubricants.oil(self.nu40, self.nu100, self.mass_density)
 
 
 def _law(density: str) -> str | None:

@@ -25,12 +25,13 @@ _FIGURES = (
     "load_ratio", "wear_rate", "profile_body[12]", "surface_body[12]", "first_cycle_body[12]",
     "last_cycle_body[12]", "fretting", "fatigue_depth", "fatigue_strain", "fatigue_section",
     "fatigue_exposure", "shakedown",
-    "film_map", "film_profile", "interferogram", "regime_chart", "stribeck",
+    "film_imprint", "film_map", "film_over_time", "film_profile", "film_stress",
+    "film_temperature", "interferogram", "regime_chart", "stribeck",
 )  # fmt: skip
 _RESULT_FILES = re.compile(r"(results|series|wear|film|sliding|fatigue|shakedown)\.nc")
 _OUTPUT_FILES = re.compile(
     rf"{_RESULT_FILES.pattern}|(series|wear|film|sliding)\.csv|(report|results)\.html"
-    r"|(rolling|partial_slip)\.gif"
+    r"|(rolling|partial_slip|film)\.gif"
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )
@@ -52,7 +53,7 @@ def written_names(case: CaseFile, main: str, figures: bool, animate: bool) -> re
     if figures and case.output.figures:
         names.append(f"{'|'.join(_FIGURES)})\\.({case.output.format}|png)")
     if animate:
-        names.append(r"rolling|partial_slip)\.gif")
+        names.append(r"rolling|partial_slip|film)\.gif")
     return re.compile("|".join(f"({name}" for name in names))
 
 

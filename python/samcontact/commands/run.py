@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 @click.option(
     "--animate",
     is_flag=True,
-    help="Also write rolling.gif for a path that moves the bodies, and partial_slip.gif with "
-    "Coulomb friction.",
+    help="Also write rolling.gif for a path that moves the bodies, partial_slip.gif with Coulomb "
+    "friction, and film.gif for a film in time.",
 )
 @click.option(
     "--resume",
@@ -75,12 +75,12 @@ def _solve(
 
     if animate and getattr(case, "accuracy", None) is not None:
         raise ValueError("--animate cannot be combined with accuracy")
-    if animate and case.study:
-        raise ValueError(f"--animate cannot be combined with [{case.study}]")
     if case.study:
         from .solve_study import solve_study
 
-        return solve_study(case, directory, console, figures=figures, resume=resume)
+        return solve_study(
+            case, directory, console, figures=figures, animate=animate, resume=resume
+        )
     with uncollected():
         from .solve_contact import solve_contact, solve_to_accuracy
 

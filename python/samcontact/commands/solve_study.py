@@ -6,10 +6,13 @@ A checkpoint is written after each increment of a collision, cycle of wear or ve
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+from matplotlib.animation import FuncAnimation
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from rich.console import Console
@@ -21,8 +24,11 @@ from .._util.wear_quantities import WEAR
 from ..accuracy import AccuracyResult, to_accuracy
 from ..accuracy.prescribed import prepare_search
 from ..asperities.series import pass_results
+from ..cases.film_studies import amount as film_amount
 from ..files.atomic import replacing
 from ..plotting import asperities, sliding, wear
+from ..plotting.animation import save_animation
+from ..plotting.film_animation import film_animation
 from ..plotting.film_summary import film_figures
 from ..plotting.parts import journal_column
 from ..plotting.parts import save as save_figure
@@ -45,6 +51,7 @@ if TYPE_CHECKING:
     from ..cases.films import FilmCase
     from ..cases.kinds import AnyCase
     from ..cases.sliding import SlidingCase
+    from ..lubrication import FilmSolution
     from ..sliding import FrictionCurve
     from ..wear import FrettingResult, WearResult
 
@@ -55,9 +62,11 @@ _CYCLE_COLUMNS = (
     "volume", "depth", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
     "slip_distance", "stick_area", "coating_worn_share",
 )  # fmt: skip
+MAX_FRAMES = 120  # maximum number of frames of an animation
+MIN_CHANGE = 1e-4  # relative difference of loads or speeds below which their column is omitted
 _FILM_COLUMNS = (
-    "speed", "max_pressure", "central_film", "minimum_film", "lambda_ratio", "boundary_share",
-    "friction_coefficient",
+    "time", "speed", "load", "max_pressure", "central_film", "minimum_film", "lambda_ratio",
+    "boundary_share", "friction_coefficient", "max_film_rise", "max_plastic_strain",
 )  # fmt: skip
 _VELOCITY_COLUMNS = (
     "velocity", "friction", "friction_force", "power", "contact_area", "contact_share",
@@ -78,13 +87,19 @@ class _StudyKind(NamedTuple):
     rows: Callable[[xr.Dataset], pd.DataFrame]
     """Data frame with the rows of the .csv file."""
     draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
+    animate: Callable[[Any], FuncAnimation] | None = None
+    """Animation of the results, for which `--animate` asks."""
 
 
 def solve_study(
-    case: AnyCase, directory: Path, console: Console, *, figures: bool, resume: bool
+    case: AnyCase, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case, write its .nc and .csv files and figures, and return the files."""
+    """Solve a case, write its .nc and .csv files, figures and animation, and return the files."""
     kind = _KINDS[case.study](case, not console.quiet)
+    if animate and kind.animate is None:
+        reason = ", except with film.transient" if case.study == "film" else ""
+        raise ValueError(f"--animate cannot be combined with [{case.study}]{reason}")
+    kind = kind if animate else kind._replace(animate=None)
     return _solve(case, kind, directory, console, figures=figures, resume=resume)
 
 
@@ -108,16 +123,21 @@ def _asperities(case: AsperityCase, progress: bool) -> _StudyKind:
 
 def _film(case: FilmCase, progress: bool) -> _StudyKind:
     """Files film.nc and film.csv, and figures of the film."""
-    _ = case.gap()  # errors of the case are raised before its folder is written
+    _ = case.standing_gap()  # errors of the case are raised before its folder is written
     return _StudyKind(
         "film",
-        lambda _: case.solve(),
+        lambda folder: case.solve(progress=progress, checkpoint=folder),
         lambda films: films_dataset(films, case),
-        lambda films: f"{len(films)} of {len(case.film.speeds or [0.0])} speeds",
+        lambda films: film_amount(case, len(films)),
         _films_sheet,
         scalars,
         lambda _, dataset: {one.name: one.figure for one in film_figures(dataset, case)},
+        None if case.film.transient is None else _film_animation,
     )
+
+
+def _film_animation(films: Sequence[FilmSolution]) -> FuncAnimation:
+    return film_animation(films[:: math.ceil(len(films) / MAX_FRAMES)])
 
 
 def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
@@ -203,9 +223,11 @@ def _solve(
             with journal_column(case.output.column):
                 for name, figure in kind.draw(result, dataset).items():
                     written.append(save_figure(figure, directory / f"{name}.{case.output.format}"))
+        if kind.animate is not None:
+            written.append(save_animation(kind.animate(result), directory / f"{kind.file}.gif"))
         return written
 
-    names = written_names(case, kind.file, figures, False)
+    names = written_names(case, kind.file, figures, kind.animate is not None)
     with checkpoints_of(directory, case, names) as checkpoints:
         checkpoints.claim(resume)
         console.print(case.title, style="bold", markup=False, highlight=False)
@@ -295,7 +317,9 @@ def _figure(ax: Axes) -> Figure:
 
 
 def _films_sheet(dataset: xr.Dataset) -> Sheet:
-    columns = [
-        (FILMS[name], dataset[name].values, None) for name in _FILM_COLUMNS if name in dataset
-    ]
+    shown = [name for name in _FILM_COLUMNS if name in dataset]
+    for name in ("load", *(["speed"] if "time" in dataset else [])):
+        if np.ptp(dataset[name].values) <= MIN_CHANGE * float(dataset[name].max()):
+            shown.remove(name)
+    columns = [(FILMS[name], dataset[name].values, None) for name in shown]
     return values_sheet("Films", dataset["increment"].values, columns)

@@ -11,6 +11,7 @@ The speeds (u1, u2) of the surfaces are those in the frame of the contact, along
 from .boundary import Boundary
 from .estimate import FilmEstimate, bearing_speeds, estimate, lambda_ratio
 from .film_heat import FilmHeat
+from .film_plasticity import FilmPlasticity
 from .film_solution import FilmErrors, FilmLevel, FilmSolution
 from .formulas import (
     FilmThickness,
@@ -23,6 +24,7 @@ from .formulas import (
 )
 from .friction import FilmFriction, friction
 from .groups import MoesNumbers, moes
+from .loading import press_loads
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
 from .traction import TractionCurve, traction_curve
@@ -38,6 +40,7 @@ __all__ = [
     "FilmHistory",
     "FilmIncrement",
     "FilmLevel",
+    "FilmPlasticity",
     "FilmSolution",
     "FilmThickness",
     "MoesNumbers",
@@ -53,6 +56,7 @@ __all__ = [
     "moes",
     "nijenbanning",
     "press",
+    "press_loads",
     "regime",
     "rigid_isoviscous",
     "steady",

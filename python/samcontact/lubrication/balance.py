@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,6 +13,9 @@ from .._util.checks import FloatArray
 from ..problem.grid import Grid
 from .film_solution import FilmSolution
 from .nested import face_velocities, table_of
+
+WEIGHTS = 1.5, 2.0, 0.5
+"""Weights of the content now, one step ago and two steps ago, in a step of second order."""
 
 
 def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> FloatArray:
@@ -36,10 +40,34 @@ def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = No
     order, supply: as given to `steady`. It measures the balance of mass between the edges of the
     grid.
     """
+    return abs(float(outflow(film, order, supply).sum())) / swept(film)
+
+
+def swept(film: FilmSolution) -> float:
+    """Return the volume that the central film moves into the grid in a unit of time [m^3/s]."""
     grid, mean = film.grid, np.abs(film.velocities.mean(axis=0))
     length, width = grid.nx * grid.dx, grid.ny * grid.dy
-    swept = float(mean[0]) * width + float(mean[1]) * length + abs(film.spin) * length * width
-    return abs(float(outflow(film, order, supply).sum())) / (swept * film.central_film)
+    speeds = float(mean[0]) * width + float(mean[1]) * length + abs(film.spin) * length * width
+    return speeds * film.central_film
+
+
+def storage_imbalance(films: Sequence[FilmSolution]) -> FloatArray:
+    """Return the net outflow of the grid plus the rate of the oil on it, at each time [-].
+
+    films: start and steps of a history, equally spaced in time; the film before the start is
+    steady. The sum is relative to the largest flow through the central film, or without motion to
+    the largest rate of the oil.
+    """
+    stored = np.array([float(film.content.sum()) for film in films]) * films[0].grid.cell_area
+    before = np.concatenate([stored[:1], stored[:-1]])
+    earlier = np.concatenate([stored[:1], before[:-1]])
+    steps = np.diff([film.time for film in films], prepend=-np.inf)
+    now, one, two = WEIGHTS
+    rates = (now * stored - one * before + two * earlier) / steps
+    out = np.array([float(outflow(film, film.order, film.supply).sum()) for film in films])
+    size = max(*map(swept, films), float(np.abs(rates).max()))
+    found: FloatArray = np.abs(out + rates) / size
+    return found
 
 
 def inlet_pressure(film: FilmSolution) -> float:

@@ -18,6 +18,7 @@ from ..lubricants.lubricant import Lubricant
 from ..problem.grid import Grid
 from .boundary import Boundary
 from .film_heat import FilmHeat
+from .film_plasticity import FilmPlasticity
 
 
 class FilmLevel(NamedTuple):
@@ -108,6 +109,8 @@ class FilmSolution(HtmlTable):
         Temperatures of a heated film.
     errors : FilmErrors, or None
         Estimated errors of central and minimum film, if an accuracy was prescribed.
+    plasticity : FilmPlasticity, or None
+        Stress and plastic strain of elastic-plastic bodies, from `press_loads`.
     """
 
     grid: Grid
@@ -131,6 +134,7 @@ class FilmSolution(HtmlTable):
     shear_thinning: bool = False
     heat: FilmHeat | None = None
     errors: FilmErrors | None = None
+    plasticity: FilmPlasticity | None = None
 
     @cached_property
     def pressure(self) -> FloatArray:
@@ -150,9 +154,17 @@ class FilmSolution(HtmlTable):
         return content
 
     @property
+    def smooth_gap(self) -> FloatArray:
+        """Gap of the undeformed surfaces without moving reliefs [m], shape (nx, ny)."""
+        return self.gap if self.past is None else self.past.gap
+
+    @property
     def central_film(self) -> float:
-        """Film thickness where the gap of the undeformed surfaces is smallest [m]."""
-        return film_at_centre(self.film, self.gap)
+        """Film thickness where the gap of the undeformed surfaces is smallest [m].
+
+        Moving reliefs do not change this place.
+        """
+        return film_at_centre(self.film, self.smooth_gap)
 
     @property
     def minimum_film(self) -> float:

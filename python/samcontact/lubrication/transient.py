@@ -3,22 +3,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import os
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .._util.checks import FloatArray, choice, finite_array, integer, positive, require_type
+from .._util.checks import (
+    FloatArray,
+    boolean,
+    choice,
+    finite_array,
+    integer,
+    positive,
+    require_type,
+)
 from .._util.display import ShortRepr
 from .._util.errors import attach
+from .._util.progress import progress_bar
+from ..restart.identity import Identity, digest, identity
+from .balance import WEIGHTS
+from .checkpoint import Kept, kept_in
 from .film_solution import FilmPast, FilmSolution
 from .nested import FilmTask, LevelSolver, table_of
 from .steady import require_converged, solution_of, velocities_of
-
-WEIGHTS = 1.5, 2.0, 0.5
-"""Weights of the content now, one step ago and two steps ago, in a step of second order."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -49,18 +59,23 @@ class FilmHistory(ShortRepr):
         return np.array([s.pressure for s in self.solutions])
 
 
+Relief = Callable[[FloatArray, FloatArray], ArrayLike]
+
+
 def transient(
     start: FilmSolution,
     *,
     duration: float,
     steps: int,
-    relief1: Callable[[FloatArray, FloatArray], ArrayLike] | None = None,
-    relief2: Callable[[FloatArray, FloatArray], ArrayLike] | None = None,
+    relief1: Relief | None = None,
+    relief2: Relief | None = None,
     load: Callable[[float], float] | None = None,
     speed: Callable[[float], Sequence[Any]] | None = None,
     order: int = 3,
     tol: float = 1e-6,
     max_iterations: int = 20,
+    checkpoint: str | os.PathLike[str] | None = None,
+    progress: bool = False,
 ) -> FilmHistory:
     """March a lubricated contact in time: moving reliefs, and load or speeds that change.
 
@@ -86,6 +101,11 @@ def transient(
         Velocities of the surfaces at a time, as for `steady` [m/s]. Default: those of the start.
     order, tol, max_iterations
         As in `steady`.
+    checkpoint : path, optional
+        Folder for a file with the film of each step. Repeating the call resumes from this folder,
+        with bit-identical results.
+    progress : bool, optional
+        Whether to show the progress.
 
     Returns
     -------
@@ -94,7 +114,8 @@ def transient(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments.
+        Invalid arguments. CheckpointError if `checkpoint` contains files of another run; a damaged
+        file is solved again.
     ConvergenceError
         No convergence; its attribute `history` contains the solutions so far.
     """
@@ -109,72 +130,142 @@ def transient(
     for name, given in functions.items():
         if given is not None and not callable(given):
             raise TypeError(f"{name} must be a function, got {type(given).__name__}")
-    march = _March(start, duration / steps, (relief1, relief2), load, speed)
-    solutions: list[FilmSolution] = []
+    boolean("progress", progress)
     settings = {
         "order": choice("order", order, (1, 2, 3)), "tol": positive("tol", tol),
         "max_iterations": integer("max_iterations", max_iterations, 1),
     }  # fmt: skip
+    course = _Course(start, duration / steps, (relief1, relief2), load, speed)
+    run: Identity = {}
+    if checkpoint is not None:
+        what = {"start": start, "duration": duration, "steps": steps, **settings}
+        run = identity(**what, course=course.described(start, steps))
+    solutions: list[FilmSolution] = []
     try:
-        for _ in range(steps):
-            solutions.append(march.step(settings))
+        with (
+            kept_in(checkpoint, run) as kept,
+            progress_bar(steps, "step", shown=progress) as bar,
+        ):
+            for film in _films(_March(start, course, settings), start, steps, kept):
+                solutions.append(film)
+                bar.update()
     except BaseException as error:  # Ctrl-C too
         attach(error, history=FilmHistory(tuple(solutions)))
         raise
     return FilmHistory(tuple(solutions))
 
 
-class _March:
-    """Steps of a transient film."""
+def standing_on(film: FilmSolution, gap: FloatArray) -> FilmSolution:
+    """Return a steady film as the start of a history in which the reliefs of its gap move.
+
+    gap: that of the film without the reliefs [m].
+    """
+    peak = float(film.pressure.max())
+    return replace(film, past=FilmPast(0.0, np.zeros((2, 2)), film.content, gap, peak))
+
+
+def _films(
+    march: _March, start: FilmSolution, steps: int, kept: Kept | None
+) -> Iterator[FilmSolution]:
+    """Iterate over the films of all steps, kept or solved."""
+    last, like = start, replace(start, order=march.order, errors=None)
+    for index in range(steps):
+        found = None if kept is None else kept.film(index, like)
+        if found is None:
+            found = march.step(last)
+            if kept is not None:
+                kept.add(index, found)
+        last = found
+        yield found
+
+
+class _Instant(NamedTuple):
+    """Motion and load at the end of a step."""
+
+    time: float
+    velocities: FloatArray
+    ways: FloatArray
+    """Travels of the surfaces since time 0 [m], shape (2, 2)."""
+    load: float
+    gap: FloatArray
+    """Gap of the undeformed surfaces, reliefs at their present positions [m]."""
+
+
+class _Course:
+    """Motion, load and reliefs over time."""
 
     def __init__(
-        self, start: FilmSolution, step: float,
-        reliefs: Sequence[Callable[[FloatArray, FloatArray], ArrayLike] | None],
+        self, start: FilmSolution, step: float, reliefs: Sequence[Relief | None],
         load: Callable[[float], float] | None, speed: Callable[[float], Sequence[Any]] | None,
     ) -> None:  # fmt: skip
-        body1, body2 = start.bodies
-        self._last, self._step, self._reliefs = start, step, reliefs
+        self.step, self._grid, self._reliefs = step, start.grid, reliefs
         self._load, self._speed = load, speed
-        self._task = FilmTask(
-            (body1, body2), start.gap, True, start.load, start.velocities, start.spin,
-            start.lubricant, np.inf, start.boundary, 3, 1e-6, 20,
-        )  # fmt: skip
-        self._peak = float(start.pressure.max()) if start.past is None else start.past.peak
-        self._layer = self._task.layer(self._peak)
-        table = table_of(start.lubricant, self._peak)
-        self._solver = LevelSolver(self._task, start.grid, start.gap, table)
+        self._smooth = start.smooth_gap
 
-    def _gap(self, smooth: FloatArray, ways: FloatArray) -> FloatArray:
-        """Return the gap of the undeformed surfaces, reliefs at their present positions [m]."""
-        grid, gap = self._last.grid, smooth
+    def first(self, start: FilmSolution) -> _Instant:
+        """Return the instant of a film."""
+        past = start.past
+        time, ways = (0.0, np.zeros((2, 2))) if past is None else (past.time, past.ways)
+        return _Instant(time, start.velocities, ways, start.load, start.gap)
+
+    def after(self, last: _Instant) -> _Instant:
+        """Return the instant a step later."""
+        time = last.time + self.step
+        velocities = last.velocities if self._speed is None else velocities_of(self._speed(time))
+        ways = last.ways + 0.5 * self.step * (last.velocities + velocities)
+        load = last.load if self._load is None else positive("load", self._load(time))
+        return _Instant(time, velocities, ways, load, self._gap(ways))
+
+    def _gap(self, ways: FloatArray) -> FloatArray:
+        grid, gap = self._grid, self._smooth
         for number, (relief, way) in enumerate(zip(self._reliefs, ways, strict=True), 1):
             if relief is not None:
                 x, y = np.meshgrid(grid.x - way[0], grid.y - way[1], indexing="ij")
                 gap = gap - finite_array(f"relief{number}", relief(x, y), grid.surface_shape)
         return gap
 
-    def step(self, settings: dict[str, Any]) -> FilmSolution:
-        """Return the film after one more step."""
-        last = self._last
+    def described(self, start: FilmSolution, steps: int) -> list[str]:
+        """Return what identifies all steps: functions are evaluated, because their code may not."""
+        instant, found = self.first(start), []
+        for _ in range(steps):
+            instant = self.after(instant)
+            found.append(digest(identity(instant=list(instant))))
+        return found
+
+
+class _March:
+    """Steps of a transient film."""
+
+    def __init__(self, start: FilmSolution, course: _Course, settings: dict[str, Any]) -> None:
+        body1, body2 = start.bodies
+        self._course, self._settings = course, settings
+        self.order: int = settings["order"]
+        self._task = FilmTask(
+            (body1, body2), start.gap, True, start.load, start.velocities, start.spin,
+            start.lubricant, start.supply, start.boundary, 3, 1e-6, 20,
+        )  # fmt: skip
+        self._peak = float(start.pressure.max()) if start.past is None else start.past.peak
+        self._layer = self._task.layer(self._peak)
+        table = table_of(start.lubricant, self._peak)
+        self._solver = LevelSolver(self._task, start.grid, start.gap, table)
+
+    def step(self, last: FilmSolution) -> FilmSolution:
+        """Return the film a step after another one."""
         content = last.content
         past = last.past or FilmPast(0.0, np.zeros((2, 2)), content, last.gap, self._peak)
-        time = past.time + self._step
-        velocities = last.velocities if self._speed is None else velocities_of(self._speed(time))
-        ways = past.ways + 0.5 * self._step * (last.velocities + velocities)
-        load = last.load if self._load is None else positive("load", self._load(time))
-        task = replace(self._task, velocities=velocities, target=load, **settings)
-        gap = self._gap(past.gap, ways)
+        now = self._course.after(self._course.first(last))
+        task = replace(self._task, velocities=now.velocities, target=now.load, **self._settings)
         solver = self._solver
-        solver.task, solver.gap = task, gap
+        solver.task, solver.gap = task, now.gap
         state = {
             "fluid_pressure": last.fluid_pressure, "boundary_pressure": last.boundary_pressure,
             "void_fraction": 1.0 - last.filling, "approach": last.approach,
         }  # fmt: skip
         found = solver.solve(
-            state, self._layer, task.order, time=(self._step, WEIGHTS[0]),
+            state, self._layer, task.order, time=(self._course.step, WEIGHTS[0]),
             content=WEIGHTS[1] * content - WEIGHTS[2] * past.content,
         )  # fmt: skip
         require_converged(found, task)
-        solution = solution_of(last.grid, gap, task, found, [solver.level(found)])
-        self._last = replace(solution, past=FilmPast(time, ways, content, past.gap, past.peak))
-        return self._last
+        solution = solution_of(last.grid, now.gap, task, found, [solver.level(found)])
+        past = FilmPast(now.time, now.ways, content, past.gap, past.peak)
+        return replace(solution, past=past)

@@ -17,9 +17,12 @@ from .contact import (
     temperature_profile,
 )
 from .fatigue import exposure_depth, fatigue_depth, fatigue_map, fatigue_section
+from .film_animation import film_animation
+from .film_courses import film_imprint, film_over_time
 from .films import (
     film_map,
     film_profile,
+    film_temperature,
     interferogram,
     regime_chart,
     stribeck_curve,
@@ -49,8 +52,12 @@ __all__ = [
     "fatigue_depth",
     "fatigue_map",
     "fatigue_section",
+    "film_animation",
+    "film_imprint",
     "film_map",
+    "film_over_time",
     "film_profile",
+    "film_temperature",
     "fretting_loop",
     "friction_curve",
     "imprint_profile",

@@ -4,13 +4,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
 from matplotlib.figure import Figure
 
 from .._util.display import quantity
+from ..lubrication import FilmSolution
+from ..problem.grid import Grid
 from ..results.films import films_of
-from .films import film_map, film_profile, interferogram, regime_chart, stribeck_lines
+from .film_courses import film_imprint, film_over_time, film_stress_figure
+from .films import (
+    film_map,
+    film_profile,
+    film_temperature,
+    interferogram,
+    regime_chart,
+    stribeck_lines,
+)
 from .parts import new_figure
 
 if TYPE_CHECKING:
@@ -31,13 +43,14 @@ class FilmFigure(NamedTuple):
 
 
 def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[FilmFigure]:
-    """Iterate over the figures of a run; maps and profile are those at the highest speed.
+    """Iterate over the figures of a run; maps and profile are those at the highest speed or load.
 
-    dataset: from `results.films_dataset`. case: case of the run, for the chart of regimes.
+    For films over time, they are those at the largest pressure. dataset: from
+    `results.films_dataset`. case: case of the run, for the chart of regimes.
     """
     films = films_of(dataset)
-    film = films[-1]
-    when = f"{float(dataset['speed'][-1]):.4g} m/s"
+    chosen, when = _shown(dataset)
+    film = films[chosen]
     if min(film.film.shape) > 1:
         figure = new_figure(*_TALL)
         film_map(film, figure.subplots())
@@ -52,15 +65,54 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
         interferogram(film, figure.subplots())
         text = "Interference fringes of the film in red light."
         yield FilmFigure("interferogram", f"Interferogram, {when}", text, figure)
+    if film.heat is not None:
+        figure = new_figure()
+        film_temperature(film, figure.subplots())
+        text = "Temperature rise of film and surfaces along x through the smallest gap."
+        yield FilmFigure("film_temperature", f"Temperature along x, {when}", text, figure)
     if case is not None and (chart := _chart(case, film.load)) is not None:
         text = "Regimes of lubrication over load and lubricant, with the place of the contact."
         yield FilmFigure("regime_chart", f"Regime of lubrication, {when}", text, chart)
-    if len(films) > 1 and "boundary_share" in dataset:
+    yield from _courses(dataset, film)
+    if len(films) > 1 and "boundary_share" in dataset and np.ptp(dataset["speed"]) > 0:
         figure = new_figure()
         share, mu = (dataset[name].values for name in ("boundary_share", "friction_coefficient"))
         stribeck_lines(dataset["speed"].values, share, mu, figure.subplots())
         text = "Share of the load on the boundary layer, and friction, over the mean speed."
         yield FilmFigure("stribeck", "Stribeck curve", text, figure)
+
+
+def _shown(dataset: xr.Dataset) -> tuple[int, str]:
+    """Return the index of the film that is shown, and its speed, load or time as text."""
+    if "time" in dataset and dataset.sizes["increment"] > 1:
+        chosen = int(np.argmax(dataset["max_pressure"].values))
+        return chosen, f"after {quantity(float(dataset['time'][chosen]), 's')}"
+    if "imprint" in dataset:
+        return -1, quantity(float(dataset["load"][-1]), "N")
+    return -1, f"{float(dataset['speed'][-1]):.4g} m/s"
+
+
+def _courses(dataset: xr.Dataset, film: FilmSolution) -> Iterator[FilmFigure]:
+    """Iterate over the figures over time and of elastic-plastic bodies."""
+    if "time" in dataset and dataset.sizes["increment"] > 1:
+        figure = new_figure()
+        film_over_time(dataset, figure.subplots())
+        text = "Central film, minimum film and largest pressure over time."
+        yield FilmFigure("film_over_time", "Film over time", text, figure)
+    if "imprint" in dataset:
+        figure = film_stress_figure(dataset, _with_layers(dataset, film))
+        text = "Von Mises stress, plastic strain and residual stress of the body that yields most."
+        yield FilmFigure("film_stress", "Stress and plastic strain", text, figure)
+        figure = new_figure()
+        film_imprint(dataset, figure.subplots())
+        text = "Residual displacement of both surfaces along x, outwards, under each load."
+        yield FilmFigure("film_imprint", "Imprint under the film", text, figure)
+
+
+def _with_layers(dataset: xr.Dataset, film: FilmSolution) -> Grid:
+    """Return the grid of a film with the layers of the dataset."""
+    z = dataset["z"].values
+    return replace(film.grid, nz=z.size, dz=2.0 * float(z[0]))
 
 
 def _chart(case: FilmCase, load: float) -> Figure | None:

@@ -73,19 +73,30 @@ def film_map(film: FilmSolution, ax: Axes | None = None, *, max_film: float | No
     return finish(ax)
 
 
-def film_profile(film: FilmSolution, ax: Axes | None = None) -> Axes:
+def film_profile(
+    film: FilmSolution,
+    ax: Axes | None = None,
+    *,
+    max_film: float | None = None,
+    max_pressure: float | None = None,
+) -> Axes:
     """Draw pressure and film along x through the middle of a lubricated contact.
 
     The line passes through the cell with the smallest gap. film: solution of
-    `samcontact.lubrication.steady`; ax: axes to draw on, default a new figure. Returns the axes of
-    the pressure. Raises TypeError for other objects.
+    `samcontact.lubrication.steady`; ax: axes to draw on, default a new figure; max_film: largest
+    film shown [m], default three central films; max_pressure: largest pressure shown [Pa], default
+    that of the film. Returns the axes of the pressure. Raises TypeError for other objects,
+    ValueError for limits that are not positive.
     """
     require_type("film", film, FilmSolution)
     ax = axes_or_new(ax)
-    row = int(np.unravel_index(int(np.argmin(film.gap)), film.gap.shape)[1])
+    row = _middle_row(film)
     length, metres = prefixed(float(np.abs(film.grid.x).max()), "m")
-    factor, pascals = prefixed(float(film.pressure.max()), "Pa")
-    limit = MAX_SHOWN_FILM * film.central_film
+    highest = film.pressure.max() if max_pressure is None else max_pressure
+    factor, pascals = prefixed(positive("max_pressure", float(highest)), "Pa")
+    limit = (
+        MAX_SHOWN_FILM * film.central_film if max_film is None else positive("max_film", max_film)
+    )
     thickness, unit = prefixed(limit, "m")
     x = film.grid.x * length
     ax.plot(x, film.pressure[:, row] * factor, "C0-", label="pressure")
@@ -97,11 +108,38 @@ def film_profile(film: FilmSolution, ax: Axes | None = None) -> Axes:
     ax.set_xlabel(f"x [{metres}]")
     ax.set_ylabel(f"pressure [{pascals}]", color="C0")
     ax.set_ylim(bottom=0.0)
+    if max_pressure is not None:
+        ax.set_ylim(0.0, 1.05 * max_pressure * factor)
     right = ax.twinx()
     right.plot(x, film.film[:, row] * thickness, "C3-", label="film")
     right.set_ylabel(f"film thickness [{unit}]", color="C3")
     right.set_ylim(0.0, limit * thickness)
     _note_films(ax, film)
+    return finish(ax)
+
+
+def film_temperature(film: FilmSolution, ax: Axes | None = None) -> Axes:
+    """Draw the temperature rise of film and surfaces along x through a heated contact.
+
+    The line passes through the cell with the smallest gap. film: solution of
+    `samcontact.lubrication.steady` with `thermal=True`; ax: axes to draw on, default a new figure.
+    Returns the axes. Raises TypeError for other objects, ValueError for a film without heat.
+    """
+    require_type("film", film, FilmSolution)
+    if film.heat is None:
+        raise ValueError("film must be heated, got one without heat: solve it with thermal = True")
+    ax = axes_or_new(ax)
+    row = _middle_row(film)
+    length, metres = prefixed(float(np.abs(film.grid.x).max()), "m")
+    x = film.grid.x * length
+    ax.plot(x, film.heat.middle_rise[:, row], "C3-", label="middle of the film")
+    for number, style in ((1, "C0-"), (2, "C2--")):
+        label = f"surface of body {number}"
+        ax.plot(x, film.heat.surface_rise[number - 1][:, row], style, label=label)
+    ax.set_xlabel(f"x [{metres}]")
+    ax.set_ylabel("temperature rise [K]")
+    ax.set_ylim(bottom=0.0)
+    ax.legend(fontsize="small")
     return finish(ax)
 
 
@@ -242,6 +280,11 @@ def regime_chart(
     ax.set_ylabel("lubricant L [-]")
     ax.set_title(f"{here}, a_y/a_x = {found.k:.3g}", fontsize="medium")
     return finish(ax)
+
+
+def _middle_row(film: FilmSolution) -> int:
+    """Return the row along x through the smallest gap of the undeformed surfaces."""
+    return int(np.unravel_index(int(np.argmin(film.smooth_gap)), film.gap.shape)[1])
 
 
 class _Plane:

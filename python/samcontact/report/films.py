@@ -27,20 +27,28 @@ MAX_LOAD_ERROR = 1e-5
 """Limit of the relative difference between the load and the integral of the pressure."""
 MAX_FLOW_IMBALANCE = 1e-4
 """Limit of the net outflow of the grid: the sum of the residuals of all cells."""
+MAX_HEAT_IMBALANCE = 0.1
+"""Limit of the relative difference between the heat of both bodies and the power of the friction,
+in which the work of the flow is integrated over the pressure gradient; compression is omitted."""
+MAX_GAP_MISMATCH = 0.02
+"""Limit of the difference between the gap of the film and that of the bodies that have yielded."""
 _VALUES = (
-    "speed", "load", "approach", "max_pressure", "central_film", "minimum_film", "lambda_ratio",
-    "boundary_share", "friction_coefficient", "rolling_resistance", "power",
+    "time", "speed", "load", "approach", "max_pressure", "central_film", "minimum_film",
+    "lambda_ratio", "boundary_share", "friction_coefficient", "rolling_resistance", "power",
+    "max_film_rise", "max_surface_rise", "max_von_mises", "max_plastic_strain",
+    "max_residual_stress", "imprint",
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "residual", "flow_imbalance", "inlet_pressure", "outlet_pressure",
-    "cells_per_radius", "film_change",
+    "cells_per_radius", "film_change", "heat", "gap_mismatch",
 )  # fmt: skip
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
     """Return the variables of the template for a lubricated contact."""
     answers = maxima_table(dataset, "increment", FILMS, _VALUES)
-    note = "Maximum magnitude over the speeds, and the number of the speed at which it occurs."
+    of = "instants" if "time" in dataset else "loads" if "imprint" in dataset else "speeds"
+    note = f"Maximum magnitude over the {of}, and the number of the {of[:-1]} at which it occurs."
     if text := str(dataset.attrs.get("friction_note", "")):
         note = f"{note} No {text}."
     found = [("results", "Results", answers._replace(note=note))]
@@ -50,7 +58,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     return {
         "file": "film.nc",
         "answers": found,
-        "values": [("speeds", "Speeds", values_table(dataset, "increment", FILMS, _VALUES))],
+        "values": [("speeds", of.capitalize(), values_table(dataset, "increment", FILMS, _VALUES))],
         "convergence": [
             ("convergence", "Convergence",
              values_table(dataset, "increment", FILMS, _CONVERGENCE))
@@ -70,6 +78,8 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
     yield Check(name, float(dataset["residual"].max()), tol)
     name = "mass balance: net outflow of the grid, relative to the flow of the central film"
+    if "time" in dataset:
+        name = "mass balance: net outflow and rate of the oil on the grid, relative to the flow"
     yield Check(name, float(dataset["flow_imbalance"].max()), MAX_FLOW_IMBALANCE)
     layer = dataset["boundary_pressure"].values if "boundary_pressure" in dataset else 0.0
     cavitated = np.where(dataset["filling"].values < 1.0, np.abs(pressure - layer), 0.0)
@@ -83,6 +93,13 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     yield Check(name, float(dataset["outlet_pressure"].max()), MAX_EDGE_PRESSURE)
     name = "cells per contact radius"
     yield Check(name, float(dataset["cells_per_radius"].min()), CELLS_PER_RADIUS, True)
+    if "gap_mismatch" in dataset:
+        name = "plastic flow: mismatch of the gaps of film and bodies, relative to the central film"
+        yield Check(name, float(dataset["gap_mismatch"].max()), MAX_GAP_MISMATCH)
+    if "heat" in dataset:
+        name = "heat balance: difference of heat and dissipated power, relative to the power"
+        lost = float(np.nanmax(np.abs(dataset["heat"] / dataset["power"] - 1.0)))
+        yield Check(name, lost, MAX_HEAT_IMBALANCE)
     if "film_change" in dataset:
         name = "change of the central film between the last two grids, relative to the film"
         yield Check(name, float(dataset["film_change"].max()), MAX_CHANGE)

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from datetime import datetime, timezone
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,14 +16,17 @@ import xarray as xr
 from .._util.checks import require_type
 from .._util.film_quantities import FILMS
 from .._util.version import version
+from ..lubricants import Lubricant
 from ..lubricants.stored import restored, stored
-from ..lubrication import Boundary, FilmLevel, FilmSolution, friction, lambda_ratio
+from ..lubrication import Boundary, FilmHeat, FilmLevel, FilmSolution, friction, lambda_ratio
 from ..lubrication.balance import (
     cells_per_radius,
     flow_imbalance,
     inlet_pressure,
     outlet_pressure,
+    storage_imbalance,
 )
+from ..lubrication.film_solution import FilmPast
 from ..problem.grid import Grid
 from .dataset import completeness
 from .reading import parts_of_a_run
@@ -29,6 +34,11 @@ from .reading import parts_of_a_run
 if TYPE_CHECKING:
     from ..cases import FilmCase
 
+_HEAT_FIELDS = {
+    "film_rise": "middle_rise", "surface_rise": "surface_rise", "heat_flux": "flux",
+    "heating_depth": "depth",
+}  # fmt: skip
+"""Attributes of `FilmHeat`, by the names of the fields in the dataset."""
 MAX_SHARE_OF_FORMULA = 0.01
 """Share of the boundary layer up to which a film is compared with a formula."""
 _FIELDS = {
@@ -46,7 +56,8 @@ def films_dataset(
     Parameters
     ----------
     films : sequence of FilmSolution
-        Solutions on one grid with one lubricant, e.g. those of `lubrication.stribeck`.
+        Solutions on one grid with one lubricant: of `lubrication.stribeck` or `press_loads`, or the
+        start and the steps of a history of `lubrication.transient`.
     case : FilmCase, optional
         Case whose text, roughness and formulas are stored.
     stopped_by : str, optional
@@ -55,8 +66,9 @@ def films_dataset(
     Returns
     -------
     xarray.Dataset
-        Dimensions increment (the number of the speed), x and y. Every variable has ``units`` (SI)
-        and ``long_name``. The attributes contain the constants of lubricant and boundary layer.
+        Dimensions increment (the number of the speed, load or instant), x and y. Every variable has
+        ``units`` (SI) and ``long_name``. The attributes contain the constants of lubricant and
+        boundary layer.
 
     Raises
     ------
@@ -72,6 +84,9 @@ def films_dataset(
         if any(getattr(film, name) != getattr(first, name) for film in films):
             raise ValueError(f"films must have one {name}, got several: write one file for each")
     rows = [_scalars(film, case) for film in films]
+    if is_history(films):
+        for row, value in zip(rows, storage_imbalance(films), strict=True):
+            row["flow_imbalance"] = float(value)
     names = [name for name in FILMS if any(name in row for row in rows)]
     coordinates = {
         "increment": FILMS["increment"].variable("increment", np.arange(1, len(films) + 1)),
@@ -86,7 +101,45 @@ def films_dataset(
         if name != "boundary_pressure" or first.boundary is not None:
             values = np.stack([getattr(film, attribute) for film in films])
             variables[name] = FILMS[name].variable(("increment", "x", "y"), values)
+    if first.heat is not None:
+        coordinates["body"] = FILMS["body"].variable("body", np.array([1, 2]))
+        variables |= _heat_fields(films)
+    if first.past is not None:
+        variables["smooth_gap"] = FILMS["smooth_gap"].variable(("x", "y"), first.smooth_gap)
+    if films[-1].plasticity is not None:
+        coordinates["body"] = FILMS["body"].variable("body", np.array([1, 2]))
+        coordinates["z"] = FILMS["z"].variable("z", films[-1].plasticity.z)
+        variables |= _plastic_fields(films)
     return xr.Dataset(variables, coordinates, _attributes(films, case, stopped_by))
+
+
+def is_history(films: Sequence[FilmSolution]) -> bool:
+    """Whether films are the start and the steps of a history, at increasing times."""
+    times = [film.time for film in films]
+    return films[-1].past is not None and all(b > a for a, b in pairwise(times))
+
+
+def _plastic_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
+    """Return the imprint under each load, and stress and plastic strain under the last."""
+    found, last = {}, films[-1].plasticity
+    assert last is not None
+    imprints = np.stack([film.plasticity.residual_displacement for film in films])  # type: ignore[union-attr]
+    name = "residual_displacement"
+    found[name] = FILMS[name].variable(("increment", "body", "x", "y"), imprints)
+    found["initial_gap"] = FILMS["initial_gap"].variable(("x", "y"), last.initial_gap)
+    for name in ("von_mises", "residual_von_mises", "equivalent_plastic_strain"):
+        found[name] = FILMS[name].variable(("body", "x", "y", "z"), getattr(last, name))
+    return found
+
+
+def _heat_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
+    """Return the temperatures and heat fluxes of heated films."""
+    fields = {}
+    for name, attribute in _HEAT_FIELDS.items():
+        values = np.stack([getattr(film.heat, attribute) for film in films])
+        of_bodies = ("body",) if values.ndim == 4 else ()
+        fields[name] = FILMS[name].variable(("increment", *of_bodies, "x", "y"), values)
+    return fields
 
 
 def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
@@ -102,13 +155,19 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
         "minimum_film": film.minimum_film,
         "iterations": float(film.iterations),
         "residual": film.residual,
-        "flow_imbalance": flow_imbalance(film, order, supply),
+        "flow_imbalance": (flow_imbalance(film, order, supply) if film.past is None else math.nan),
         "inlet_pressure": inlet_pressure(film),
         "outlet_pressure": outlet_pressure(film),
         "cells_per_radius": cells_per_radius(film.pressure, film.grid),
     }
     if film.boundary is not None:
         found["boundary_share"] = film.boundary_share
+    if film.past is not None:
+        found["time"] = film.time
+    found |= _plastic_scalars(film)
+    if film.heat is not None:
+        found["heat"], found["max_film_rise"] = film.heat.power, film.heat.max_rise
+        found["max_surface_rise"] = float(film.heat.surface_rise.max())
     if len(film.levels) > 1:
         before = film.levels[-2].central_film
         found["film_change"] = abs(film.central_film - before) / film.central_film
@@ -126,6 +185,22 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
         if formula.central is not None:
             found["formula_central_film"] = formula.central
     return found
+
+
+def _plastic_scalars(film: FilmSolution) -> dict[str, float]:
+    """Return largest stress and strain, and the mismatch of film and plastic flow."""
+    bodies = film.plasticity
+    if bodies is None:
+        return {}
+    moved = bodies.residual_displacement.sum(axis=0)
+    mismatch = np.abs(film.gap - bodies.initial_gap - moved).max() / film.central_film
+    return {
+        "max_von_mises": float(bodies.von_mises.max()),
+        "max_plastic_strain": float(bodies.equivalent_plastic_strain.max()),
+        "max_residual_stress": float(bodies.residual_von_mises.max()),
+        "imprint": float(np.ptp(moved)),
+        "gap_mismatch": float(mismatch),
+    }
 
 
 def _friction(film: FilmSolution) -> dict[str, float]:
@@ -153,11 +228,18 @@ def _attributes(
         "lubricant": stored(film.lubricant),
         "velocities": np.stack([one.velocities for one in films]).ravel(),
         "spin": film.spin,
+        "shear_thinning": int(film.shear_thinning),
+        "order": film.order,
+        "supply": film.supply,
         "dx": film.grid.dx,
         "dy": film.grid.dy,
         "periodic": film.grid.periodic,
         **completeness(stopped_by),
     }
+    if is_history(films):
+        pasts = [one.past for one in films if one.past is not None]
+        found["ways"] = np.stack([past.ways for past in pasts]).ravel()
+        found["start_peak"] = pasts[0].peak
     if film.boundary is not None:
         found["boundary_thickness"] = film.boundary.thickness
         found["boundary_friction"] = film.boundary.friction
@@ -188,7 +270,7 @@ def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
         )  # fmt: skip
         velocities = np.reshape(attributes["velocities"], (-1, 2, 2))
         oil, boundary = restored(str(attributes["lubricant"])), _boundary(attributes)
-        made = []
+        made: list[FilmSolution] = []
         for n in range(dataset.sizes["increment"]):
             one = dataset.isel(increment=n)
             layer = np.zeros(grid.surface_shape)
@@ -208,10 +290,31 @@ def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
             solution = FilmSolution(
                 grid=grid, lubricant=oil, velocities=velocities[n], approach=float(one["approach"]),
                 load=float(one["load"]), residual=residual, levels=(level,), boundary=boundary,
-                spin=float(attributes["spin"]), **fields,
+                spin=float(attributes["spin"]), heat=_heat(one, oil, grid),
+                shear_thinning=bool(attributes["shear_thinning"]), order=int(attributes["order"]),
+                supply=float(attributes["supply"]), **fields,
             )  # fmt: skip
+            if "time" in one:
+                solution = replace(solution, past=_past(dataset, n, made[-1] if n else solution))
             made.append(solution)
     return tuple(made)
+
+
+def _past(dataset: xr.Dataset, n: int, before: FilmSolution) -> FilmPast:
+    """Return the past of the film with an index, from the film at the preceding instant."""
+    attributes, time = dataset.attrs, float(dataset["time"][n])
+    ways = np.reshape(attributes["ways"], (-1, 2, 2))[n]
+    gap = dataset["smooth_gap"].values
+    return FilmPast(time, ways, before.content, gap, float(attributes["start_peak"]))
+
+
+def _heat(one: xr.Dataset, oil: Lubricant, grid: Grid) -> FilmHeat | None:
+    """Return the heat of one film; None without heat."""
+    if "film_rise" not in one:
+        return None
+    assert oil.heat is not None
+    fields = {attribute: one[name].values for name, attribute in _HEAT_FIELDS.items()}
+    return FilmHeat(constants=oil.heat, cell_area=grid.cell_area, **fields)
 
 
 def _boundary(attributes: dict[Any, Any]) -> Boundary | None:

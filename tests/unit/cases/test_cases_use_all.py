@@ -2,6 +2,7 @@
 """Each field of a case file changes the computation or is refused; none is ignored."""
 
 import copy
+import inspect
 import re
 from types import SimpleNamespace
 from typing import Literal, get_args, get_origin
@@ -28,7 +29,7 @@ from case_kinds import (
     SWIFT,
     WEAR,
 )
-from samcontact import wear
+from samcontact import Simulation, wear
 from samcontact.cases import (
     ALL_KINDS,
     AsperityCase,
@@ -38,7 +39,7 @@ from samcontact.cases import (
     asperities,
     dents,
     fatigue,
-    films,
+    film_studies,
     kind_of,
     shakedown,
     sliding,
@@ -105,8 +106,26 @@ UNSET = {
     "eccentricity": 3e-3, "max_lift": 5e-3, "event_angle": 2.2,
     "lift": [0.0, 1e-3, 2e-3, 1e-3, 0.0], "lift_angle": [-1.0, -0.5, 0.0, 0.5, 1.0],
     "eyring_stress": 5e6, "limiting_shear": 0.05, "supply": 1e-6, "boundary": {"thickness": 1e-9},
-    "rho": [870.0, 950.0, 1000.0], "pressure": 1e9,
+    "rho": [870.0, 950.0, 1000.0], "pressure": 1e9, "dz": 2e-5, "nz": 6,
 }  # fmt: skip
+
+
+def stated(value):
+    if isinstance(value, np.ndarray):
+        return value.tobytes()
+    if hasattr(value, "heights"):
+        return value.heights.tobytes(), value.first, value.periodic
+    if isinstance(value, Simulation):
+        return stated([repr(value), value.grid, value.initial_gap])
+    if callable(value):  # of a time, or of the coordinates of a surface
+        count = len(inspect.signature(value).parameters)
+        given = np.meshgrid(np.linspace(-2e-4, 1e-4, 24), np.arange(24), indexing="ij")
+        return stated(value(*given) if count == 2 else [value(t) for t in (0.0, 4e-5, 1e-4)])
+    if isinstance(value, (list, tuple)):
+        return [stated(item) for item in value]
+    if isinstance(value, dict):
+        return {name: stated(item) for name, item in value.items()}
+    return repr(value)
 
 
 @pytest.fixture
@@ -117,17 +136,6 @@ def computed(tmp_path, monkeypatch):
         np.save(tmp_path / f"{name}.npy", np.column_stack([y, radius - np.sqrt(radius**2 - y**2)]))
     np.save(tmp_path / "h.npy", np.random.default_rng(5).standard_normal((24, 20)))
     seen = {}
-
-    def stated(value):
-        if isinstance(value, np.ndarray):
-            return value.tobytes()
-        if hasattr(value, "heights"):
-            return value.heights.tobytes(), value.first, value.periodic
-        if isinstance(value, (list, tuple)):
-            return [stated(item) for item in value]
-        if isinstance(value, dict):
-            return {name: stated(item) for name, item in value.items()}
-        return repr(value)
 
     def record(*arguments, **named):
         seen["arguments"] = stated([list(arguments), named])
@@ -141,8 +149,11 @@ def computed(tmp_path, monkeypatch):
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(asperities, "collide", record)
     curve = SimpleNamespace(solutions=())
-    monkeypatch.setattr(films, "steady", record)
-    monkeypatch.setattr(films, "stribeck", lambda *given, **named: record(*given, **named) or curve)
+    monkeypatch.setattr(film_studies, "standing_on", lambda film, gap: gap)
+    monkeypatch.setattr(film_studies, "press_loads", lambda *a, **n: record(*a, **n) or ())
+    for name in ("stribeck", "transient"):
+        monkeypatch.setattr(film_studies, name, lambda *a, **n: record(*a, **n) or curve)
+    monkeypatch.setattr(film_studies, "steady", record)
     monkeypatch.setattr(sliding, "over_speed", record)
     monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
@@ -271,7 +282,8 @@ def test_every_field_of_every_section_is_tried():
         "kinematic yield_profile free_faces relaxation layers surface path body1 body2 contact "
         "adhesion capped_coulomb anisotropic mapped_coulomb falling_coulomb third_body "
         "thermal_coulomb heat asperities sliding output fatigue limit shakedown hardness exposure "
-        "life dents particles random inclusions random_inclusions cluster lubricant film boundary"
+        "life dents particles random inclusions random_inclusions cluster lubricant film boundary "
+        "transient"
     )
     given = (
         "law kind shape title description estimate_error directory column "

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checkpoints of films: a file for each step in time, or for each load."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._util.checks import FloatArray, file_path
+from .._util.frozen import read_only
+from ..files.ownership import require_marked
+from ..restart.file import DamagedCheckpointError, read, readable, require_same, write
+from ..restart.identity import Identity, require_identified
+from ..restart.lock import locked
+from ..restart.tree import Tree, array
+from .film_plasticity import FilmPlasticity
+from .film_solution import FilmLevel, FilmPast, FilmSolution
+
+_KIND = "film"
+_FIELDS = "gap", "fluid_pressure", "boundary_pressure", "film", "filling"
+_NUMBERS = "approach", "load", "residual"
+
+
+class Kept:
+    """Films of one run in a folder.
+
+    Parameters
+    ----------
+    folder : Path
+    run : Identity
+        Identity of the run; files of another run are refused.
+    """
+
+    def __init__(self, folder: Path, run: Identity) -> None:
+        require_identified(run)
+        self.folder, self.run = folder, run
+
+    def _file(self, index: int) -> Path:
+        return self.folder / f"film_{index + 1:05d}.h5"
+
+    def add(self, index: int, film: FilmSolution) -> None:
+        """Write the film of the step with this index."""
+        tree: Tree = {name: np.asarray(getattr(film, name)) for name in _FIELDS}
+        tree |= {name: getattr(film, name) for name in _NUMBERS}
+        tree["velocities"] = np.asarray(film.velocities)
+        tree["levels"] = np.array([[*one.cells, *one[1:]] for one in film.levels], dtype=float)
+        if film.past is not None:
+            tree["past"] = {n: _plain(getattr(film.past, n)) for n in _names(FilmPast)}
+        if film.plasticity is not None:
+            tree["plasticity"] = {
+                name: getattr(film.plasticity, name) for name in _names(FilmPlasticity)
+            }
+        write(self._file(index), _KIND, {"run": self.run, **tree})
+
+    def film(self, index: int, like: FilmSolution) -> FilmSolution | None:
+        """Film of the step with this index; None if it has not been written.
+
+        like: film of the same run, with what all its films share. A damaged file is ignored with a
+        warning. Raises CheckpointError if the file was written by another run.
+        """
+        file = self._file(index)
+        require_marked(file)
+        if not file.exists():
+            return None
+        try:
+            tree = read(file, _KIND)
+            require_same(file, self.run, tree)
+            with readable(file):
+                return _film(tree, like)
+        except DamagedCheckpointError as error:
+            warnings.warn(f"{error}: this film is solved again", stacklevel=4)
+            return None
+
+
+def _film(tree: Tree, like: FilmSolution) -> FilmSolution:
+    cells = like.grid.surface_shape
+    found: dict[str, Any] = {name: read_only(array(tree, name, cells)) for name in _FIELDS}
+    found |= {name: float(tree[name]) for name in _NUMBERS}
+    levels = [
+        FilmLevel((int(nx), int(ny)), int(newton), int(krylov), *others)
+        for nx, ny, newton, krylov, *others in array(tree, "levels", (None, 7)).tolist()
+    ]
+    return replace(
+        like, velocities=read_only(array(tree, "velocities", (2, 2))), levels=tuple(levels),
+        past=_past(tree, cells), plasticity=_plasticity(tree, cells), **found,
+    )  # fmt: skip
+
+
+def _past(tree: Tree, cells: tuple[int, int]) -> FilmPast | None:
+    if "past" not in tree:
+        return None
+    given = tree["past"]
+    content, gap = (read_only(array(given, name, cells)) for name in ("content", "gap"))
+    ways = read_only(array(given, "ways", (2, 2)))
+    return FilmPast(float(given["time"]), ways, content, gap, float(given["peak"]))
+
+
+def _plasticity(tree: Tree, cells: tuple[int, int]) -> FilmPlasticity | None:
+    if "plasticity" not in tree:
+        return None
+    given, volume = tree["plasticity"], (2, *cells, None)
+    shapes: dict[str, tuple[int | None, ...]] = {
+        "initial_gap": cells, "residual_displacement": (2, *cells), "z": (None,),
+    }  # fmt: skip
+    made = {
+        name: read_only(array(given, name, shapes.get(name, volume)))
+        for name in _names(FilmPlasticity)
+    }
+    return FilmPlasticity(**made)
+
+
+def _names(kind: type[Any]) -> list[str]:
+    return [item.name for item in fields(kind)]
+
+
+def _plain(value: FloatArray | float) -> Any:
+    return np.asarray(value) if isinstance(value, np.ndarray) else value
+
+
+@contextmanager
+def kept_in(folder: str | os.PathLike[str] | None, run: Identity) -> Iterator[Kept | None]:
+    """Context manager: lock a folder and provide the kept films; None if no folder."""
+    if folder is None:
+        yield None
+        return
+    place = file_path("checkpoint", folder)
+    with locked(place):
+        yield Kept(place, run)
