@@ -80,7 +80,7 @@ def contact_figures(
 
 def _increment_text(results: ContactResults, number: int) -> str:
     load = float(results.dataset["load"].sel(increment=number))
-    return f"increment {number}, {load:.6g} N"
+    return f"increment {number}, {quantity(load, 'N', digits=6)}"
 
 
 Made = tuple[str, str, Figure]
@@ -197,7 +197,7 @@ def _section(results: ContactResults, quantity: str, number: int) -> Made:
 def _adhesion(results: ContactResults) -> Iterator[Made]:
     captions = {
         "cohesive_zone": "Pressure, repulsion and attraction along x at the largest tension",
-        "pull_off": "Largest tension over the Tabor number, with the curve of Maugis",
+        "pull_off": "Largest tension versus Tabor number, with the curve of Maugis",
     }
     for name, figure in adhesion_figures(results.dataset).items():
         largest = -float(results.dataset["load"].min())
