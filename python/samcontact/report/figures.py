@@ -55,6 +55,8 @@ class ReportFigure(NamedTuple):
     caption: str
     description: str
     source: str
+    wide: bool = False
+    """Whether the figure takes a whole row, because its panels are side by side."""
 
 
 def contact_figures(
@@ -91,7 +93,8 @@ def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
     buffer = io.BytesIO()
     draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
-    return ReportFigure(caption, description, f"data:image/png;base64,{text}")
+    wide = bool(figure.get_size_inches()[0] > 6.5)
+    return ReportFigure(caption, description, f"data:image/png;base64,{text}", wide)
 
 
 def _contact(results: ContactResults) -> Iterator[Made]:
