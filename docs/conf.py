@@ -157,6 +157,35 @@ def _wide_pictures(app, doctree, docname):
                     node["classes"].append("wide")
 
 
+_LABEL = re.compile(r"""(?:set_[xy]label\(|set_title\(|[xy]label=|title=)\s*f?(["'])(.+?)\1""")
+
+
+def _figures_are_described(app, doctree):
+    """Describe each figure of a notebook by its section and by the labels in the code."""
+    for node in doctree.findall(nodes.image):
+        cell = section = node
+        while cell is not None and "cell" not in cell.get("classes", ()):
+            cell = cell.parent
+        if cell is None or node.get("alt"):
+            continue
+        while not isinstance(section, nodes.section):
+            section = section.parent
+        labels = dict.fromkeys(found[2] for found in _LABEL.finditer(cell[0].astext()))
+        node["alt"] = ": ".join(filter(None, [section[0].astext(), ", ".join(labels)]))
+
+
+def _whole_numbers(app, doctree):
+    """Keep numbers such as 1.2e-05 in tables on one line."""
+    for entry in doctree.findall(nodes.entry):
+        for text in list(entry.findall(nodes.Text)):
+            parts = re.split(r"(\d[\d.]*e-\d+)", text)
+            if len(parts) > 1 and not isinstance(text.parent, nodes.literal):
+                pieces = [nodes.Text(part) for part in parts]
+                for index in range(1, len(parts), 2):
+                    pieces[index] = nodes.inline(parts[index], parts[index], classes=["number"])
+                text.parent.replace(text, [piece for piece in pieces if piece.astext()])
+
+
 def _words_are_no_links(app, doctree):
     """Remove the links of plain words in types like "array_like, shape (n,)"."""
     for node in list(doctree.findall(pending_xref)):
@@ -171,6 +200,8 @@ def setup(app):
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)
     app.connect("doctree-read", _no_bases)
+    app.connect("doctree-read", _figures_are_described)
+    app.connect("doctree-read", _whole_numbers)
     app.connect("doctree-read", _words_are_no_links)
     app.connect("autodoc-process-signature", _no_fields_of_cases)
     app.connect("autodoc-process-bases", _bases)

@@ -53,5 +53,7 @@ class Check:
     @property
     def condition(self) -> str:
         """Limit with its relation sign, e.g. "≤ 1e-06"."""
+        if self.at_least and 0.0 < self.limit < 1e-300:  # any positive value
+            return f"> 0 {self.unit}".strip()
         sign = "≥" if self.at_least else "≤"
         return f"{sign} {self.limit:.3g} {self.unit}".strip()

@@ -17,7 +17,7 @@ from .._util.checks import MAX_COUNT
 # Units as written for readers, by their spelling in the annotations.
 _UNIT_SPELLINGS = {
     "m**2/s": "m²/s", "W/(m*K)": "W/(m K)", "N*m": "N m", "Pa*s": "Pa s",
-    "kg/m**3": "kg/m³", "1/m**2": "1/m²",
+    "kg/m**3": "kg/m³", "1/m**2": "1/m²", "J/m^2": "J/m²",
 }  # fmt: skip
 _CONSTRAINTS = ("gt", "ge", "lt", "le", "min_length", "max_length", "allow_inf_nan")
 _TYPE_NAMES = {bool: "true or false", str: "text"}

@@ -278,7 +278,7 @@ def regime_chart(
     ax.set_yscale("log")
     ax.set_xlabel("load M [-]")
     ax.set_ylabel("lubricant L [-]")
-    ax.set_title(f"{here}, a_y/a_x = {found.k:.3g}", fontsize="medium")
+    ax.set_title(f"{here}, $a_y/a_x$ = {found.k:.3g}", fontsize="medium")
     return finish(ax)
 
 

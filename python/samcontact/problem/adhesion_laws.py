@@ -263,7 +263,7 @@ class ResolvedAdhesion(HtmlTable):
 
     @property
     def range(self) -> float:
-        """Range of the attraction [m]: its peak divided by its steepest decrease."""
+        """Range of the attraction [m], i.e. its peak divided by its steepest decrease."""
         return self.law.peak / self.law.steepest_fall
 
     @property

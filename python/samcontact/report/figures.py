@@ -55,6 +55,8 @@ class ReportFigure(NamedTuple):
     caption: str
     description: str
     source: str
+    wide: bool = False
+    """Whether the figure takes a whole row, because its panels are side by side."""
 
 
 def contact_figures(
@@ -80,7 +82,7 @@ def contact_figures(
 
 def _increment_text(results: ContactResults, number: int) -> str:
     load = float(results.dataset["load"].sel(increment=number))
-    return f"increment {number}, {load:.6g} N"
+    return f"increment {number}, {quantity(load, 'N', digits=6)}"
 
 
 Made = tuple[str, str, Figure]
@@ -91,7 +93,8 @@ def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
     buffer = io.BytesIO()
     draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
-    return ReportFigure(caption, description, f"data:image/png;base64,{text}")
+    wide = bool(figure.get_size_inches()[0] > 6.5)
+    return ReportFigure(caption, description, f"data:image/png;base64,{text}", wide)
 
 
 def _contact(results: ContactResults) -> Iterator[Made]:
@@ -197,7 +200,7 @@ def _section(results: ContactResults, quantity: str, number: int) -> Made:
 def _adhesion(results: ContactResults) -> Iterator[Made]:
     captions = {
         "cohesive_zone": "Pressure, repulsion and attraction along x at the largest tension",
-        "pull_off": "Largest tension over the Tabor number, with the curve of Maugis",
+        "pull_off": "Largest tension versus Tabor number, with the curve of Maugis",
     }
     for name, figure in adhesion_figures(results.dataset).items():
         largest = -float(results.dataset["load"].min())

@@ -62,7 +62,7 @@ def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
     peak = int(np.argmax(friction))
     text = "Friction coefficient and contact area versus the velocity. The largest coefficient is "
     text += f"{friction[peak]:.4g}, at {speed[peak]:.4g} m/s."
-    yield embedded("Friction over velocity", text, made["friction_over_velocity"])
+    yield embedded("Friction versus velocity", text, made["friction_over_velocity"])
     if "pressure_over_velocity" in made:
         text = "Pressure at the lowest velocity, at the largest friction and at the highest "
         text += "velocity. Body 1 slides towards +x if the velocity is positive."

@@ -31,7 +31,7 @@ class SlidingSolution(ContactSolution):
 
     @property
     def friction(self) -> float:
-        """Hysteretic friction coefficient [-]: force opposite to the velocity/load."""
+        """Hysteretic friction coefficient [-]; positive if the force opposes the velocity."""
         along = float(np.sign(self.velocity) * self.tangential_load[0]) + 0.0  # -0.0 becomes 0.0
         return along / self.load if self.load > 0 else 0.0
 
