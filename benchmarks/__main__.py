@@ -30,6 +30,7 @@ PARTS = (
     "nano_indentation",
     "heat",
     "rolling",
+    "inclusions",
     "fatigue",
     "scaling",
     "counts",

@@ -6,9 +6,9 @@
 namespace samcontact::plasticity {
 namespace {
 
-/// p of stiffer cells relative to that of a sphere, with which the iteration was found to take the
-/// fewest steps.
-constexpr double part_of_stiff = 0.6;
+/// Ratio of moduli above which cells are stiff, and their p relative to that of a sphere, with
+/// which the iteration was found to take the fewest steps.
+constexpr double stiff_ratio = 5.0, part_of_stiff = 0.6;
 
 double mean_of(const Tensor& t) { return (t[0] + t[1] + t[2]) / 3; }
 
@@ -47,7 +47,7 @@ MixedLaw::MixedLaw(const Material& matrix, bool strong) : matrix_(matrix), stron
 }
 
 MixedLaw::Kept MixedLaw::kept(const Kept& sphere, double ratio) const {
-  if (ratio == 1 || (ratio < 1 && !strong_)) return sphere;
+  if (ratio == 1 || (ratio <= stiff_ratio && !strong_)) return sphere;
   const double p = ratio < 1 ? 1.0 : part_of_stiff * sphere.part;
   return {p, p / sphere.part * sphere.stiffness};
 }

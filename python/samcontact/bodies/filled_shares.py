@@ -37,28 +37,50 @@ def circle_and_polygon(corners: FloatArray, radius: FloatArray) -> FloatArray:
         Area: sum over the edges of the signed areas common to the circle and the triangle of the
         edge and the origin.
     """
-    p, q = corners, np.roll(corners, -1, axis=-2)
-    along = q - p
-    a = np.maximum((along**2).sum(-1), np.finfo(float).tiny)
-    b = (p * along).sum(-1)
+    p = corners[..., 0], corners[..., 1]
+    q = _next(p[0]), _next(p[1])
+    along = q[0] - p[0], q[1] - p[1]
+    a = np.maximum(_dot(along, along), np.finfo(float).tiny)
+    b = _dot(p, along)
     r2 = np.broadcast_to(radius[..., None] ** 2, a.shape)
-    root = b * b - a * ((p * p).sum(-1) - r2)
+    root = b * b - a * (_dot(p, p) - r2)
     reach = np.sqrt(np.maximum(root, 0.0))
     start, end = (np.clip(t, 0.0, 1.0) for t in ((-b - reach) / a, (-b + reach) / a))
     inside = (root > 0.0) & (end > start)
-    start, end = np.where(inside, start, 0.0), np.where(inside, end, 0.0)
-    first, last = p + start[..., None] * along, p + end[..., None] * along
-    straight = np.where(inside, _cross(first, last) / 2, 0.0)
-    sector = np.where(inside, _angle(p, first) + _angle(last, q), _angle(p, q))
-    return np.asarray((straight + r2 / 2 * sector).sum(-1))
+    area = np.zeros(a.shape)
+    area[~inside] = _angle(*(_at(ends, ~inside) for ends in (p, q)))
+    start, end = start[inside], end[inside]
+    p, q, along = (_at(ends, inside) for ends in (p, q, along))
+    first = p[0] + start * along[0], p[1] + start * along[1]
+    last = p[0] + end * along[0], p[1] + end * along[1]
+    area[inside] = _angle(p, first) + _angle(last, q)
+    area *= r2 / 2
+    area[inside] += _cross(first, last) / 2
+    return np.asarray(area.sum(-1))
 
 
-def _cross(p: FloatArray, q: FloatArray) -> FloatArray:
-    return np.asarray(p[..., 0] * q[..., 1] - p[..., 1] * q[..., 0])
+Point = tuple[FloatArray, FloatArray]
+"""Coordinates x and y of points."""
 
 
-def _angle(p: FloatArray, q: FloatArray) -> FloatArray:
-    return np.asarray(np.arctan2(_cross(p, q), (p * q).sum(-1)))
+def _next(x: FloatArray) -> FloatArray:
+    return np.roll(x, -1, axis=-1)
+
+
+def _at(points: Point, where: BoolArray) -> Point:
+    return points[0][where], points[1][where]
+
+
+def _dot(p: Point, q: Point) -> FloatArray:
+    return np.asarray(p[0] * q[0] + p[1] * q[1])
+
+
+def _cross(p: Point, q: Point) -> FloatArray:
+    return np.asarray(p[0] * q[1] - p[1] * q[0])
+
+
+def _angle(p: Point, q: Point) -> FloatArray:
+    return np.asarray(np.arctan2(_cross(p, q), _dot(p, q)))
 
 
 def shares(

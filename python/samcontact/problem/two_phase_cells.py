@@ -31,19 +31,23 @@ def set_two_phases(
         return
     misfits = [inclusion.misfit for inclusion in body.inclusions]
     misfits += [(0.0,) * 6] * (len(body.phases) - len(misfits))
-    normal: FloatArray | None = None
-    for number in np.unique(cells.phase[cells.is_cut]):
-        phase = relative_phase(body.matrix, body.phases[number], misfits[number])
-        ratios = phase.bulk, phase.shear
-        if min(ratios) < 1 / _MAX_MODULUS_RATIO or max(ratios) > _MAX_MODULUS_RATIO:
-            continue
-        normal = normals(cells, grid) if normal is None else normal
-        own: BoolArray = cells.is_cut & (cells.phase == number) & normal.any(axis=0)
-        for field, value in zip(fields, (*ratios, None, *phase.misfit), strict=False):
-            if value is not None:
-                field[own] = value
-        for field, component in zip(fields[-3:], normal, strict=True):
-            field[own] = component[own]
+    cut = np.nonzero(cells.is_cut)
+    numbers, of_cell = np.unique(cells.phase[cut], return_inverse=True)
+    phases = [relative_phase(body.matrix, body.phases[n], misfits[n]) for n in numbers]
+    constants = np.array([(*phase[:2], *phase.misfit) for phase in phases]).reshape(-1, 8)
+    ratios = constants[:, :2]
+    moderate: BoolArray = (ratios.min(axis=1) >= 1 / _MAX_MODULUS_RATIO) & (
+        ratios.max(axis=1) <= _MAX_MODULUS_RATIO
+    )
+    if not moderate.any():
+        return
+    normal = normals(cells, grid)
+    own = moderate[of_cell] & normal[(slice(None), *cut)].any(axis=0)
+    places = tuple(index[own] for index in cut)
+    for field, value in zip((*fields[:2], *fields[3:9]), constants[of_cell[own]].T, strict=True):
+        field[places] = value
+    for field, component in zip(fields[-3:], normal, strict=True):
+        field[places] = component[places]
 
 
 def normals(cells: InclusionCells, grid: Grid) -> FloatArray:

@@ -66,7 +66,8 @@ class IncrementErrors(HtmlTable):
         Errors of "pressure", "shear" and "equivalent_plastic_strain_bodyN": maximum over all cells
         and increments, relative to the maximum value of the run. The error of plastic strain is
         relative to the maximum value or the yield strain, whichever is larger, and is determined
-        only at the increment of maximum load and the last increment.
+        only at the increment of maximum load and the last increment. It omits cells that an
+        inclusion fills partly.
     values : dict of float
         Errors of the quantities with error control, by their names in results files. The errors at
         the increment of maximum load and at the last increment are compared; the larger error is
@@ -280,14 +281,22 @@ def _field_differences(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> di
         found[name] = _difference(both, 0.0)
     for number, body in enumerate(setup.bodies, 1):
         if marks[-1][0].max_equivalent_plastic_strain(number) > 0:
-            both = [
-                (one.equivalent_plastic_strain(number), other.equivalent_plastic_strain(number))
-                for one, other in marks
-            ]
+            both = [(_plastic_strain(one, number), _plastic_strain(other, number)) for one, other in
+                    marks]  # fmt: skip
             strains = [m.min_yield_stress / m.E for m in materials_of(body) if m.is_plastic]
             name = f"equivalent_plastic_strain_body{number}"
             found[name] = _difference(both, min(strains, default=0.0))
     return {name: share for name, share in found.items() if math.isfinite(share)}
+
+
+def _plastic_strain(state: State, body: int) -> FloatArray:
+    """Return the equivalent plastic strain of cells of one material; 0 in partly filled cells.
+
+    The matrix in a cell that a void nearly fills carries hardly any load, and its strain is not
+    accurate.
+    """
+    share, strain = state.share(body), state.equivalent_plastic_strain(body)
+    return np.where((share > 0.0) & (share < 1.0), 0.0, strain)
 
 
 def _difference(both: Sequence[tuple[FloatArray, ...]], floor: float) -> float:

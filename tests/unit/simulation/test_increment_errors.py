@@ -2,6 +2,7 @@
 """Errors due to increments are estimated, listed in tables and cause warnings."""
 
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -123,6 +124,29 @@ def test_errors_of_an_unknown_history_are_not_estimated():
     sim.set_plastic_strain(2, np.zeros((6, *sim.grid.surface_shape, 2)))
     assert warned(lambda: sim.step(load=2000.0)) == []
     assert sim.engine.history.steps is None
+
+
+def test_strain_of_cells_that_a_void_fills_partly_is_omitted():
+    """The matrix in such a cell carries little load, and its strain depends on the increments."""
+    share = np.zeros((3, 3, 2))
+    share[0, 0, 0], share[1, 1, 1] = 0.9, 1.0
+
+    def state(**strain):
+        found = np.full(share.shape, 0.01)
+        found[0, 0, 0] = strain.get("cut", 0.05)
+        found[2, 2, 0] = strain.get("matrix", 0.02)
+        return SimpleNamespace(
+            pressure=np.ones((3, 3)),
+            share=lambda body: share * (body == 2),
+            equivalent_plastic_strain=lambda body: found,
+            max_equivalent_plastic_strain=lambda body: 0.05 * (body == 2),
+        )
+
+    setup = ball(RIGID, PERFECT, 50.0).engine.setup
+    for other, error in ((state(cut=0.03), 0.0), (state(matrix=0.019), 0.05)):
+        pairs = [(state(), other)]
+        found = increment_errors._field_differences(setup, pairs, pairs)
+        assert found["equivalent_plastic_strain_body2"] == pytest.approx(error)
 
 
 class State:

@@ -71,9 +71,9 @@ class MixedLaw {
   struct Kept {
     double part, stiffness;
   };
-  /// p for a ratio of moduli: that of a sphere, a part of it in stiffer cells, and 1 in softer
-  /// cells if moduli differ by a large factor. With these values the iteration was found to take
-  /// the fewest steps.
+  /// p for a ratio of moduli: that of a sphere, a part of it in much stiffer cells, and 1 in
+  /// softer cells if moduli differ by a large factor. With these values the iteration was found to
+  /// take the fewest steps.
   Kept kept(const Kept& sphere, double ratio) const;
 
   const Material& matrix_;
