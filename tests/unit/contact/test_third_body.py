@@ -156,7 +156,7 @@ def test_a_force_above_the_first_strength_is_carried_by_hardening():
     _, shifts, printed = PRINTED["clay"]
     solver = sc.ContactSolver(CELL, STEEL, STEEL, CLAY, on_border="warn")
     last = None
-    for shift, force in zip(shifts[:5], printed[:5], strict=True):
+    for shift in shifts[:5]:
         last = solver.solve(np.zeros((1, 1)), load=900.0, shift=(1e-6 * shift, 0.0), previous=last)
     held = solver.solve(np.zeros((1, 1)), load=900.0, tangential_load=(printed[4], 0.0))
     assert held.tangential_load[0] == pytest.approx(printed[4], rel=1e-6)
