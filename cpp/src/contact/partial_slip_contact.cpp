@@ -10,6 +10,7 @@
 #include "samcontact/contact/adhesive_slip.hpp"
 #include "samcontact/contact/layer_hardening.hpp"
 #include "samcontact/contact/normal/first_contact.hpp"
+#include "samcontact/contact/pulled_layer.hpp"
 #include "samcontact/contact/slip_rate.hpp"
 #include "samcontact/contact/sweeps.hpp"
 #include "samcontact/contact/tangential/held_forces.hpp"
@@ -161,6 +162,18 @@ PartialSlipSolution PartialSlipContact::solve(const Field& gap, const Drive& dri
                                               const PartialSlipStart& start,
                                               const ContactSettings& settings,
                                               const FrictionConditions& conditions) const {
+  const auto driven = [&](const TangentialDrive& by, const PartialSlipStart& from) {
+    return solve_driven(gap, drive, by, before, from, settings, conditions);
+  };
+  return solve_pulled(friction_, grid_, tangential, driven, start, settings.tol);
+}
+
+PartialSlipSolution PartialSlipContact::solve_driven(const Field& gap, const Drive& drive,
+                                                     const TangentialDrive& tangential,
+                                                     const ContactHistory& before,
+                                                     const PartialSlipStart& start,
+                                                     const ContactSettings& settings,
+                                                     const FrictionConditions& conditions) const {
   require_contact(gap, drive, before);
   if (!start.pressure.empty()) require_surface(start.pressure, grid_, "initial_pressure");
   if (adhesive_) {

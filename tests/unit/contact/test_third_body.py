@@ -150,6 +150,44 @@ def test_steady_rolling_hardens_along_the_path():
     assert steady.tangential_load[0] > 1.02 * soft.tangential_load[0]
 
 
+@quiet
+def test_a_force_above_the_first_strength_is_carried_by_hardening():
+    """CONTACT's clay yields at 200 N: the forces that it prints for shifts cause these shifts."""
+    _, shifts, printed = PRINTED["clay"]
+    solver = sc.ContactSolver(CELL, STEEL, STEEL, CLAY, on_border="warn")
+    last = None
+    for shift in shifts[:5]:
+        last = solver.solve(np.zeros((1, 1)), load=900.0, shift=(1e-6 * shift, 0.0), previous=last)
+    held = solver.solve(np.zeros((1, 1)), load=900.0, tangential_load=(printed[4], 0.0))
+    assert held.tangential_load[0] == pytest.approx(printed[4], rel=1e-6)
+    whole = 1e-6 * sum(shifts[:5])
+    assert held.shift[0] == pytest.approx(whole, rel=5e-4)  # four digits of the force
+    assert held.plastic_slip[0, 0] == pytest.approx(last.plastic_slip[0, 0], rel=5e-4)
+    with pytest.raises(ValueError, match="must be"):
+        solver.solve(np.zeros((1, 1)), load=900.0, tangential_load=(0.7 * 900.0, 0.0))
+
+
+@pytest.mark.parametrize("body1", [STEEL, BRASS], ids=["identical", "dissimilar"])
+def test_forces_and_motions_above_the_first_strength_are_inverse(body1):
+    law = sc.ThirdBody(0.4, 1e8, 1e9, 1e-6, 2e13)
+    given = {"load": 300.0}
+    solver = sc.ContactSolver(SPOT, body1, STEEL, law, tol=1e-9)
+    start = solver.solve(BALL, **given)
+    moved = solver.solve(BALL, shift=(6e-6, 2e-6), previous=start, **given)
+    force = moved.tangential_load
+    strength = law.strength * moved.contact_area
+    assert np.hypot(*force) > 1.1 * strength
+    pulled = solver.solve(BALL, tangential_load=tuple(force), previous=start, **given)
+    np.testing.assert_allclose(pulled.tangential_load, force, rtol=1e-6)
+    np.testing.assert_allclose(pulled.shift, (6e-6, 2e-6), rtol=1e-5)
+    scale = moved.plastic_slip.max()
+    np.testing.assert_allclose(pulled.plastic_slip, moved.plastic_slip, atol=1e-4 * scale)
+    run = sc.Simulation(SPOT, body1, STEEL, BALL, law, tol=1e-9)
+    run.step(**given)
+    state = run.step(tangential_load=(float(force[0]), float(force[1])), **given)
+    np.testing.assert_allclose(state.shift, (6e-6, 2e-6), rtol=1e-5)
+
+
 def test_a_layer_that_softens_too_fast_is_refused():
     with pytest.raises(ValueError, match=r"hardening of the layer must be more than -.* Pa/m"):
         flowing(sc.ThirdBody(0.4, 2e8, 1e8, 1e-6, -1.2e14))

@@ -111,6 +111,11 @@ class PartialSlipContact {
  private:
   class Sweeps;
   class AdhesiveSlip;  // in adhesive_slip.cpp
+  /// Solves for forces below the strength of a layer that hardens before the increment.
+  PartialSlipSolution solve_driven(const Field& gap, const Drive& drive,
+                                   const TangentialDrive& tangential, const ContactHistory& before,
+                                   const PartialSlipStart& start, const ContactSettings& settings,
+                                   const FrictionConditions& conditions) const;
   PartialSlipSolution with_conditions(const SolveUnder& solve, Field pressure,
                                       const PartialSlipStart& start,
                                       const FrictionConditions& given,
