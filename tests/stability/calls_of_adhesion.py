@@ -46,7 +46,9 @@ CALLS = [
     ("Adhesion.tabulated", sc.Adhesion.tabulated, TABLE),
     ("Adhesion.on", LAW.on, {"grid": GRID, "body1": TIP, "body2": SOFT}),
     ("Adhesion.resolved", LAW.resolved, {"grid": GRID, "body1": TIP, "body2": SOFT}),
-    ("Adhesion.require_possible", LAW.require_possible, {"heat": sc.Heat(), "given": {}}),
+    ("Adhesion.require_possible", LAW.require_possible,
+     {"heat": sc.Heat(), "given": {}, "sticks": False}),
+    ("Adhesion.may_move", LAW.may_move, {"sticks": False}),
     ("Adhesion.to_core", sc.Adhesion.exponential(0.1, 1e-9).to_core, {}),
     ("Adhesion.to_tree", LAW.to_tree, {}),
     *(

@@ -40,7 +40,12 @@ CALLS = [
         )
         for call, function, arguments in (
             ("", type(law), asdict(law)),
-            (".require_possible", law.require_possible, {"heat": sc.Heat(), "given": {}}),
+            (
+                ".require_possible",
+                law.require_possible,
+                {"heat": sc.Heat(), "given": {}, "sticks": False},
+            ),
+            (".may_move", law.may_move, {"sticks": False}),
             (".to_core", law.to_core, {}),
             (".to_tree", law.to_tree, {}),
         )

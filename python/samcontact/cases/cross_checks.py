@@ -250,6 +250,17 @@ def _require_fixed_path(case: Any, section: str, reason: str) -> None:
             )
 
 
+def _require_no_passes(case: Any) -> None:
+    """Raise ValueError for passes of adhering bodies, which do not separate at zero load."""
+    for index, segment in enumerate(case.path):
+        if segment.passes is not None:
+            kind = "roll" if segment.roll is not None else "slide"
+            raise ValueError(
+                f"path[{index}]: {kind} cannot be combined with contact.adhesion, because adhering "
+                "bodies do not separate at zero load: use advance"
+            )
+
+
 def _require_law_of_contact(case: Any) -> None:
     """Raise ValueError for tension without adhesion, and for fields not allowed with adhesion."""
     law = contact_law_of(case.contact)
@@ -263,11 +274,13 @@ def _require_law_of_contact(case: Any) -> None:
         if case.wear is not None:
             raise ValueError(f'contact.adhesion must be "hard" with [wear], got {law!r}')
         law.require_possible(NO_HEAT if case.heat is None else case.heat.build(), {})
-        if case.moves:
+        if case.moves and not law.may_move(case.sticks):
             raise ValueError(
-                f"path: bodies must not move with contact.adhesion = {law!r}: remove "
-                'the motion, or use adhesion = "hard"'
+                f"path: bodies must not move with contact.adhesion = {law!r}"
+                f"{' and partial slip' if case.sticks else ''}: remove the motion, or use "
+                'adhesion = "hard"'
             )
+        _require_no_passes(case)
         return
     for index, segment in enumerate(case.path):
         if segment.load is not None and segment.load < 0:

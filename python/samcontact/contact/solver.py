@@ -269,7 +269,7 @@ class ContactSolver(ContactFields):
         ConvergenceWarning
             With on_stall="warn", instead of a ConvergenceError: `converged` is False.
         """
-        self.adhesion.require_possible(self.heat, {"advance": advance})
+        self.adhesion.require_possible(self.heat, {"advance": advance}, sticks=self._law.sticks)
         drive = tangential_drive(
             self._law, shift, tangential_load, twist, torque, previous, advance, self.grid
         )

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from .._util.cached_property import cached_property
-from .._util.checks import non_negative, require_type
+from .._util.checks import boolean, non_negative, require_type
 from .._util.display import HtmlTable
 from .._util.short_text import in_short
 from ..heat import Heat
@@ -33,7 +33,7 @@ class ContactLaw(HtmlTable):
     The pressure is p = r - a(g). The repulsion r is >= 0 in closed cells and 0 elsewhere; a(g) >= 0
     is the attraction across the gap g. With an attractive law, friction depends on the repulsion
     only and the grid is not enlarged. A simulation starts with separated bodies under the maximum
-    tension. `advance`, a prescribed pressure and heat are not supported.
+    tension. A prescribed pressure, heat, and `advance` under partial slip are not supported.
     """
 
     kind: ClassVar[str]
@@ -52,6 +52,13 @@ class ContactLaw(HtmlTable):
         """Return the kind of the law and the parameters, as a dictionary."""
         return {"kind": self.kind, **asdict(self)}
 
+    def may_move(self, sticks: bool) -> bool:
+        """Whether bodies may move through the grid; sticks: whether friction allows partial slip.
+
+        Between adhering bodies, only in full sliding.
+        """
+        return (not boolean("sticks", sticks) and self.varies) or not self.attracts
+
     @property
     def varies(self) -> bool:
         """Whether the attraction depends on the gap: there may be several solutions."""
@@ -66,7 +73,9 @@ class ContactLaw(HtmlTable):
         """Return the law as it is solved on a grid between two bodies."""
         return self
 
-    def require_possible(self, heat: Heat, given: Mapping[str, Any]) -> None:
+    def require_possible(
+        self, heat: Heat, given: Mapping[str, Any], *, sticks: bool = False
+    ) -> None:
         """Raise ValueError for arguments that an attractive law does not support.
 
         Parameters
@@ -75,12 +84,15 @@ class ContactLaw(HtmlTable):
             Frictional heat.
         given : mapping
             Arguments of `Simulation.step` or `ContactSolver.solve`.
+        sticks : bool, optional
+            Whether friction allows partial slip.
 
         Raises
         ------
         ValueError, TypeError
             The law does not support an argument, or an argument has the wrong type.
         """
+        boolean("sticks", sticks)
         if not self.attracts:
             return
         require_type("heat", heat, Heat)
@@ -95,10 +107,11 @@ class ContactLaw(HtmlTable):
                 "pressure there is no contact to solve"
             )
         travels: Sequence[float] = given.get("advance", (0.0, 0.0))
-        if np.any(travels):
+        if np.any(travels) and not self.may_move(sticks):
+            slip = " and partial slip" if sticks else ""
             raise ValueError(
-                f"advance must be (0, 0) with adhesion = {self!r}, got {tuple(travels)!r}: "
-                "motion through the grid is not supported with attraction"
+                f"advance must be (0, 0) with adhesion = {self!r}{slip}, got {tuple(travels)!r}: "
+                "motion through the grid is supported with laws of Adhesion in full sliding only"
             )
 
 

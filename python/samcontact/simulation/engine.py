@@ -134,7 +134,9 @@ class Engine:
             while True:
                 step = self._arguments.checked(self.heat, **given, held_tilt=self.core.tilt)
                 target = step.target
-                self.setup.adhesion.require_possible(step.heat, given)
+                self.setup.adhesion.require_possible(
+                    step.heat, given, sticks=self.setup.friction.sticks
+                )
                 if monitor.checks_steps:
                     monitor.warn_of_units(self.estimate, step.heat, target, stacklevel=4)
                 if target and not any(step.heat.shares):

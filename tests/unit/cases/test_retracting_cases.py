@@ -80,6 +80,15 @@ def test_retractions_are_checked(segments, law, message):
         case(*segments, law=law)
 
 
+def test_adhering_bodies_do_not_return_unloaded():
+    """Passes end at zero load, at which adhering bodies remain in contact."""
+    rolled = '[[path]]\nload = "20 nN"\nroll = {distance = "36 nm", step = "9 nm"}\n'
+    with pytest.raises(CaseError, match=r"roll cannot be combined with contact\.adhesion"):
+        case(rolled)
+    moved = '[[path]]\nload = "20 nN"\nincrements = 2\nadvance = ["18 nm", "18 nm"]\n'
+    assert case(TOUCH, moved).moves
+
+
 def test_a_retraction_has_no_fixed_number_of_increments():
     plain = TOUCH.replace("increments = 1\n", "")
     with pytest.raises(CaseError, match=r"pull_off cannot be combined with accuracy"):
