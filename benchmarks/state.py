@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import click
 
-from . import busy, scaling, small_contacts, study, tables, threads, viscous
+from . import busy, contact_examples, scaling, small_contacts, study, tables, threads, viscous
 from .adhesion_peers.page import STUDY as ADHESION
 from .peers import page as peers
 from .roofline import page as roofline
@@ -60,6 +60,9 @@ def accuracy() -> Iterator[Worst]:
             off = abs(row["ours"] - row["reference"]) / scale_of / row["allowed"]
             share[f"{row['table']}, {row['quantity']}"] = off
     yield at_most("validation", "deviation / allowed deviation", share, 1.0)
+    printed = contact_examples.differences(contact_examples.STUDY.records())
+    yield at_most("contact_examples", "difference from CONTACT [units of the last printed digit]",
+                  printed)  # fmt: skip
     stated = study.find("accuracy").records()
     beyond = {
         f"{row['of']}, {name}, to {100 * row['accuracy']:g} %": true / row["stated"][name]

@@ -183,6 +183,25 @@ def computed(folder):
     return digest(*(f for one in films for f in (one.film, one.pressure, one.gap)), *stresses,
                   sim.state.plastic_strain())
 """,
+    "roller": """
+def computed(folder):
+    grid = sc.Grid(12, 24, 20e-6, 50e-6, dz=20e-6)
+    gap = sc.surfaces.roller(grid, 5e-3, 0.9e-3, "lundberg", design_load=500.0,
+                             E_star=115e9, tilt=2e-4)
+    ended = hard.with_free_faces(low=-0.45e-3, high=0.45e-3)
+    path = [{"load": q, "moment": (1e-5 * q, None)} for q in (200.0, 500.0, 0.0)]
+    sim = sc.Simulation(grid, steel, ended, gap, on_border="warn")
+    return followed(sim, path, folder)
+""",
+    "coated": """
+def computed(folder):
+    grid, gap = ball(12)
+    soft, stiff = (sc.Material.elastic(E, 0.35).with_relaxation([0.1], [0.5]) for E in (3e9, 9e9))
+    body = sc.Layered([(soft, 60e-6)], stiff)
+    path = [{"load": w, "duration": 0.1} for w in (50.0, 100.0, 20.0)]
+    sim = sc.Simulation(grid, elastic, body, gap, MU, on_border="warn")
+    return followed(sim, path, folder, True)
+""",
     "found load": """
 def computed(folder):
     def problem(load):
@@ -197,7 +216,7 @@ def computed(folder):
 ANY = (
     BEGIN
     + f"""
-import pathlib, resource, signal
+import itertools, locale, os, pathlib, resource, signal, time
 import h5py, scipy.ndimage, scipy.optimize, scipy.special, samcontact.cases  # once for all
 from unittest import mock
 from samcontact._util import memory as _memory
@@ -213,6 +232,12 @@ def computed(argument):
     word, _, amount = way.partition(" ")
     if word == "disk":
         resource.setrlimit(resource.RLIMIT_FSIZE, (int(amount), resource.RLIM_INFINITY))
+    if word == "clock":
+        time.time = itertools.count(float(amount), -3600.0).__next__
+    if word == "locale":
+        os.environ["LOCPATH"] = amount
+        locale.setlocale(locale.LC_ALL, "de_DE.UTF-8")
+        assert locale.localeconv()["decimal_point"] == ","
     if word == "twice":
         return refused(space["computed"], folder)
     if word == "memory":
@@ -248,5 +273,7 @@ def refused(run, folder):
 )
 """Script for a run of any kind: `computed("kind|way|folder")`. The way is empty, or one of
 "disk BYTES": the largest size of a file;
+"clock SECONDS": a clock that is set back by an hour whenever it is read;
+"locale FOLDER": a locale in this folder, with decimal comma;
 "twice": a second run starts in the folder, and its error follows the digest;
 "memory BYTES": available memory; the largest request, or the error, follows the digest."""

@@ -366,6 +366,10 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
 void Simulation::restore(const State& state, const Counters& counters) {
   state_ = state;
   if (same(state_.plastic[0], state_.plastic[1])) state_.plastic[1] = state_.plastic[0];
+  // A stored state holds finite numbers only, also where there is no body.
+  for (std::size_t i = 0; i < state_.contact_gap.size(); ++i) {
+    if (std::isinf(setup_->initial_gap[i])) state_.contact_gap[i] = setup_->initial_gap[i];
+  }
   counters_ = counters;
 }
 

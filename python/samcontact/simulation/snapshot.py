@@ -34,9 +34,10 @@ class Snapshot:
         """Return the snapshot of the simulation at a state."""
         given = state.setup.on_domain(state.domain, state.heat)
         content = state._core.content()
-        # A state holds finite numbers only; without this part, the gap is computed when needed.
-        if not np.isfinite(content.get("contact_gap", 0.0)).all():
-            del content["contact_gap"]
+        if "contact_gap" in content:
+            # Only finite numbers are stored; the core knows the cells without a body.
+            open_gap = content["contact_gap"]
+            content["contact_gap"] = np.where(np.isfinite(open_gap), open_gap, 0.0)
         return cls(given, content, state.counters())
 
     def setup(self) -> tuple[SimulationSetup, Grid, Heat]:
