@@ -8,7 +8,8 @@ inclusion.
 
 from .butterflies import ButterflyMap, butterflies
 from .closed_forms import EshelbySphere, MisfitSphere, eshelby_sphere, thermal_misfit
-from .fine_boxes import FineBox, fine_boxes, fine_field
+from .fine_box import FineBox, fine_field
+from .fine_boxes import fine_boxes
 from .interface import Interface, interface_stress, interfaces
 from .largest import LargestInclusion
 from .peaks import MatrixStatistics, Peak, peaks, statistics

@@ -5,31 +5,26 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from typing import Any
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .._util import memory
-from .._util.cached_property import cached_property
-from .._util.checks import BoolArray, FloatArray, choice, number, require_list, require_type
-from .._util.display import HtmlTable, Rows, ShortRepr, quantity
+from .._util.checks import FloatArray, choice, number, require_list, require_type
 from .._util.errors import ElasticStrainWarning, ResolutionWarning
 from .._util.frozen import read_only
 from .._util.short_text import in_short
-from .._util.tensors import von_mises
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
 from ..bodies.inclusion_cells import InclusionCells
 from ..bodies.inclusion_resolution import ADVISED_CELLS, MIN_CELLS
 from ..bodies.material import Material
-from ..fatigue.field import FatigueField
 from ..problem.grid import Grid
 from ..solutions.state import State
+from .fine_box import FineBox
 from .fine_solution import Moduli, solve
-from .interface import Interface, interface_of
 from .stress_at_points import StressAtPoints
 from .surroundings import MAX_WITHIN
 
@@ -38,129 +33,6 @@ _APART = (
 )
 _MIN_TOL, _MAX_TOL = 1e-6, 1e-2
 _BYTES_PER_CELL = 1500.0
-
-
-@dataclass(frozen=True, repr=False, eq=False)
-class FineBox(ShortRepr, HtmlTable):
-    """Stress around small inclusions on fine cells, from `fine_boxes`.
-
-    Attributes
-    ----------
-    body : Heterogeneous
-        Matrix and inclusions of the box, at the position of the state in the frame of its grid.
-    numbers : tuple of int
-        Numbers of these inclusions in the given list.
-    x, y, z : ndarray
-        Cell centres [m] in the frame of the grid.
-    share : ndarray, shape (nx, ny, nz)
-        Share of each cell that the inclusions fill, 0 to 1.
-    phase : ndarray of int, shape (nx, ny, nz)
-        Index in `numbers` of the inclusion that fills most of a cell; -1 in the matrix.
-    given_stress : ndarray, shape (6, nx, ny, nz)
-        Stress of the state, without these inclusions, interpolated to the cells [Pa].
-    stress : ndarray, shape (6, nx, ny, nz)
-        Stress with the inclusions [Pa].
-    eigenstrain : ndarray, shape (6, nx, ny, nz)
-        Strain that the homogeneous matrix needs to have this stress [-].
-    interpolation_error : float
-        Largest difference between cubic and linear interpolation of the given stress, relative to
-        its largest component: an upper bound of the error of the interpolation.
-    pressure_change : float
-        Estimate of the largest change of the contact pressure due to the inclusions [Pa], which is
-        neglected.
-    evaluations : int
-        Number of evaluations of the stress in the solution.
-    """
-
-    body: Heterogeneous
-    numbers: tuple[int, ...]
-    x: FloatArray
-    y: FloatArray
-    z: FloatArray
-    share: FloatArray
-    phase: NDArray[np.int32]
-    given_stress: FloatArray
-    stress: FloatArray
-    eigenstrain: FloatArray
-    interpolation_error: float
-    pressure_change: float
-    evaluations: int
-
-    @cached_property
-    def von_mises(self) -> FloatArray:
-        """Von Mises stress [Pa], shape (nx, ny, nz)."""
-        return read_only(von_mises(self.stress))
-
-    @cached_property
-    def disturbance(self) -> FloatArray:
-        """Stress due to the inclusions [Pa], shape (6, nx, ny, nz)."""
-        return read_only(self.stress - self.given_stress)
-
-    @property
-    def is_matrix(self) -> BoolArray:
-        """Cells that contain the matrix only, shape (nx, ny, nz)."""
-        return np.asarray(self.share == 0.0)
-
-    @property
-    def coordinates(self) -> dict[str, FloatArray]:
-        """Cell centres by the name of their axis [m]."""
-        return {"x": self.x, "y": self.y, "z": self.z}
-
-    @property
-    def cell_volume(self) -> float:
-        """Volume of a cell [m^3]."""
-        return float((self.x[1] - self.x[0]) ** 3)
-
-    def interfaces(self) -> list[Interface]:
-        """Largest tractions at the interface of each inclusion, see `interfaces`."""
-        found = []
-        for n, number_ in enumerate(self.numbers):
-            mine = self.phase == n
-            full = mine & (self.share >= 1.0)
-            inner = self.stress[:, full].mean(axis=1)
-            total = self.eigenstrain[:, mine].sum(axis=1) / self.share[mine].sum()
-            inclusion = self.body.inclusions[n]
-            found.append(interface_of(number_, inclusion, inner, total, self.body.matrix))
-        return found
-
-    def eigenstrain_on(self, grid: Grid, layers: int) -> FloatArray:
-        """Eigenstrain as means over the cells of a coarse grid, shape (6, nx, ny, layers).
-
-        With `Simulation.add_eigenstrain` it returns the effect of the inclusions to the contact:
-        their moment, and so their displacement of the surface, is kept.
-        """
-        require_type("grid", grid, Grid)
-        if grid.dz is None:
-            raise ValueError(f"grid must have dz, got {grid!r}")
-        coarse = np.zeros((6, grid.nx, grid.ny, layers))
-        at = [
-            np.floor(values / step + middle).astype(int)
-            for values, step, middle in (
-                (self.x, grid.dx, grid.nx / 2),
-                (self.y, grid.dy, grid.ny / 2),
-                (self.z, grid.dz, 0.0),
-            )
-        ]
-        for indices, count, name in zip(at, coarse.shape[1:], "xyz", strict=True):
-            if indices.min() < 0 or indices.max() >= count:
-                raise ValueError(
-                    f"grid must contain the box along {name}, got cells {indices.min()} to "
-                    f"{indices.max()} of {count}"
-                )
-        part = self.cell_volume / (grid.dx * grid.dy * grid.dz)
-        np.add.at(coarse, (slice(None), *np.ix_(*at)), part * self.eigenstrain)
-        return coarse
-
-    def _rows(self) -> Rows:
-        largest = float(self.von_mises[self.is_matrix].max())
-        return [
-            ("inclusions", ", ".join(map(str, self.numbers))),
-            ("cells", " x ".join(map(str, self.share.shape))),
-            ("cell size", quantity(float(self.x[1] - self.x[0]), "m")),
-            ("maximum von Mises stress of the matrix", quantity(largest, "Pa")),
-            ("bound of the interpolation error", f"{100 * self.interpolation_error:.2g} %"),
-            ("neglected change of the pressure", quantity(self.pressure_change, "Pa")),
-        ]
 
 
 def fine_boxes(
@@ -252,47 +124,6 @@ def fine_boxes(
     return found
 
 
-def fine_field(
-    boxes: Sequence[FineBox], criterion: Callable[[FloatArray], FatigueField]
-) -> FatigueField:
-    """Fatigue criterion over a cycle of fine boxes of the same inclusions.
-
-    Parameters
-    ----------
-    boxes : sequence of FineBox
-        One box for each state of the cycle, e.g. of the positions of a rolling pass.
-    criterion : callable
-        Function of the stress, shape (n, 6, nx, ny, nz), that returns a field, e.g. ``lambda s:
-        sc.fatigue.dang_van(s, slope=0.3)``.
-
-    Returns
-    -------
-    FatigueField
-        With the coordinates of the last box: use it with `peaks`, `butterflies` or `matrix_field`
-        and the `body` of this box.
-
-    Raises
-    ------
-    ValueError
-        The boxes are not those of the same inclusions, or there are none.
-    TypeError
-        An argument has the wrong type.
-    """
-    require_list("boxes", boxes, FineBox)
-    if not boxes:
-        raise ValueError("boxes must contain at least one FineBox, got none")
-    last = boxes[-1]
-    for n, box in enumerate(boxes):
-        if box.numbers != last.numbers or box.share.shape != last.share.shape:
-            raise ValueError(
-                f"boxes must contain the same inclusions on equal cells, got {box.numbers} in "
-                f"boxes[{n}] and {last.numbers} in the last one"
-            )
-    field = criterion(np.stack([box.stress for box in boxes]))
-    require_type("the result of criterion", field, FatigueField)
-    return replace(field, coordinates=last.coordinates)
-
-
 def groups(inclusions: Sequence[Inclusion]) -> list[list[int]]:
     """Numbers of inclusions that are so close that they are solved together."""
     left, found = list(range(len(inclusions))), []
@@ -339,13 +170,60 @@ def _at_state(n: int, inclusion: Inclusion, state: State, which: int) -> Inclusi
             f"inclusions[{n}] must be elastic or a void, got {in_short(inclusion.material)}: fine "
             "boxes are elastic; add it to a Heterogeneous body on a fine grid"
         )
-    x, y, z = inclusion.center
+    x = inclusion.center[0]
     moved = x - state._core.first_cell[which - 1] * state.grid.dx
     if state.grid.along_x:
         period = state.grid.nx * state.grid.dx
         moved -= period * math.floor(moved / period + 0.5)
-    return Inclusion((moved, y, z), inclusion.radii, inclusion.axes, inclusion.material,
-                     inclusion.misfit)  # fmt: skip
+    return _moved(inclusion, moved - x, 0.0)
+
+
+class _Lattice(NamedTuple):
+    """Cells of a box."""
+
+    middle: FloatArray
+    """x and y of the centre [m]."""
+    plane: Grid
+    """Cells of one layer, with the centre of the box at the origin."""
+    above: int
+    """Number of layers above the box."""
+    layers: int
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        return self.plane.nx, self.plane.ny, self.layers
+
+    def axes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Cell centres along x, y and z."""
+        x, y = self.plane.x + self.middle[0], self.plane.y + self.middle[1]
+        z = (self.above + np.arange(self.layers) + 0.5) * self.plane.dx
+        return np.asarray(x), np.asarray(y), np.asarray(z, dtype=np.float64)
+
+    def cells(self, matrix: Material, inclusions: Sequence[Inclusion]) -> InclusionCells:
+        """Cells of inclusions, counted from the first one of the box."""
+        shift = (-float(self.middle[0]), -float(self.middle[1]))
+        local = Heterogeneous(matrix, [_moved(one, *shift) for one in inclusions])
+        cells = local.cells_on(self.plane, check=False)
+        return replace(cells, first=(*cells.first[:2], cells.first[2] - self.above))
+
+
+def _moved(one: Inclusion, along_x: float, along_y: float) -> Inclusion:
+    x, y, z = one.center
+    place = (x + along_x, y + along_y, z)
+    return Inclusion(place, one.radii, one.axes, one.material, one.misfit)
+
+
+def _lattice(low: FloatArray, high: FloatArray, h: float) -> _Lattice:
+    """Return the cells of edge h of a box from `low` to `high`, below the surface."""
+    nx, ny = (2 * math.ceil((high[a] - low[a]) / 2 / h) for a in (0, 1))
+    above = max(0, math.floor(low[2] / h))
+    layers = math.ceil(high[2] / h) - above
+    memory.require(
+        f"a fine box of {nx} x {ny} x {layers} cells",
+        _BYTES_PER_CELL * nx * ny * layers,
+        "use fewer cells per radius or a smaller within",
+    )
+    return _Lattice((low[:2] + high[:2]) / 2, Grid(nx, ny, h, h, dz=h), above, layers)
 
 
 def _solved(
@@ -355,48 +233,31 @@ def _solved(
     """Solve a group of inclusions at their positions in the state."""
     centers = np.array([one.center for one in inclusions])
     reach = within * np.array([one.extent for one in inclusions])
-    low, high = (centers - reach).min(axis=0), (centers + reach).max(axis=0)
+    ends = (centers - reach).min(axis=0), (centers + reach).max(axis=0)
+    stress.require_matrix(ends, numbers)
     h = min(min(one.radii) for one in inclusions) / per_radius
-    middle = (low + high) / 2
-    nx, ny = (2 * math.ceil((high[a] - low[a]) / 2 / h) for a in (0, 1))
-    above = max(0, math.floor(low[2] / h))
-    nz = math.ceil(high[2] / h) - above
-    memory.require(
-        f"a fine box of {nx} x {ny} x {nz} cells",
-        _BYTES_PER_CELL * nx * ny * nz,
-        "use fewer cells per radius or a smaller within",
-    )
-    body = Heterogeneous(matrix, inclusions)
-    local = [
-        Inclusion((*(one.center[a] - middle[a] for a in (0, 1)), one.center[2]), one.radii,
-                  one.axes, one.material, one.misfit)
-        for one in inclusions
-    ]  # fmt: skip
-    plane = Grid(nx, ny, h, h, dz=h)
-    cells = Heterogeneous(matrix, local).cells_on(plane, check=False)
-    cells = replace(cells, first=(*cells.first[:2], cells.first[2] - above))
-    x, y, z = plane.x + middle[0], plane.y + middle[1], (above + np.arange(nz) + 0.5) * h
-    stress.require_matrix((low, high), numbers)
-    given, error = stress.at(x, y, z)
-    of_box = Grid(nx, ny, h, h, nz=nz, dz=h)._core
-    where, moduli = _moduli(cells, (nx, ny, nz))
+    lattice = _lattice(*ends, h)
+    cells, axes = lattice.cells(matrix, inclusions), lattice.axes()
+    given, error = stress.at(*axes)
+    where, moduli = _moduli(cells, lattice.shape)
+    total, strain, evaluations = given.copy(), np.zeros_like(given), 0
     if where[0].size:
-        solution = solve(of_box, above, np.moveaxis(given, -1, 1).copy(), where, moduli,
-                         matrix.E, matrix.nu, tol)  # fmt: skip
+        box = Grid(*lattice.shape[:2], h, h, nz=lattice.layers, dz=h)._core
+        of_layers = np.moveaxis(given, -1, 1).copy()
+        solution = solve(box, lattice.above, of_layers, where, moduli, matrix.E, matrix.nu, tol)
         total, evaluations = np.moveaxis(solution.stress, 1, -1), solution.evaluations
-        own = solution.eigenstrain
-    else:
-        total, evaluations, own = given.copy(), 0, np.zeros((6, 0))
-    strain = np.zeros_like(given)
-    strain[:, where[1], where[2], where[0]] = own
-    shape = (nx, ny, nz)
-    moment = np.linalg.norm(own.sum(axis=1)) * h**3
-    depth = float(centers[:, 2].min())
-    change = matrix.E / (1 - matrix.nu) * float(moment) / (math.pi * depth**3)
-    share, phase = cells.over_grid(cells.share, shape), cells.over_grid(cells.phase, shape, -1)
-    fields = [read_only(np.ascontiguousarray(f)) for f in (x, y, z, share, phase, given, total,
-                                                           strain)]  # fmt: skip
-    return FineBox(body, tuple(numbers), *fields, error, change, evaluations)
+        strain[:, where[1], where[2], where[0]] = solution.eigenstrain
+    moment = float(np.linalg.norm(strain.sum(axis=(1, 2, 3)))) * h**3
+    change = matrix.E / (1 - matrix.nu) * moment / (math.pi * float(centers[:, 2].min()) ** 3)
+    share = cells.over_grid(cells.share, lattice.shape)
+    phase = cells.over_grid(cells.phase, lattice.shape, -1)
+    phase.flags.writeable = False
+    given, total, strain = (read_only(np.ascontiguousarray(f)) for f in (given, total, strain))
+    x, y, z = map(read_only, axes)
+    return FineBox(
+        Heterogeneous(matrix, inclusions), tuple(numbers), x, y, z, read_only(share),
+        phase, given, total, strain, error, change, evaluations,
+    )  # fmt: skip
 
 
 def _moduli(cells: InclusionCells, shape: tuple[int, int, int]) -> tuple[Any, Moduli]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import make_interp_spline
@@ -50,7 +51,8 @@ class StressAtPoints:
         cells = [cells for cells, _, _ in axes]
         state = self._at_layers(int(cells[2][-1]) + 1)
         stress = np.asarray(state.stress(self._which))
-        block = stress[(slice(None), *np.ix_(*cells))]
+        at_all: tuple[Any, ...] = (slice(None), *np.ix_(*cells))
+        block = stress[at_all]
         found, rough = (
             np.einsum("cijk,xi,yj,zk->cxyz", block, *(of[n] for of in axes), optimize=True)
             for n in (1, 2)
