@@ -40,6 +40,43 @@ Values residual_stress(const Grid& grid, const Array& strain, const Elastic& ela
   return tensor_array(std::move(stress), grid, grid.nz);
 }
 
+/// Fast residual stress in a box of cells that begins below the surface.
+class ResidualBox {
+ public:
+  /// above: number of layers between the surface and the box.
+  ResidualBox(Grid grid, int above, const Elastic& elastic, double image_tol)
+      : grid_(below(std::move(grid), above)),
+        volume_(grid_, operators::half_space(elastic),
+                {operators::Tensor::full,
+                 operators::Symmetry::none,
+                 operators::ResidualMethod::fast,
+                 image_tol,
+                 {}}) {}
+
+  Values stress(const Array& strain) const {
+    const Field field = to_field(strain);
+    if (field.size() != 6 * grid_.volume_size()) {
+      throw std::invalid_argument("strain must have six components on the cells of the box");
+    }
+    Field out;
+    {
+      const LongWork work;
+      out = volume_.stress(field.data(), nullptr, 1.0);
+    }
+    return tensor_array(std::move(out), grid_, grid_.nz);
+  }
+
+ private:
+  static Grid below(Grid grid, int above) {
+    require(above >= 0, "above", ">= 0 layers", above);
+    grid.k0 = above;
+    return grid;
+  }
+
+  Grid grid_;
+  operators::VolumeOperators volume_;
+};
+
 /// Axis 0, 1 or 2: along x, y or z.
 Values residual_displacement(const Grid& grid, const Array& strain, double nu, int axis) {
   const Field field = to_field(strain);
@@ -302,6 +339,10 @@ void bind_heating(py::module_& m) {
 void bind_operators(py::module_& parent) {
   auto m = parent.def_submodule("operators");
   bind_heat_history(m);
+  py::class_<ResidualBox>(m, "ResidualBox")
+      .def(py::init<Grid, int, const Elastic&, double>(), py::arg("grid"), py::arg("above"),
+           py::arg("elastic"), py::arg("image_tol"))
+      .def("stress", &ResidualBox::stress, py::arg("strain"));
   m.def("residual_stress", &residual_stress, py::arg("grid"), py::arg("strain"), py::arg("elastic"),
         py::arg("exact"), py::arg("image_tol"));
   m.def("residual_displacement", &residual_displacement, py::arg("grid"), py::arg("strain"),

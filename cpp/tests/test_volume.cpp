@@ -12,6 +12,7 @@
 #include "samcontact/base/box.hpp"
 #include "samcontact/kernels/eigenstrain.hpp"
 #include "samcontact/operators/medium/half_space.hpp"
+#include "samcontact/operators/medium/layered_half_space.hpp"
 #include "samcontact/operators/volume/volume_operators.hpp"
 
 using namespace samcontact;
@@ -208,4 +209,72 @@ TEST_CASE("boxes") {
   CHECK(wide[(1 * 10 + 3) * 8 + 3] == values[3]);
   extract(wide.data(), Box::whole(grid), back.data(), a);
   CHECK(back == values);
+}
+
+TEST_CASE("boxes below the surface") {
+  const Grid grid(10, 8, 1.0, 1.0, 6, 1.0);
+  const Box deep{2, 3, 2, 2, 5, 3};
+  CHECK(deep.volume_size() == 8);
+  CHECK(deep.united({5, 1, 1, 1, 0}) == Box{2, 1, 4, 4, 5, 3});  // wider, not deeper
+  CHECK(deep.united({5, 1, 1, 1, 1}) == Box{2, 1, 4, 4, 5});
+  CHECK(Box::whole(grid).contains(deep));
+  CHECK_FALSE(deep.contains({2, 3, 2, 2, 5, 2}));
+  CHECK(deep.intersected({2, 3, 2, 2, 3}).empty());
+  Field values(deep.volume_size()), wide(grid.volume_size(), 0.0), back(deep.volume_size());
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = number(n);
+  copy_common(values.data(), deep, wide.data(), Box::whole(grid));
+  CHECK(wide[(4 * 10 + 3) * 8 + 3] == values[6]);
+  extract(wide.data(), Box::whole(grid), back.data(), deep);
+  CHECK(back == values);
+}
+
+TEST_CASE("operators of a box below the surface equal those of the box from the surface") {
+  constexpr int above = 5;
+  const Elastic soft{1.0, 0.3}, stiff{4.0, 0.25};
+  const Stack plain{{}, soft};
+  // Interfaces above the box, at its first face, inside it, and at its last face.
+  const Stack coated = Stack::of({{stiff, 1.5}, {soft, 1.0}, {stiff, 1.0}, {soft, 1.0}}, stiff);
+  for (const Stack& stack : {plain, coated}) {
+    for (const bool periodic : {false, true}) {
+      const Box whole{0, 0, 10, 8, above + 4};
+      Box deep = whole;
+      deep.k0 = above;
+      const Grid surface = Grid(10, 8, 1.0, 1.2).made_periodic(periodic, periodic);
+      Grid grid(10, 8, 1.0, 1.2, whole.nz, 0.5);
+      grid.period = surface.period;
+      const auto medium = medium_of(stack);
+      const VolumeOptions options{Tensor::full, Symmetry::none, ResidualMethod::fast, 1e-4, {}};
+      const VolumeOperators all(whole.grid(grid), medium, options);
+      const VolumeOperators part(deep.grid(grid), medium, options);
+      Field strain(6 * deep.volume_size()), wide(6 * whole.volume_size(), 0.0);
+      for (std::size_t n = 0; n < strain.size(); ++n) strain[n] = 1e-3 * number(n);
+      for (int c = 0; c < 6; ++c) {
+        insert(strain.data() + c * deep.volume_size(), deep, wide.data() + c * whole.volume_size(),
+               whole);
+      }
+      Tractions tractions;
+      tractions.pressure.resize(grid.surface_size());
+      for (std::size_t n = 0; n < tractions.pressure.size(); ++n) {
+        tractions.pressure[n] = 1e-3 * std::fabs(number(n));
+      }
+      const Field expected = all.stress(wide.data(), &tractions, 1.0);
+      const Field found = part.stress(strain.data(), &tractions, 1.0);
+      Field cut(found.size());
+      for (int c = 0; c < 6; ++c) {
+        extract(expected.data() + c * whole.volume_size(), whole,
+                cut.data() + c * deep.volume_size(), deep);
+      }
+      // The images of a surface without period are interpolated over other coarse cells.
+      CHECK(largest_difference(found, cut) < (periodic ? 1e-12 : 1e-4 * 1e-3) * stiff.E);
+      CHECK(part.bytes() < 0.6 * static_cast<double>(all.bytes()));
+      const auto displacement = [](const VolumeOperators& operators, const Field& of) {
+        VolumeSpectrum spectrum = operators.make_spectrum();
+        forward(operators.transform(), of.data(), spectrum);
+        Field out(operators.grid().surface_size());
+        operators.residual_displacement(Axis::z).apply(spectrum, out.data());
+        return out;
+      };
+      CHECK(largest_difference(displacement(part, strain), displacement(all, wide)) < 1e-15);
+    }
+  }
 }

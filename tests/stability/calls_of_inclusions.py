@@ -22,6 +22,9 @@ SPHERE_IN_STRESS = sc.inclusions.eshelby_sphere(STEEL, OXIDE, TENSION)
 MISFIT = sc.inclusions.MisfitSphere(2e11, 0.3, 1e-3, 1e-5, 3e-5)
 FIT = sc.inclusions.weibull_fit([1.0, 2.0, 3.0, 5.0])
 STEEL_OXIDES = sc.inclusions.LargestInclusion(2e-5, 4e-6, 1.5e-4, 12)
+SMALL = sc.Inclusion.sphere([0.0, 0.0, 6e-5], 3e-6, OXIDE)
+PLAIN_STATE = sc.Simulation(GRID, sc.Material.rigid(), STEEL, GAP).step(load=0.4)
+(FINE_BOX,) = sc.inclusions.fine_boxes(PLAIN_STATE, [SMALL], cells_per_radius=4.0)
 POINTS = {"x": 3e-5, "y": np.array([3e-5, 4e-5]), "z": 1e-5}
 
 CALLS = [
@@ -115,6 +118,21 @@ CALLS = [
         {"stress": TENSION, "eigenstrain": [1e-3] * 6, "normal": FLAT, "matrix": STEEL},
     ),
     ("inclusions.interfaces", sc.inclusions.interfaces, {"state": STATE, "body": 2}),
+    (
+        "inclusions.fine_boxes",
+        sc.inclusions.fine_boxes,
+        {
+            "state": PLAIN_STATE, "inclusions": [SMALL], "body": 2, "cells_per_radius": 4.0,
+            "within": 1.5, "tol": 1e-3,
+        },
+    ),
+    (
+        "inclusions.fine_field",
+        sc.inclusions.fine_field,
+        {"boxes": [FINE_BOX, FINE_BOX], "criterion": sc.fatigue.max_von_mises},
+    ),
+    ("inclusions.FineBox.interfaces", FINE_BOX.interfaces, {}),
+    ("inclusions.FineBox.eigenstrain_on", FINE_BOX.eigenstrain_on, {"grid": GRID}),
     ("inclusions.interfaces", sc.inclusions.interfaces, {"state": STATE, "numbers": (0,)}),
     (
         "inclusions.statistics",

@@ -51,8 +51,12 @@ Box Box::united(const Box& other) const {
   }
   const int i = std::min(i0, other.i0), j = std::min(j0, other.j0);
   const int top = other.nz == 0 ? k0 : nz == 0 ? other.k0 : std::min(k0, other.k0);
-  return {i, j, std::max(i0 + nx, other.i0 + other.nx) - i,
-          std::max(j0 + ny, other.j0 + other.ny) - j, depth, top};
+  return {i,
+          j,
+          std::max(i0 + nx, other.i0 + other.nx) - i,
+          std::max(j0 + ny, other.j0 + other.ny) - j,
+          depth,
+          top};
 }
 
 void insert(const double* small, const Box& from, double* large, const Box& into) {

@@ -12,6 +12,7 @@ import samcontact._core
 
 __all__: list[str] = [
     "HeatHistory",
+    "ResidualBox",
     "heated_wave",
     "residual_displacement",
     "residual_stress",
@@ -54,6 +55,18 @@ class HeatHistory:
     ) -> numpy.typing.NDArray[numpy.float64]: ...
     @property
     def size(self) -> int: ...
+
+class ResidualBox:
+    def __init__(
+        self,
+        grid: samcontact._core.Grid,
+        above: int,
+        elastic: samcontact._core.Elastic,
+        image_tol: float,
+    ) -> None: ...
+    def stress(
+        self, strain: numpy.typing.NDArray[numpy.float64]
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
 
 def heated_wave(
     body: samcontact._core.Stack,

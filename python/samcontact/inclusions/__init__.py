@@ -8,6 +8,8 @@ inclusion.
 
 from .butterflies import ButterflyMap, butterflies
 from .closed_forms import EshelbySphere, MisfitSphere, eshelby_sphere, thermal_misfit
+from .fine_box import FineBox, fine_field
+from .fine_boxes import fine_boxes
 from .interface import Interface, interface_stress, interfaces
 from .largest import LargestInclusion
 from .peaks import MatrixStatistics, Peak, peaks, statistics
@@ -17,6 +19,7 @@ from .weibull import WeibullFit, weibull_fit
 __all__ = [
     "ButterflyMap",
     "EshelbySphere",
+    "FineBox",
     "Interface",
     "LargestInclusion",
     "MatrixStatistics",
@@ -25,6 +28,8 @@ __all__ = [
     "WeibullFit",
     "butterflies",
     "eshelby_sphere",
+    "fine_boxes",
+    "fine_field",
     "interface_stress",
     "interfaces",
     "matrix_field",

@@ -35,16 +35,14 @@ struct Box {
     return part;
   }
 
-  Box moved(int along_x, int along_y) const {
-    return {i0 + along_x, j0 + along_y, nx, ny, nz, k0};
-  }
+  Box moved(int along_x, int along_y) const { return {i0 + along_x, j0 + along_y, nx, ny, nz, k0}; }
   /// The box and all layers above it.
   Box from_surface() const { return {i0, j0, nx, ny, nz}; }
   bool contains(const Box& other) const;
   /// Cells that both boxes contain; empty if there are none.
   Box intersected(const Box& other) const;
-  /// Smallest box that contains both boxes; an empty box contributes its depth only, and one without
-  /// layers its rectangle only.
+  /// Smallest box that contains both boxes; an empty box contributes its depth only, and one
+  /// without layers its rectangle only.
   Box united(const Box& other) const;
 };
 

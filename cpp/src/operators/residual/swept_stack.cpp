@@ -84,8 +84,8 @@ std::vector<SweptLayer> swept_layers(const Stack& body, int k0, int nz, double d
     found.push_back({body.substrate, INFINITY, end - first, dz});
   } else if (first < end) {
     throw std::invalid_argument("the grid must end above the rigid substrate, at " + to_text(top) +
-                                " m, got " + std::to_string(end) + " layers of dz = " + to_text(dz) +
-                                " m");
+                                " m, got " + std::to_string(end) +
+                                " layers of dz = " + to_text(dz) + " m");
   }
   return found;
 }

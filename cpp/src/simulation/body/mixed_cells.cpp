@@ -25,6 +25,24 @@ Box MixedCells::box() const {
   return inclusions_ ? inclusions_->in_grid(setup_.grid, first_) : Box{};
 }
 
+Columns MixedCells::columns() const {
+  Columns columns{box(), {}};
+  const Box& window = columns.window;
+  columns.depth.assign(window.surface_size(), 0);
+  std::size_t n = 0;
+  for (int i = window.i0; i < window.i0 + window.nx; ++i) {
+    for (int j = window.j0; j < window.j0 + window.ny; ++j, ++n) {
+      const auto fills = [&](int k) {
+        return inclusions_->at(i, j, k, first_, setup_.grid.period) != nullptr;
+      };
+      int depth = window.nz;
+      while (depth > window.k0 && !fills(depth - 1)) --depth;
+      columns.depth[n] = depth > window.k0 ? depth : 0;
+    }
+  }
+  return columns;
+}
+
 void MixedCells::take(const Zones& zones) {
   if (!inclusions_) return;
   zones_ = zones;

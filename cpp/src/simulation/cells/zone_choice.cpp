@@ -238,7 +238,7 @@ double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
 }
 
 double cost_of_box(const Box& box, bool periodic) {
-  return padding(periodic) * box.nx * box.ny * box.nz;
+  return padding(periodic) * box.nx * box.ny * box.layers();
 }
 
 }  // namespace samcontact::simulation

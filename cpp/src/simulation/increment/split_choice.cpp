@@ -51,19 +51,27 @@ std::vector<Box> SplitChoice::merged_zones(const std::vector<Box>& boxes) const 
 
 bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const {
   if (boxes.size() < 2) return false;
-  const bool periodic = task_.setup().grid.period.is_on();
-  const double cost =
-      cost_of_zones(boxes, Box::surface(task_.setup().grid), task_.setup().split, periodic);
   const Box window = window_of(tractions_, task_.setup().grid), all = around(boxes);
   if (task_.from.travel != Travel{} && !window.empty()) {
     // One box does not include strain outside the present plastic flow.
     const Box needed = choice_.in_grid_or({}, window.united({0, 0, 0, 0, all.nz}));
-    return cost < max_work_ratio_moving *
-                      cost_of_box(choice_.fitted(choice_.with_margin(needed), {}), periodic);
+    return cost_less(boxes, choice_.fitted(choice_.with_margin(needed), {}), max_work_ratio_moving);
   }
   const Box box = choice_.with_margin(all.united(window));
-  return cost < (periodic ? max_work_ratio_periodic : max_work_ratio) *
-                    cost_of_box(choice_.fitted(box, body.zones().around()), periodic);
+  return cost_less(boxes, choice_.fitted(box, body.zones().around()));
+}
+
+bool SplitChoice::cost_less(const std::vector<Box>& boxes, const Box& one) const {
+  const bool periodic = task_.setup().grid.period.is_on();
+  return cost_less(boxes, one, periodic ? max_work_ratio_periodic : max_work_ratio);
+}
+
+bool SplitChoice::cost_less(const std::vector<Box>& boxes, const Box& one, double max_ratio) const {
+  if (boxes.size() < 2) return false;
+  const bool periodic = task_.setup().grid.period.is_on();
+  const double cost =
+      cost_of_zones(boxes, Box::surface(task_.setup().grid), task_.setup().split, periodic);
+  return cost < max_ratio * cost_of_box(one, periodic);
 }
 
 std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const {

@@ -72,7 +72,7 @@ ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, cons
 
 void ZoneManager::begin() {
   for (PlasticBody& body : bodies_) {
-    if (take_up_near_inclusions(body)) continue;
+    if (take_up_near_inclusions(body) || take_up_inclusions_in_zones(body)) continue;
     if (body.history()) take_up_zones(body);
     take_up_inclusions(body);
   }
@@ -229,6 +229,21 @@ void ZoneManager::take_up_inclusions(PlasticBody& body) {
   set_box(body, choice_.fitted(needed, body.zones().around()));
 }
 
+bool ZoneManager::take_up_inclusions_in_zones(PlasticBody& body) {
+  const MixedCells& mixed = body.cells().mixed();
+  const bool rests = task_.from.travel == Travel{} && task_.from.advance == Travel{};
+  if (mixed.box().empty() || !rests || !split_.is_allowed()) return false;
+  std::vector<Box> boxes = split_.zones_to_begin_with(body);
+  const auto around_each = boxes_around(mixed.columns());
+  boxes.insert(boxes.end(), around_each.begin(), around_each.end());
+  boxes = split_.merged_zones(boxes);
+  const Box window = window_of(task_.from.tractions, task_.setup().grid);
+  const Box one = choice_.fitted(choice_.with_margin(around(boxes).united(window)), {});
+  if (!split_.cost_less(boxes, below_surface(body, one))) return false;
+  set_zones(body, Zones(std::move(boxes)), true);
+  return true;
+}
+
 bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
   const Grid& grid = task_.setup().grid;
   const Settings& settings = task_.settings;
@@ -252,7 +267,8 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
   }
   near = choice_.fitted(choice_.in_grid_or({}, choice_.with_margin(near)), {});
   const auto cost = static_cast<double>(near.volume_size());
-  if (cost > max_near_cells * static_cast<double>(body.cells().mixed().box().from_surface().volume_size()))
+  if (cost >
+      max_near_cells * static_cast<double>(body.cells().mixed().box().from_surface().volume_size()))
     return false;
   FarInclusions far =
       renew_far_inclusions(task_.from, body.index(), *body.history(), near, sources_);
@@ -276,6 +292,8 @@ void ZoneManager::take_up_zones(PlasticBody& body) {
 bool ZoneManager::fit_zones(PlasticBody& body) {
   const bool first = body.zones().empty();
   if (scanned_ || !(body.is_split() || (first && may_split(body)))) return false;
+  // Without scan a body flows in its inclusions only.
+  if (!task_.scans[body.index()]) return false;
   std::vector<Box> boxes = body.zones().boxes();
   const auto near = boxes_around(
       body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_));
@@ -328,6 +346,7 @@ bool ZoneManager::grow_when_settled(double residual) {
 }
 
 bool ZoneManager::grow_for_yield(PlasticBody& body) {
+  if (!task_.scans[body.index()]) return false;
   Columns columns =
       body.search().yielding_columns(body.tractions(), *task_.scans[body.index()], sources_);
   for (const Box& zone : body.zones().boxes()) {

@@ -35,7 +35,8 @@ enum Coefficient {
 };
 
 /// Layers of a body with nz cells of thickness dz, below k0 layers without cells; the parts above
-/// and below the cells are layers of their own. Throws std::invalid_argument if an interface lies inside a cell.
+/// and below the cells are layers of their own. Throws std::invalid_argument if an interface lies
+/// inside a cell.
 std::vector<SweptLayer> swept_layers(const Stack& body, int k0, int nz, double dz);
 
 class SweptStack {

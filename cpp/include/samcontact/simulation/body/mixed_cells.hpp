@@ -10,6 +10,7 @@
 
 #include "samcontact/plasticity/mixed_cell.hpp"
 #include "samcontact/simulation/cells/inclusions.hpp"
+#include "samcontact/simulation/cells/zone_choice.hpp"
 #include "samcontact/simulation/setup/setup.hpp"
 #include "samcontact/simulation/strain/plastic_state.hpp"
 
@@ -36,6 +37,8 @@ class MixedCells {
   double matrix_part() const { return law_ ? law_->matrix_part() : 1.0; }
   /// Whole box of the mixed cells that are solved for; empty: none.
   Box box() const;
+  /// Columns down to the mixed cells that are solved for, of the whole grid.
+  Columns columns() const;
   /// Sets the zones in which they are numbered.
   void take(const Zones& zones);
 

@@ -27,6 +27,8 @@ class SplitChoice {
   bool is_allowed() const;
   /// Whether they require less work than one box.
   bool is_worthwhile(const PlasticBody& body, const std::vector<Box>& boxes) const;
+  /// Whether they require less work than this box, by the ratio for bodies at rest.
+  bool cost_less(const std::vector<Box>& boxes, const Box& one) const;
   /// Disjoint zones that contain the given boxes.
   std::vector<Box> merged_zones(const std::vector<Box>& boxes) const;
   /// Small zones for a body with a history: the previous zones; for a body that has moved, its
@@ -34,6 +36,7 @@ class SplitChoice {
   std::vector<Box> zones_to_begin_with(const PlasticBody& body) const;
 
  private:
+  bool cost_less(const std::vector<Box>& boxes, const Box& one, double max_ratio) const;
   bool is_cold_and_at_rest() const;
 
   IncrementTask task_;

@@ -53,7 +53,11 @@ class ZoneManager {
   /// Makes the box contain the inclusions near the contact only, if the contact moves on without
   /// much change: those far from it are renewed by one step. Returns whether this is so.
   bool take_up_near_inclusions(PlasticBody& body);
-  /// Whether a body may have several zones: inclusions are solved for in one box.
+  /// Zones around the inclusions of a body at rest, if these require less work than one box.
+  /// Returns whether this is so.
+  bool take_up_inclusions_in_zones(PlasticBody& body);
+  /// Whether a body may have several zones for its plastic flow: inclusions that move are solved
+  /// for in one box.
   bool may_split(const PlasticBody& body) const {
     return !body.cells().mixed().is_on() && split_.is_allowed();
   }

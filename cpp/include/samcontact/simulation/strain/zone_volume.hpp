@@ -28,8 +28,8 @@ class ZoneVolume {
   /// opposite sign beyond the mirror planes.
   virtual void displacement(operators::Axis axis, double* out) const = 0;
   /// Stress due to the last transformed strain and to tractions on the grid [Pa]: calls use(zone,
-  /// layer of the zone, stress [component][i][j]) in any order and from several threads at once; destroys the
-  /// transformed strain. strained: whether there is strain. sign: of the shear.
+  /// layer of the zone, stress [component][i][j]) in any order and from several threads at once;
+  /// destroys the transformed strain. strained: whether there is strain. sign: of the shear.
   virtual void for_each_layer(bool strained, const Field& strain,
                               const operators::Tractions& tractions, double sign,
                               const Use& use) = 0;
