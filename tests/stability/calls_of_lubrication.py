@@ -32,6 +32,10 @@ with warnings.catch_warnings():
     FLOWING = sc.lubrication.steady(
         INLET_GRID, STEEL, STEEL, GAP, load=40.0, speed=(1.0, 1.0), lubricant=OIL
     )
+    RUBBING = sc.lubrication.steady(
+        INLET_GRID, STEEL, STEEL, GAP, load=40.0, speed=(1e-3, 0.0), lubricant=OIL, order=1,
+        boundary=BOUNDARY,
+    )  # fmt: skip
 ON_GRID = {"grid": INLET_GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "lubricant": OIL}
 HOW = {"order": 1, "tol": 1e-4, "max_iterations": 30}
 WARM_STEEL = STEEL.with_thermal(46.0, 12e-6, 12.5e-6)
@@ -120,11 +124,15 @@ CALLS = [
       "checkpoint": None, "progress": False}),
     ("lubrication.press", sc.lubrication.press,
      {**HOW, "simulation": sc.Simulation(INLET_GRID, STEEL, STEEL, GAP), "load": 40.0,
-      "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY}),
+      "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY, "shear_thinning": False,
+      "thermal": False}),
+    ("lubrication.running_in", sc.lubrication.running_in,
+     {"film": RUBBING, "archard": 1e-15, "duration": 0.1, "steps": 1, "worn": 2, "tol": 1e-4,
+      "max_iterations": 30, "progress": False}),
     ("lubrication.press_loads", sc.lubrication.press_loads,
      {**HOW, "simulation": sc.Simulation(DEEP_GRID, STEEL, STEEL, GAP), "loads": [30.0, 40.0],
       "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY, "checkpoint": None,
-      "progress": False}),
+      "progress": False, "shear_thinning": False, "thermal": False}),
     ("lubrication.bearing_speeds", sc.lubrication.bearing_speeds,
      {"bearing": sc.bearings.standard("6208"), "inner": 314.0, "outer": 10.0}),
 ]  # fmt: skip

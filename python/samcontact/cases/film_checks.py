@@ -18,13 +18,11 @@ _OF_YIELD = ("hardness", "residual_stress")
 _NOT_WITH_YIELD = {
     "speeds": "the film of a body that yields is solved at one speed",
     "spin": "", "supply": "", "approach": "prescribe the load", "transient": "",
-    "shear_thinning": "", "thermal": "",
     "tol": "the tolerance of film and plastic flow is that of sc.lubrication.press_loads",
 }  # fmt: skip
 _NOT_IN_TIME = {
     "speeds": "prescribe speed_factors of film.transient", "approach": "prescribe the load",
-    "shear_thinning": "transient films are isothermal, with the viscosity of small shear rates",
-    "thermal": "transient films are isothermal",
+    "thermal": "the temperatures of the surfaces are those of steady heat",
 }  # fmt: skip
 
 

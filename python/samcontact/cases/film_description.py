@@ -11,8 +11,8 @@ from pydantic import Field, PrivateAttr
 from .base import CaseError, CaseFile, OutputPlace
 from .bodies import BodySection
 from .film_grid import FilmGridSection, shifted_gap
-from .film_motion import FilmSection, Vectors
-from .film_transient import moving_heights
+from .film_motion import FilmSection
+from .film_transient import Vectors, moving_heights
 from .lubricants import LubricantSection
 from .motion import ReliefSection
 from .sections import SurfaceSection

@@ -17,7 +17,7 @@ from .film_transient import moving_heights
 
 if TYPE_CHECKING:
     from .film_description import FilmDescription
-    from .film_motion import Vectors
+    from .film_transient import Vectors
 
 Checkpoint = str | os.PathLike[str] | None
 Films = tuple[FilmSolution, ...]
@@ -79,14 +79,14 @@ def _scaled(velocities: Vectors, factor: float) -> list[list[float]]:
 
 
 def _pressed(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Films:
-    film, grid = case.film, case.cells
+    film, grid, settings = case.film, case.cells, case.film.settings()
+    del settings["tol"]  # that of the film follows from that of the plastic flow
     simulation = Simulation(grid, *case.bodies, case.standing_gap(), on_border="warn")
     load = case.load_on(grid)
     parts = np.arange(1, film.increments + 1) / film.increments
     return press_loads(
         simulation, loads=(load * parts).tolist(), speed=case.velocities,
-        lubricant=case.build_lubricant(), boundary=film.settings()["boundary"], order=film.order,
-        max_iterations=film.max_iterations, checkpoint=checkpoint, progress=progress,
+        lubricant=case.build_lubricant(), checkpoint=checkpoint, progress=progress, **settings,
     )  # fmt: skip
 
 

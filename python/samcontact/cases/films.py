@@ -18,8 +18,8 @@ from ..lubrication.steady import checked_task
 from .film_checks import require_possible
 from .film_description import FilmDescription
 from .film_grid import FilmGridSection, grid_of_contact, grid_of_line
-from .film_motion import Vectors
 from .film_studies import solved
+from .film_transient import Vectors
 from .rolling_parts import with_surface
 
 Contact = _hertz.LineContact | _hertz.EllipticContact

@@ -25,6 +25,7 @@ from .formulas import (
 from .friction import FilmFriction, friction
 from .groups import MoesNumbers, moes
 from .loading import press_loads
+from .running_in import RunningIn, running_in
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
 from .traction import TractionCurve, traction_curve
@@ -44,6 +45,7 @@ __all__ = [
     "FilmSolution",
     "FilmThickness",
     "MoesNumbers",
+    "RunningIn",
     "StribeckCurve",
     "TractionCurve",
     "bearing_speeds",
@@ -59,6 +61,7 @@ __all__ = [
     "press_loads",
     "regime",
     "rigid_isoviscous",
+    "running_in",
     "steady",
     "stribeck",
     "traction_curve",

@@ -20,11 +20,15 @@ from ..restart.file import DamagedCheckpointError, read, readable, require_same,
 from ..restart.identity import Identity, require_identified
 from ..restart.lock import locked
 from ..restart.tree import Tree, array
+from .film_heat import FilmHeat
 from .film_plasticity import FilmPlasticity
 from .film_solution import FilmLevel, FilmPast, FilmSolution
 
 _KIND = "film"
 _FIELDS = "gap", "fluid_pressure", "boundary_pressure", "film", "filling"
+_HEAT_SHAPES: dict[str, tuple[int, ...]] = {
+    "surface_rise": (2,), "flux": (2,), "depth": (), "middle_rise": (),
+}  # fmt: skip
 _NUMBERS = "approach", "load", "residual"
 
 
@@ -53,6 +57,8 @@ class Kept:
         tree["levels"] = np.array([[*one.cells, *one[1:]] for one in film.levels], dtype=float)
         if film.past is not None:
             tree["past"] = {n: _plain(getattr(film.past, n)) for n in _names(FilmPast)}
+        if film.heat is not None:
+            tree["heat"] = {name: getattr(film.heat, name) for name in _HEAT_SHAPES}
         if film.plasticity is not None:
             tree["plasticity"] = {
                 name: getattr(film.plasticity, name) for name in _names(FilmPlasticity)
@@ -89,8 +95,21 @@ def _film(tree: Tree, like: FilmSolution) -> FilmSolution:
     ]
     return replace(
         like, velocities=read_only(array(tree, "velocities", (2, 2))), levels=tuple(levels),
-        past=_past(tree, cells), plasticity=_plasticity(tree, cells), **found,
+        past=_past(tree, cells), heat=_heat(tree, like), plasticity=_plasticity(tree, cells),
+        **found,
     )  # fmt: skip
+
+
+def _heat(tree: Tree, like: FilmSolution) -> FilmHeat | None:
+    if "heat" not in tree:
+        return None
+    constants, cells = like.lubricant.heat, like.grid.surface_shape
+    assert constants is not None
+    found = {
+        name: read_only(array(tree["heat"], name, (*first, *cells)))
+        for name, first in _HEAT_SHAPES.items()
+    }
+    return FilmHeat(constants=constants, cell_area=like.grid.cell_area, **found)
 
 
 def _past(tree: Tree, cells: tuple[int, int]) -> FilmPast | None:

@@ -42,6 +42,8 @@ def press_loads(
     lubricant: Lubricant,
     boundary: Boundary | None = None,
     order: int = 3,
+    shear_thinning: bool = False,
+    thermal: bool = False,
     tol: float = 1e-4,
     max_iterations: int = 40,
     checkpoint: str | os.PathLike[str] | None = None,
@@ -55,7 +57,7 @@ def press_loads(
         As for `press`, on a grid with depth.
     loads : sequence of float
         Normal load of each increment [N], > 0.
-    speed, lubricant, boundary, order, tol, max_iterations
+    speed, lubricant, boundary, order, shear_thinning, thermal, tol, max_iterations
         As for `press`.
     checkpoint : path, optional
         Folder for a file with film and state of each increment. Repeating the call resumes from
@@ -85,7 +87,8 @@ def press_loads(
     if not simulation.grid.has_volume:
         raise ValueError("simulation must have a grid with dz, on which plastic strain is stored")
     arguments: dict[str, Any] = {
-        "speed": speed, "lubricant": lubricant, "boundary": boundary, "order": order, "tol": tol,
+        "speed": speed, "lubricant": lubricant, "boundary": boundary, "order": order,
+        "shear_thinning": shear_thinning, "thermal": thermal, "tol": tol,
         "max_iterations": max_iterations,
     }  # fmt: skip
     films: list[FilmSolution] = []
@@ -167,6 +170,7 @@ def _kept_in(
         velocities=velocities_of(arguments["speed"]), gap=none, fluid_pressure=none,
         boundary_pressure=none, film=none, filling=none, approach=0.0, load=0.0, residual=0.0,
         levels=(), boundary=arguments["boundary"], order=arguments["order"],
+        shear_thinning=arguments["shear_thinning"],
         bodies=(simulation.body1, simulation.body2),
     )  # fmt: skip
     place = file_path("checkpoint", folder)

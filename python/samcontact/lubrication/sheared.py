@@ -39,10 +39,13 @@ MAX_HEAT_STEPS = 100
 
 
 class ShearedLevel:
-    """Film on one grid with shear thinning and heat."""
+    """Film on one grid with shear thinning and heat.
 
-    def __init__(self, solver: LevelSolver) -> None:
-        self._solver = solver
+    more: arguments of each solution, e.g. the time step and earlier contents of a transient film.
+    """
+
+    def __init__(self, solver: LevelSolver, **more: Any) -> None:
+        self._solver, self._more = solver, more
         task = solver.task
         self._surfaces: HeatedSurfaces | None = None
         if task.thermal:
@@ -58,7 +61,9 @@ class ShearedLevel:
         task, counts = self._solver.task, dict.fromkeys(COUNTS, 0)
         for _ in range(MAX_OUTER):
             flow = list(self.flow(found))
-            found = self._solver.solve(state_of(found), layer, task.order, pressure_flow=flow)
+            found = self._solver.solve(
+                state_of(found), layer, task.order, pressure_flow=flow, **self._more
+            )
             counts = {name: counts[name] + found[name] for name in COUNTS}
             if not found["converged"] or found["iterations"] == 0:
                 break
@@ -107,13 +112,18 @@ class ShearedLevel:
         )
 
 
-def sheared_from(solver: LevelSolver, state: dict[str, Any], layer: tuple[float, float]) -> Any:
-    """Return the solution with shear thinning and heat from a state of a coarser grid."""
+def sheared_from(
+    solver: LevelSolver, state: dict[str, Any], layer: tuple[float, float], **more: Any
+) -> Any:
+    """Return the solution with shear thinning and heat from a state, e.g. of a coarser grid.
+
+    more: as for `ShearedLevel`.
+    """
     task = solver.task
     solver.task = replace(task, max_iterations=0)
-    begun = solver.solve(state, layer, task.order)  # the film that belongs to the state
+    begun = solver.solve(state, layer, task.order, **more)  # the film that belongs to the state
     solver.task = task
-    return ShearedLevel(solver).solve(begun, layer)
+    return ShearedLevel(solver, **more).solve(begun, layer)
 
 
 def with_shear(task: FilmTask, grid: Grid, thins: bool, thermal: bool) -> FilmTask:

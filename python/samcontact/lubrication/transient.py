@@ -28,6 +28,7 @@ from .balance import WEIGHTS
 from .checkpoint import Kept, kept_in
 from .film_solution import FilmPast, FilmSolution
 from .nested import FilmTask, LevelSolver, table_of
+from .sheared import sheared_from
 from .steady import require_converged, solution_of, velocities_of
 
 
@@ -86,7 +87,8 @@ def transient(
     Parameters
     ----------
     start : FilmSolution
-        Film at the start, from `steady` or `transient`.
+        Film at the start, from `steady` or `transient`, without heat. With `shear_thinning`, the
+        films of all steps have it too.
     duration : float
         Duration [s], > 0.
     steps : int
@@ -120,10 +122,11 @@ def transient(
         No convergence; its attribute `history` contains the solutions so far.
     """
     require_type("start", start, FilmSolution)
-    if start.shear_thinning or start.heat is not None:
+    if start.heat is not None:
         raise ValueError(
-            "start must be a film without shear thinning in the flow and without heat: transient "
-            "films are isothermal; solve it with shear_thinning = False and thermal = False"
+            "start must be a film without heat, got a heated one: the temperatures of the surfaces "
+            "are those of steady heat, which transient films do not have; solve it with thermal = "
+            "False"
         )
     duration, steps = positive("duration", duration), integer("steps", steps, 1)
     functions = {"relief1": relief1, "relief2": relief2, "load": load, "speed": speed}
@@ -242,7 +245,7 @@ class _March:
         self.order: int = settings["order"]
         self._task = FilmTask(
             (body1, body2), start.gap, True, start.load, start.velocities, start.spin,
-            start.lubricant, start.supply, start.boundary, 3, 1e-6, 20,
+            start.lubricant, start.supply, start.boundary, 3, 1e-6, 20, start.shear_thinning,
         )  # fmt: skip
         self._peak = float(start.pressure.max()) if start.past is None else start.past.peak
         self._layer = self._task.layer(self._peak)
@@ -261,10 +264,14 @@ class _March:
             "fluid_pressure": last.fluid_pressure, "boundary_pressure": last.boundary_pressure,
             "void_fraction": 1.0 - last.filling, "approach": last.approach,
         }  # fmt: skip
-        found = solver.solve(
-            state, self._layer, task.order, time=(self._course.step, WEIGHTS[0]),
-            content=WEIGHTS[1] * content - WEIGHTS[2] * past.content,
-        )  # fmt: skip
+        more: dict[str, Any] = {
+            "time": (self._course.step, WEIGHTS[0]),
+            "content": WEIGHTS[1] * content - WEIGHTS[2] * past.content,
+        }
+        if task.thins:
+            found = sheared_from(solver, state, self._layer, **more)
+        else:
+            found = solver.solve(state, self._layer, task.order, **more)
         require_converged(found, task)
         solution = solution_of(last.grid, now.gap, task, found, [solver.level(found)])
         past = FilmPast(now.time, now.ways, content, past.gap, past.peak)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,6 +22,7 @@ from ..solutions.state import State
 from .boundary import Boundary
 from .film_solution import FilmSolution
 from .nested import FilmTask, LevelSolver, state_of, table_of
+from .sheared import check_heated, sheared_from, with_shear
 from .steady import checked_task, require_converged, solution_of, solved_from_dry
 
 DEPTH = 5
@@ -56,6 +58,8 @@ def press(
     lubricant: Lubricant,
     boundary: Boundary | None = None,
     order: int = 3,
+    shear_thinning: bool = False,
+    thermal: bool = False,
     tol: float = 1e-4,
     max_iterations: int = 40,
 ) -> FilmIncrement:
@@ -71,8 +75,9 @@ def press(
         Bodies, gap and history, without friction, heat, adhesion and moving reliefs.
     load : float
         Normal load [N], > 0.
-    speed, lubricant, boundary, order, max_iterations
-        As in `steady`.
+    speed, lubricant, boundary, order, shear_thinning, thermal, max_iterations
+        As in `steady`. The heat of the film changes its viscosity only: it causes no stress in the
+        bodies and does not soften them.
     tol : float, optional
         Largest change of the residual displacement in the last evaluation, relative to the
         approach of a Hertz contact with the same load and pressure [-].
@@ -96,6 +101,12 @@ def press(
         simulation.grid, (simulation.body1, simulation.body2), simulation.initial_gap, load, None,
         speed, 0.0, lubricant, None, boundary, order, min(1e-6, 0.1 * tol), max_iterations,
     )  # fmt: skip
+    task = with_shear(task, simulation.grid, shear_thinning, thermal)
+    if task.thermal and any(body.softening for body in task.bodies):
+        raise ValueError(
+            "simulation must not have bodies that heat softens with thermal = True: the heat of "
+            "the film reduces the viscosity only; omit the softening, or use thermal = False"
+        )
     coupling = _Coupling(simulation, task)
     before = simulation.state
     try:
@@ -104,6 +115,8 @@ def press(
         simulation.engine.stand_at(before)
         raise
     assert coupling.film is not None
+    if task.thermal:
+        check_heated(coupling.film, coupling.radius)
     return FilmIncrement(coupling.film, simulation.state, coupling.evaluations)
 
 
@@ -118,7 +131,9 @@ def _require_film_alone(simulation: Simulation) -> None:
             "follows from the lubricant, see lubrication.friction"
         )
     if simulation.heat != NO_HEAT:
-        raise ValueError("simulation must not have heat under a film, which is isothermal: omit it")
+        raise ValueError(
+            "simulation must not have heat under a film: omit it; thermal = True heats the film"
+        )
     if setup.adhesion.attracts:
         raise ValueError(
             f"simulation must not have adhesion under a film, got {setup.adhesion!r}: omit it"
@@ -157,10 +172,16 @@ class _Coupling:
                 f"{self.evaluations} solutions: use smaller increments of the load"
             ) from None
 
+    @property
+    def radius(self) -> float:
+        """Radius of a Hertz contact with the load and the largest pressure of the film [m]."""
+        assert self.film is not None
+        return math.sqrt(1.5 * self.film.load / (math.pi * float(self.film.pressure.max())))
+
     def _size(self) -> float:
         """Approach of a Hertz contact with the load and the largest pressure of the film [m]."""
         assert self.film is not None
-        radius = np.sqrt(1.5 * self.film.load / (np.pi * self.film.pressure.max()))
+        radius = self.radius
         gap = self.film.gap - self.film.gap.min()
         grid = self.film.grid
         near = np.abs(gap)[np.hypot(grid.x[:, None], grid.y[None, :]) <= 1.01 * radius + grid.dx]
@@ -184,7 +205,11 @@ class _Coupling:
             self._layer, self._table = task.layer(dry.peak), table_of(task.lubricant, dry.peak)
             return film
         solver = LevelSolver(task, grid, gap, self._table)
-        self._found = solver.solve(state_of(self._found), self._layer, task.order)
+        state = state_of(self._found)
+        if task.is_sheared:
+            self._found = sheared_from(solver, state, self._layer)
+        else:
+            self._found = solver.solve(state, self._layer, task.order)
         require_converged(self._found, task)
         return solution_of(grid, gap, task, self._found, [solver.level(self._found)])
 

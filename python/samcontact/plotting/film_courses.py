@@ -10,7 +10,6 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from .._util.checks import FloatArray
-from .._util.film_quantities import FILMS
 from ..problem.grid import Grid
 from .parts import axes_or_new, finish, new_figure, prefixed
 from .section import section
@@ -35,18 +34,15 @@ def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     time = dataset["time"].values * factor
     thickness, unit = prefixed(float(dataset["central_film"].max()), "m")
     for name, style in (("central_film", "C3-"), ("minimum_film", "C3--")):
-        label = FILMS[name].heading
-        ax.plot(time, dataset[name].values * thickness, style, label=label)
+        ax.plot(time, dataset[name].values * thickness, style)
     ax.set_xlabel(f"time [{seconds}]")
-    ax.set_ylabel(f"film thickness [{unit}]")
+    ax.set_ylabel(f"central film, minimum film (dashed) [{unit}]", color="C3")
     ax.set_ylim(bottom=0.0)
     right = ax.twinx()
     largest, pascals = prefixed(float(dataset["max_pressure"].max()), "Pa")
-    right.plot(time, dataset["max_pressure"].values * largest, "C0-", label="maximum pressure")
+    right.plot(time, dataset["max_pressure"].values * largest, "C0-")
     right.set_ylabel(f"maximum pressure [{pascals}]", color="C0")
     right.set_ylim(bottom=0.0)
-    lines = [*ax.lines, *right.lines]
-    right.legend(lines, [str(line.get_label()) for line in lines], fontsize="small")
     return finish(ax)
 
 

@@ -74,7 +74,8 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
         text = "Regimes of lubrication over load and lubricant, with the place of the contact."
         yield FilmFigure("regime_chart", f"Regime of lubrication, {when}", text, chart)
     yield from _courses(dataset, film)
-    if len(films) > 1 and "boundary_share" in dataset and np.ptp(dataset["speed"]) > 0:
+    over_speed = len(films) > 1 and "time" not in dataset and "imprint" not in dataset
+    if over_speed and "boundary_share" in dataset:
         figure = new_figure()
         share, mu = (dataset[name].values for name in ("boundary_share", "friction_coefficient"))
         stribeck_lines(dataset["speed"].values, share, mu, figure.subplots())

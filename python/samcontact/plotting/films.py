@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 MAX_SHOWN_FILM = 3.0
 """Largest film of a map, in central films."""
 _POINTS_PER_CELL = 6
+_PIXELS = 250.0  # of an interferogram, along its longer side
+_LABEL_WIDTH, _LABEL_HEIGHT = 1.2, 0.5  # of a label in the chart of regimes, decades
 _REGIMES = (
     "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous", "elastic-piezoviscous",
 )  # fmt: skip
@@ -153,7 +155,8 @@ def interferogram(
 ) -> Axes:
     """Draw the interference fringes of a film between a glass disc and a body.
 
-    The intensity is cos^2(2 pi n h/wavelength + phase).
+    The intensity is cos^2(2 pi n h/wavelength + phase), averaged over the pixels: fringes that are
+    narrower than these are grey.
 
     Parameters
     ----------
@@ -184,7 +187,8 @@ def interferogram(
     ax, across, along = plane.ax, plane.across, plane.along
     # between the centres of the cells too, where fringes are narrower than a cell
     thickness = scipy.ndimage.zoom(plane.oriented(film.film), _POINTS_PER_CELL, order=3)
-    intensity = np.cos(2.0 * np.pi * index * thickness / wave + shift) ** 2
+    path = 4.0 * np.pi * index * thickness / wave + 2.0 * shift
+    intensity = 0.5 + 0.5 * np.cos(path) * _contrast(path)
     ax.pcolormesh(
         np.linspace(across[0], across[-1], intensity.shape[1]),
         np.linspace(along[0], along[-1], intensity.shape[0]),
@@ -271,7 +275,7 @@ def regime_chart(
         if inside.any():
             ax.contourf(loads, oils, inside.T.astype(float), levels=[0.5, 1.5], colors=[colour])
             i, j = inside.nonzero()
-            m, n = (float(np.exp(np.log(v).mean())) for v in (loads[i], oils[j]))
+            m, n = _label_place(loads[i], oils[j], (M, max(L, float(oils[0]))))
             ax.text(m, n, name.replace("-", "\n"), ha="center", va="center", fontsize="small")
     ax.plot([M], [max(L, oils[0])], "ko", markersize=5)
     ax.set_xscale("log")
@@ -285,6 +289,24 @@ def regime_chart(
 def _middle_row(film: FilmSolution) -> int:
     """Return the row along x through the smallest gap of the undeformed surfaces."""
     return int(np.unravel_index(int(np.argmin(film.smooth_gap)), film.gap.shape)[1])
+
+
+def _label_place(
+    loads: FloatArray, oils: FloatArray, dot: tuple[float, float]
+) -> tuple[float, float]:
+    """Return the middle of a region, or of its part away from the dot if this would be hidden.
+
+    loads, oils: coordinates of the points of the region.
+    """
+    away = np.abs(np.log10(oils / dot[1])) > _LABEL_HEIGHT
+    for part in (np.full(loads.shape, True), away & (oils > dot[1]), away & (oils < dot[1])):
+        if not part.any():
+            continue
+        m, n = (float(np.exp(np.log(v[part]).mean())) for v in (loads, oils))
+        far = abs(np.log10(n / dot[1])) > _LABEL_HEIGHT or abs(np.log10(m / dot[0])) > _LABEL_WIDTH
+        if far:
+            return m, n
+    return m, n
 
 
 class _Plane:
@@ -310,6 +332,18 @@ class _Plane:
     def oriented(self, field: FloatArray) -> FloatArray:
         """Return a field with the rows along the page."""
         return field if self.is_turned else field.T
+
+
+def _contrast(path: FloatArray) -> FloatArray:
+    """Return the contrast of fringes after averaging over a pixel of the figure.
+
+    path: twice the phase at the points of the image [rad].
+    """
+    pixel = max(1.0, max(path.shape) / _PIXELS)
+    slopes = np.gradient(path)
+    contrast: FloatArray = np.prod([np.sinc(0.5 * pixel * s / np.pi) for s in slopes], axis=0)
+    # side lobes of the average would be false fringes
+    return np.where(np.max(np.abs(slopes), axis=0) * pixel < 2.0 * np.pi, contrast, 0.0)
 
 
 def _note_films(ax: Axes, film: FilmSolution) -> None:

@@ -191,7 +191,6 @@ def test_contact_lies_behind_the_centre_in_the_direction_of_flow():
         ({"surface": {"shape": "cylinder", "R": 0.01}}, r"\[grid\] with nx, ny, dx and dy is"),
         ({"surface": GEAR}, r"film\.load cannot be combined with the load of the part"),
         ({"grid": {"nx": 32}}, "ny, dx, dy must be given too"),
-        ({"body2": BALL | {"law": "perfect_plastic", "yield_stress": 1e9}}, "elastic-plastic"),
         ({"body2": BALL | {"thermal": {"conductivity": 46.0, "expansion": 1e-5,
                                        "diffusivity": 1e-5}}}, r"body2\.thermal has no effect"),
         ({"lubricant": {"grade": "ISO VG 67", "temperature": 343.0}}, "grade must be one of ISO"),

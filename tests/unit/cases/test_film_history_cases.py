@@ -5,12 +5,14 @@ import warnings
 
 import numpy as np
 import pytest
+from PIL import Image
 
 import samcontact as sc
 from case_kinds import BALL, DENT, KINDS
 from command import invoke
 from samcontact import report, results
 from samcontact.cases import CaseError, FilmCase, film_studies, parse_case
+from samcontact.commands import solve_study
 
 CASE = """
 title = "a dent in oil"
@@ -115,7 +117,14 @@ def test_a_dent_passes_as_in_python(tmp_path):
 
 def test_a_run_that_stops_resumes_bit_identically(tmp_path, monkeypatch):
     """The films so far are results, and the resumed run has the digits of an undisturbed one."""
-    assert run(tmp_path, CASE).exit_code == 0
+    monkeypatch.setattr(solve_study, "MAX_FRAMES", 2)
+    (tmp_path / "case.toml").write_text(CASE)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        outcome = invoke("run", tmp_path / "case.toml", "--output", tmp_path / "out", "--animate")
+    assert outcome.exit_code == 0, outcome.output
+    with Image.open(tmp_path / "out" / "film.gif") as image:
+        assert image.n_frames == 2
     for name in ("film_over_time.png", "film_map.png"):
         assert (tmp_path / "out" / name).exists()
     with results.open_results(tmp_path / "out" / "film.nc") as data:
@@ -156,6 +165,13 @@ def test_a_run_that_stops_resumes_bit_identically(tmp_path, monkeypatch):
     assert resumed.exit_code == 0, resumed.output
     with results.open_results(other / "out" / "film.nc") as data:
         np.testing.assert_array_equal(data["film"].values, whole)
+
+
+def test_only_films_in_time_are_animated(tmp_path):
+    (tmp_path / "case.toml").write_text(YIELDS)
+    outcome = invoke("run", tmp_path / "case.toml", "--output", tmp_path / "out", "--animate")
+    assert outcome.exit_code != 0
+    assert "--animate cannot be combined with [film], except with film.transient" in outcome.stderr
 
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
@@ -203,7 +219,7 @@ PRESSED = KINDS["pressed film"]
          "load_factors must have as many values as times"),
         (IN_TIME, {"film": IN_TIME["film"] | {"thermal": True},
                    "lubricant": KINDS["heated film"]["lubricant"]},
-         r"film\.thermal cannot be combined with film\.transient: transient films are isothermal"),
+         r"film\.thermal cannot be combined with film\.transient: the temperatures"),
         (IN_TIME, {"relief1": None, "relief2": None, "film": {
             "load": 20.0, "entrainment": 1.0, "transient": {"duration": 1e-4}}},
          r"film\.transient has no effect without relief1"),

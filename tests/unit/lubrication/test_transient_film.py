@@ -20,8 +20,8 @@ def steady(n, width=4.0, **more):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         return sc.lubrication.steady(
-            grid, BODY, BODY, 0.5 * (x**2 + y**2) / R, load=LOAD, speed=(U, U), lubricant=OIL,
-            **more,
+            grid, BODY, BODY, 0.5 * (x**2 + y**2) / R, load=LOAD,
+            **{"speed": (U, U), "lubricant": OIL} | more,
         )  # fmt: skip
 
 
@@ -51,6 +51,32 @@ def test_steps_are_of_second_order_and_continue_exactly():
     np.testing.assert_array_equal(whole.film[4:], rest.film)
     np.testing.assert_array_equal(whole.time[4:], rest.time)
     assert whole.solutions[-1].load == pytest.approx(LOAD, rel=1e-6)
+
+
+def test_a_starved_film_stays():
+    """The supply of the start arrives at the inlet at all times."""
+    film = steady(32, supply=2e-7, tol=1e-9)
+    assert film.central_film < 0.9 * steady(32).central_film
+    history = sc.lubrication.transient(film, duration=3 * film.grid.dx / U, steps=3, tol=1e-9)
+    np.testing.assert_allclose(history.film[-1], film.film, rtol=1e-6)
+
+
+def test_shear_thins_a_film_in_time():
+    """After the sliding has changed and the oil has passed, the film is the steady one."""
+    thin = OIL.with_eyring(3e6)
+    n, slide = 24, 0.8
+    film = steady(n, lubricant=thin, shear_thinning=True, order=1, tol=1e-8)
+    dx, passing = film.grid.dx, 3.0 * film.grid.nx
+    same = sc.lubrication.transient(film, duration=2 * dx / U, steps=2, order=1, tol=1e-8)
+    np.testing.assert_allclose(same.film[-1], film.film, rtol=1e-5)
+    fast = {"speed": (U * (1 + slide / 2), U * (1 - slide / 2))}
+    history = sc.lubrication.transient(
+        film, duration=passing * dx / U, steps=int(passing), order=1, tol=1e-5,
+        speed=lambda t: fast["speed"],
+    )  # fmt: skip
+    sliding = steady(n, lubricant=thin, shear_thinning=True, order=1, tol=1e-8, **fast)
+    assert sliding.central_film < 0.97 * film.central_film
+    np.testing.assert_allclose(history.film[-1], sliding.film, rtol=2e-3)
 
 
 def wave(amplitude, length):

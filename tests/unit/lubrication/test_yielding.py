@@ -34,6 +34,57 @@ def test_a_strong_body_has_the_elastic_film():
     assert found.state.max_equivalent_plastic_strain(2) == 0.0
 
 
+def test_a_strong_body_has_the_heated_film():
+    """Heat and shear thinning of an elastic film, from `steady`; softening is refused."""
+    thermal = {"conductivity": 46.0, "expansion": 12e-6, "diffusivity": 12.5e-6}
+    strong = sc.Material.linear_hardening(210e9, 0.3, 50e9, 5e9).with_thermal(**thermal)
+    ball, oil = BALL.with_thermal(**thermal), OIL.with_eyring(5e6).with_thermal(0.14, 1.7e6, 0.04)
+    cell = 4.2 * sc.hertz.point(R, 115.4e9, load=100.0).a / 32
+    grid = sc.Grid(32, 28, cell, cell, dz=cell)
+    gap = sc.surfaces.paraboloid(grid, R)
+    how = {"lubricant": oil, "speed": (2.2, 1.8), "shear_thinning": True, "thermal": True,
+           "order": 1}  # fmt: skip
+    simulation = sc.Simulation(grid, ball, strong, gap, on_border="warn")
+    found = sc.lubrication.press(simulation, load=100.0, **how)
+    film = sc.lubrication.steady(grid, ball, ball, gap, load=100.0, **how)
+    np.testing.assert_allclose(found.film.film, film.film, rtol=1e-8)
+    np.testing.assert_allclose(found.film.heat.middle_rise, film.heat.middle_rise, rtol=1e-8)
+    assert film.heat.max_rise > 5.0
+    soft = RACE.with_thermal(**thermal).with_softening(
+        sc.softening.JohnsonCook(melting=1800.0, m=1.0)
+    )
+    warm = sc.Simulation(grid, ball, soft, gap, on_border="warn")
+    with pytest.raises(ValueError, match="must not have bodies that heat softens"):
+        sc.lubrication.press(warm, load=100.0, **how)
+
+
+def test_loads_are_increments_that_keep_their_state(tmp_path):
+    """`press_loads` is `press` at each load; kept increments are those solved."""
+    loads = [0.5 * LOAD, LOAD]
+    grid = sc.Grid(32, 24, 1.7 * DX, 1.7 * DX, dz=2 * DX)
+    gap = sc.surfaces.paraboloid(grid, R)
+    how = {"speed": (3.0, 3.0), "lubricant": OIL, "order": 1, "tol": 1e-3}
+    alone = sc.Simulation(grid, BALL, RACE, gap, on_border="warn")
+    pressed = [sc.lubrication.press(alone, load=load, **how) for load in loads]
+    for _ in range(2):  # solved, then read
+        simulation = sc.Simulation(grid, BALL, RACE, gap, on_border="warn")
+        films = sc.lubrication.press_loads(
+            simulation, loads=loads, checkpoint=tmp_path / "run", **how
+        )
+        for film, one in zip(films, pressed, strict=True):
+            np.testing.assert_array_equal(film.film, one.film.film)
+        strain = simulation.state.equivalent_plastic_strain(2)
+        np.testing.assert_array_equal(strain, alone.state.equivalent_plastic_strain(2))
+        np.testing.assert_array_equal(films[-1].plasticity.equivalent_plastic_strain[1], strain)
+        unloaded = films[-1].plasticity.residual_von_mises[1].max()
+        assert 0.1 < unloaded / films[-1].plasticity.von_mises[1].max() < 1.0
+    other = sc.Simulation(grid, BALL, RACE, gap, on_border="warn")
+    with pytest.raises(ValueError, match="is of another run"):
+        sc.lubrication.press_loads(other, loads=[1.0, LOAD], checkpoint=tmp_path / "run", **how)
+    with pytest.raises(ValueError, match="loads must be a list of positive numbers"):
+        sc.lubrication.press_loads(other, loads=[0.0], **how)
+
+
 def test_without_speed_the_contact_is_the_dry_plastic_one():
     layer = sc.lubrication.Boundary(1e-9)
     simulation, found = press(RACE, 1e-6, boundary=layer, order=1)

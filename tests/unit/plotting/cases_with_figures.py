@@ -234,6 +234,37 @@ nu = 0.3
 shape = "paraboloid"
 Rx = 0.01
 """
+CASES["film in time"] = (
+    CASES["film"]
+    .replace("speeds = [1e-4, 1e-3, 1e-2, 0.1]", "entrainment = 1.0")
+    .replace("boundary = {thickness = 2e-9}", "[film.transient]\nduration = 240e-6\nsteps = 8")
+    + '[relief2]\nkind = "dent"\ndepth = 2e-7\nradius = 60e-6\nx = -180e-6\n'
+)
+ELASTIC = 'law = "elastic"\nE = 207e9\nnu = 0.3\n'
+PLASTIC = ELASTIC.replace("elastic", "linear_hardening")
+PLASTIC += "yield_stress = 0.9e9\ntangent_modulus = 5e9\n"
+CASES["pressed film"] = (
+    CASES["film"]
+    .replace("speeds = [1e-4, 1e-3, 1e-2, 0.1]", "entrainment = 4.0\nincrements = 2")
+    .replace("load = 20.0", "load = 900.0")
+    .replace("slide_to_roll = 0.05\n", "")
+    .replace("boundary = {thickness = 2e-9}\n", "")
+    .replace("viscosity = 0.04", "viscosity = 0.1")
+    .replace("15e-6", "54e-6")
+    .replace("14e-6", "54e-6")
+    .replace(ELASTIC + "[surface]", PLASTIC + "[surface]")
+)
+CASES["heated film"] = (
+    CASES["film"]
+    .replace("speeds = [1e-4, 1e-3, 1e-2, 0.1]", "entrainment = 2.0\nthermal = true")
+    .replace("slide_to_roll = 0.05", "slide_to_roll = 0.5")
+    .replace("boundary = {thickness = 2e-9}\n", "")
+    .replace("[film]", "thermal = {conductivity = 0.14, capacity = 1.7e6, beta = 0.04}\n[film]")
+    .replace(
+        "nu = 0.3\n",
+        "nu = 0.3\nthermal = {conductivity = 46.0, expansion = 12e-6, diffusivity = 12.5e-6}\n",
+    )
+)
 CASES["friction"] = """title = "friction over velocity"
 [sliding]
 mean_pressure = 1e6

@@ -19,6 +19,7 @@ sys.path.insert(0, str(Path(__file__).parents[2]))
 from cases_with_figures import CASES
 from overlapping_texts import overlaps_when_saved
 
+from samcontact.commands import solve_study
 from samcontact.commands.folder import _FIGURES
 from samcontact.commands.main import main
 from samcontact.plotting import summary
@@ -45,6 +46,9 @@ FIRST_IN_OTHERS = {
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
         "imprint_map", "residual", "sections",
     ),
+    "film in time": ("film_map", "film_profile", "interferogram"),
+    "pressed film": ("film_map", "film_profile", "interferogram"),
+    "heated film": ("film_map", "film_profile", "interferogram", "regime_chart"),
     "hardened": (
         "axis_stress", "gap_map", "load_approach", "pressure", "pressure_map", "imprint",
         "imprint_map", "residual", "sections", "fatigue_depth", "fatigue_section",
@@ -60,12 +64,17 @@ def drawn(case, folder):
     file = folder / f"{case}.toml"
     file.write_text(CASES[case])
     others = FIRST_IN_OTHERS.get(case, ())
-    written = summary.save
+    written, written_film = summary.save, solve_study.save_figure
     with pytest.MonkeyPatch.context() as patch, overlaps_when_saved() as hidden:
         patch.setattr(
             summary,
             "save",
             lambda figure, path: path if path.stem in others else written(figure, path),
+        )
+        patch.setattr(
+            solve_study,
+            "save_figure",
+            lambda figure, path: path if path.stem in others else written_film(figure, path),
         )
         outcome = CliRunner().invoke(
             main, ["run", str(file), "--output", str(folder / case), "--quiet"]

@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Running-in: wear of a surface by the boundary layer, under a film."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from .._util.checks import FloatArray, boolean, choice, integer, positive, require_type
+from .._util.display import ShortRepr, quantity
+from .._util.errors import attach
+from .._util.frozen import read_only
+from .._util.progress import progress_bar
+from .film_solution import FilmSolution
+from .mixed import MixedFilm
+from .nested import FilmTask, LevelSolver, table_of
+from .sheared import ShearedLevel, sheared_from
+from .steady import require_converged, solution_of
+
+MAX_STEP = 10.0
+"""Largest depth that a step may wear off, in thicknesses of the boundary layer."""
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class RunningIn(ShortRepr):
+    """Films and wear over time, from `running_in`.
+
+    Attributes
+    ----------
+    films : tuple of FilmSolution
+        Film at the start and after each step.
+    time : ndarray, shape (n,)
+        Times since the start [s].
+    depth : ndarray, shape (n, nx, ny)
+        Depth of the removed material [m].
+    """
+
+    films: tuple[FilmSolution, ...]
+    time: FloatArray
+    depth: FloatArray
+
+    @property
+    def volume(self) -> FloatArray:
+        """Worn volume [m^3], shape (n,)."""
+        volume: FloatArray = self.depth.sum(axis=(1, 2)) * self.films[0].grid.cell_area
+        return volume
+
+    @property
+    def boundary_share(self) -> FloatArray:
+        """Shares of the load that the boundary layer bears [-], shape (n,)."""
+        return np.array([film.boundary_share for film in self.films])
+
+
+def running_in(
+    film: FilmSolution,
+    *,
+    archard: float,
+    duration: float,
+    steps: int,
+    worn: int = 2,
+    tol: float = 1e-6,
+    max_iterations: int = 40,
+    progress: bool = False,
+) -> RunningIn:
+    """Wear a surface by the share of the load that its boundary layer bears.
+
+    The depth grows by ``archard`` times the pressure of the boundary layer times the sliding
+    distance (Archard's law); the fluid causes no wear. The worn surface rests in the contact, as
+    that of a pin under a rotating disc, and each of its points wears at its place. The film follows
+    the worn gap as a steady film.
+
+    Parameters
+    ----------
+    film : FilmSolution
+        Film at the start, from `steady` or `stribeck`, with a boundary layer and sliding.
+    archard : float
+        Wear coefficient divided by hardness [1/Pa], > 0.
+    duration : float
+        Duration [s], > 0.
+    steps : int
+        Number of steps of equal duration, >= 1. A step must not wear off more than 10 thicknesses
+        of the layer.
+    worn : {1, 2}, optional
+        Body that wears; its velocity must be 0.
+    tol, max_iterations
+        As in `steady`.
+    progress : bool, optional
+        Whether to show the progress.
+
+    Returns
+    -------
+    RunningIn
+
+    Raises
+    ------
+    ValueError, TypeError
+        Invalid arguments, a film without boundary layer, a worn body that moves, no sliding, or a
+        step that wears off too much.
+    ConvergenceError
+        No convergence; the attribute `result` contains the steps before.
+    """
+    require_type("film", film, FilmSolution)
+    rate, duration = positive("archard", archard), positive("duration", duration)
+    steps, body = integer("steps", steps, 1), choice("worn", worn, (1, 2))
+    boolean("progress", progress)
+    speed = _sliding_speed(film, body)
+    step = duration / steps
+    course = _Course(film, positive("tol", tol), integer("max_iterations", max_iterations, 1))
+    films, depths = [film], [np.zeros(film.grid.surface_shape)]
+
+    def result() -> RunningIn:
+        times = np.linspace(0.0, step * (len(films) - 1), len(films))
+        return RunningIn(tuple(films), times, read_only(np.array(depths[: len(films)])))
+
+    try:
+        with progress_bar(steps, "step", shown=progress) as bar:
+            for _ in range(steps):
+                removed = rate * speed * step * films[-1].boundary_pressure
+                _require_small(removed, film, steps)
+                depths.append(depths[-1] + removed)
+                films.append(course.at(depths[-1]))
+                bar.update()
+    except BaseException as error:  # Ctrl-C too
+        attach(error, result=result())
+        raise
+    return result()
+
+
+def _sliding_speed(film: FilmSolution, worn: int) -> float:
+    """Return the sliding speed [m/s]; raise ValueError for a film that cannot wear the body."""
+    if film.boundary is None:
+        raise ValueError("film must have a boundary layer, got none: solve it with a Boundary")
+    if film.past is not None:
+        raise ValueError("film must be steady, got one of a history: use that of `steady`")
+    if film.velocities[worn - 1].any() or film.spin:
+        raise ValueError(
+            f"film must have a worn body {worn} at rest and no spin, got the velocity "
+            f"{film.velocities[worn - 1].tolist()} m/s: the wear of a surface that moves is spread "
+            "over its track; exchange the bodies, or set worn"
+        )
+    return float(np.hypot(*film.velocities[2 - worn]))
+
+
+def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
+    """Raise ValueError for a step that wears off too much."""
+    assert film.boundary is not None
+    largest, limit = float(removed.max()), MAX_STEP * film.boundary.thickness
+    if largest > limit:
+        needed = int(np.ceil(steps * largest / limit))
+        raise ValueError(
+            f"steps must be large enough to wear off at most {MAX_STEP:g} thicknesses of the "
+            f"boundary layer in each, got {steps} with {quantity(largest, 'm')}: use {needed} or "
+            "more"
+        )
+
+
+class _Course:
+    """Films on gaps that grow, each from the one before, or else from the dry contact."""
+
+    def __init__(self, film: FilmSolution, tol: float, max_iterations: int) -> None:
+        assert film.boundary is not None
+        body1, body2 = film.bodies
+        task = FilmTask(
+            (body1, body2), film.gap, True, film.load, film.velocities, film.spin, film.lubricant,
+            film.supply, film.boundary, film.order, tol, max_iterations, film.shear_thinning,
+            film.heat is not None,
+        )  # fmt: skip
+        start = MixedFilm(task, film.grid)
+        # The layer keeps its constants while the largest pressure of the dry contact changes.
+        self._boundary, self._layer = film.boundary, start.layer
+        self._task = replace(task, boundary=replace(film.boundary, pressure=start.layer[1]))
+        table = table_of(film.lubricant, start.dry.peak)
+        self._solver = LevelSolver(self._task, film.grid, film.gap, table)
+        self._last, self._depth, self._gap = film, np.zeros_like(film.gap), film.gap
+
+    def at(self, depth: FloatArray) -> FilmSolution:
+        """Return the film after the surface has lost a depth [m]."""
+        task = replace(self._task, gap=self._gap + depth)
+        solver = self._solver
+        solver.task, solver.gap = task, self._gap + depth
+        found = self._solved(solver, self._start(depth), task)
+        if not found["converged"]:
+            mixed = MixedFilm(task, self._last.grid)
+            found = mixed.at(1.0)
+            if task.is_sheared and found["converged"]:
+                found = ShearedLevel(mixed.solver_of(task)).solve(found, self._layer)
+        require_converged(found, task)
+        shown = replace(task, boundary=self._boundary)
+        film = solution_of(self._last.grid, solver.gap, shown, found, [solver.level(found)])
+        self._last, self._depth = film, depth
+        return film
+
+    def _solved(self, solver: LevelSolver, state: dict[str, Any], task: FilmTask) -> Any:
+        if task.is_sheared:
+            return sheared_from(solver, state, self._layer)
+        return solver.solve(state, self._layer, task.order)
+
+    def _start(self, depth: FloatArray) -> dict[str, Any]:
+        """Return the last film, with an approach that keeps the mean film of the layer."""
+        last = self._last
+        layer = last.boundary_pressure
+        removed = float((layer * (depth - self._depth)).sum() / layer.sum())
+        return {
+            "fluid_pressure": last.fluid_pressure, "boundary_pressure": layer,
+            "void_fraction": 1.0 - last.filling, "approach": last.approach + removed,
+        }  # fmt: skip
