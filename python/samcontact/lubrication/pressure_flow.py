@@ -163,7 +163,7 @@ class _Faces:
         return share * main / self._fluidity.sum(axis=0), (1.0 - share) * main, slope, added
 
     def _tensor(self) -> tuple[FlowTensor, FloatArray, FloatArray]:
-        """Return the tensor at all pressures, and the ratios of fluidity over the film."""
+        """Return the tensor at all pressures, and the fluidity ratios along the film height."""
         film, h = self._film, self._h
         hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))
         if film.heat is not None:

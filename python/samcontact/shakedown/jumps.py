@@ -52,7 +52,7 @@ class Trend:
 
     @cached_property
     def steps(self) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Differences between successive changes, first the earlier one, then the latest."""
+        """Differences of successive changes: the earlier difference, then the latest one."""
         pairs = (self.oldest, self.older), (self.older, self.last)
         then, now = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
         return then, now
