@@ -68,6 +68,9 @@ def solved(seed):
             states = [simulation.step(**step) for step in path]
         except sc.ConvergenceError:
             return False
+        except ValueError as error:
+            assert "the plastic zone of body 2 is unbounded" in str(error)
+            return False
         largest = max(np.abs(state.stress(2)).max() for state in states)
         for state, step in zip(states, path, strict=True):
             total = state.pressure.sum() * state.grid.cell_area

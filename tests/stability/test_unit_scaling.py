@@ -49,7 +49,7 @@ def test_same_bits_in_powers_of_two(problem):
 
 @pytest.mark.parametrize("units", [pytest.param(name, marks=pytest.mark.slow) for name in UNITS])
 def test_inclusions_in_other_units(units):
-    """Their iteration ends at 1e-4, and its acceleration has single precision."""
+    """Rounding errors grow in a pore, whose strain is not unique."""
     for name, values in interface_setups.included(Units(*UNITS[units])).items():
         assert relative_difference(values, interface_setups.included(Units())[name]) <= 1e-7, name
 

@@ -12,19 +12,21 @@ namespace samcontact::contact {
 
 double norm(const Field& v) { return std::sqrt(ordered_dot(v.data(), v.data(), v.size())); }
 
-void Anderson::reset() {
+template <class Number>
+void AndersonOf<Number>::reset() {
   last_f_ = {};
   last_dx_ = {};
   steps_.clear();
   gram_.resize(0, 0);
 }
 
-void Anderson::remember(const Field& f) {
+template <class Number>
+void AndersonOf<Number>::remember(const Field& f) {
   const std::size_t n = f.size();
   last_f_.resize(n, 0.0);
   for (Step& step : steps_) {
-    step.dx.resize(n, 0.0F);
-    step.df.resize(n, 0.0F);
+    step.dx.resize(n, Number{0});
+    step.df.resize(n, Number{0});
   }
   Eigen::Index m = gram_.rows();
   Step step{std::move(last_dx_), {}};
@@ -35,10 +37,10 @@ void Anderson::remember(const Field& f) {
     gram_ = gram_.bottomRightCorner(m - 1, m - 1).eval();
     --m;
   }
-  step.dx.resize(n, 0.0F);
+  step.dx.resize(n, Number{0});
   step.df.resize(n);
   for_each_cell(std::ssize(f),
-                [&](std::ptrdiff_t i) { step.df[i] = static_cast<float>(f[i] - last_f_[i]); });
+                [&](std::ptrdiff_t i) { step.df[i] = static_cast<Number>(f[i] - last_f_[i]); });
   steps_.push_back(std::move(step));
   gram_.conservativeResize(m + 1, m + 1);
   const auto& df = steps_.back().df;
@@ -47,19 +49,22 @@ void Anderson::remember(const Field& f) {
   }
 }
 
-void Anderson::next(Field& x, Field f) {
+template <class Number>
+void AndersonOf<Number>::next(Field& x, Field f) {
   if (!last_f_.empty()) remember(f);
   last_f_ = std::move(f);
   advance(x);
 }
 
-Field Anderson::last_x(const Field& x) const {
+template <class Number>
+Field AndersonOf<Number>::last_x(const Field& x) const {
   Field last(x);
   for (std::size_t i = 0; i < last_dx_.size(); ++i) last[i] -= last_dx_[i];
   return last;
 }
 
-void Anderson::advance(Field& x) {
+template <class Number>
+void AndersonOf<Number>::advance(Field& x) {
   const Field& f = last_f_;
   const int m = static_cast<int>(steps_.size());
   const std::size_t n = x.size();
@@ -79,9 +84,12 @@ void Anderson::advance(Field& x) {
     for (int a = 0; a < m; ++a) {
       next -= gamma(a) * (static_cast<double>(steps_[a].dx[i]) + steps_[a].df[i]);
     }
-    last_dx_[i] = static_cast<float>(next - x[i]);
+    last_dx_[i] = static_cast<Number>(next - x[i]);
     x[i] = next;
   });
 }
+
+template class AndersonOf<float>;
+template class AndersonOf<double>;
 
 }  // namespace samcontact::contact

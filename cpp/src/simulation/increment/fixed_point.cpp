@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/interrupt.hpp"
@@ -16,6 +17,7 @@ namespace samcontact::simulation {
 namespace {
 
 using contact::Anderson;
+using contact::AndersonOf;
 using contact::norm;
 
 /// Number of steps used by the acceleration; smaller for many unknowns, for which the memory
@@ -62,7 +64,10 @@ class FixedPoint {
         tol_(std::max(settings_.tol, problem_.mismatch_tol())),
         loosest_(law_.varies() ? loosest_adhesive : loosest),
         elastic_tol_(accepted(std::max(contact_tol_ratio * settings_.tol, tightest))),
-        contact_tol_(problem_.has_plastic_body() ? loosest_ : elastic_tol_) {}
+        contact_tol_(problem_.has_plastic_body() ? loosest_ : elastic_tol_) {
+    // The strain in a void is not unique: rounding errors of the history would grow.
+    if (problem_.mismatch_tol() > 0) anderson_.emplace<AndersonOf<double>>(anderson_depth);
+  }
 
   State solve() {
     x_ = problem_.first_guess();
@@ -189,6 +194,14 @@ class FixedPoint {
            std::max(size, smallest_strain);
   }
 
+  template <class Use>
+  void accelerate(const Use& use) {
+    std::visit(use, anderson_);
+  }
+  void reset_acceleration() {
+    accelerate([](auto& anderson) { anderson.reset(); });
+  }
+
   void advance() {
     if (std::exchange(coarse_, false)) {
       best_ = INFINITY;
@@ -199,15 +212,17 @@ class FixedPoint {
       best_x_ = {};
       best_f_ = {};
     } else if (std::exchange(is_best_, false)) {
-      best_x_ = anderson_.last_x(x_);
-      best_f_ = anderson_.last_f();
+      accelerate([&](const auto& anderson) {
+        best_x_ = anderson.last_x(x_);
+        best_f_ = anderson.last_f();
+      });
     }
     // Vectors of unknowns are most of the memory of large contacts: f replaces G(x).
     Field f = std::move(mapped_);
     for (std::size_t i = 0; i < f.size(); ++i) f[i] -= x_[i];
     if (change_ > divergence_factor * best_) {
       // Restart from the best point with a damped plain step.
-      anderson_.reset();
+      reset_acceleration();
       const std::size_t n = x_.size();
       x_ = best_x_;
       f = best_f_;
@@ -215,15 +230,17 @@ class FixedPoint {
       f.resize(n, 0.0);
       for (double& v : f) v *= 0.5;
     }
-    if (x_.size() > many) anderson_.set_depth(depth_of_many);
-    anderson_.next(x_, std::move(f));
+    accelerate([&](auto& anderson) {
+      if (x_.size() > many) anderson.set_depth(depth_of_many);
+      anderson.next(x_, std::move(f));
+    });
     evaluate();
     ++counters_.plastic_iterations;
   }
 
   /// Restart in boxes that have grown.
   void restart() {
-    anderson_.reset();
+    reset_acceleration();
     best_ = INFINITY;
     is_best_ = false;
     evaluate();
@@ -231,7 +248,7 @@ class FixedPoint {
   }
 
   State finish(int iterations) {
-    anderson_.reset();
+    reset_acceleration();
     x_ = {};
     State state = problem_.finish(mapped_, result_);
     state.plastic_iterations = iterations;
@@ -246,7 +263,7 @@ class FixedPoint {
   const Settings& settings_;
   Counters& counters_;
   PlasticIncrement problem_;
-  Anderson anderson_{anderson_depth};
+  std::variant<Anderson, AndersonOf<double>> anderson_{Anderson{anderson_depth}};
   Field x_, mapped_, best_x_, best_f_;
   PlasticIncrement::Result result_;
   const double tol_;          // with inclusions larger than that of the settings

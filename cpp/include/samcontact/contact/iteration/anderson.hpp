@@ -10,11 +10,12 @@
 
 namespace samcontact::contact {
 
-/// The history is stored in single precision: it only steers the next iterate, whose residual is
-/// computed again in double precision.
-class Anderson {
+/// Number: precision of the history. It only steers the next iterate, whose residual is computed
+/// again in double precision.
+template <class Number>
+class AndersonOf {
  public:
-  explicit Anderson(int depth) : depth_(depth) {}
+  explicit AndersonOf(int depth) : depth_(depth) {}
 
   void reset();
   /// Sets the number of steps in the history from the next call on.
@@ -31,17 +32,23 @@ class Anderson {
 
  private:
   struct Step {
-    std::vector<float> dx, df;
+    std::vector<Number> dx, df;
   };
   void remember(const Field& f);
   void advance(Field& x);
 
   int depth_;
   Field last_f_;
-  std::vector<float> last_dx_;  // of the last step
-  std::deque<Step> steps_;      // oldest first
-  Eigen::MatrixXd gram_;        // of the df
+  std::vector<Number> last_dx_;  // of the last step
+  std::deque<Step> steps_;       // oldest first
+  Eigen::MatrixXd gram_;         // of the df
 };
+
+extern template class AndersonOf<float>;
+extern template class AndersonOf<double>;
+
+/// Single precision suffices for smooth problems, and halves the memory.
+using Anderson = AndersonOf<float>;
 
 /// Euclidean norm, with equal digits for any number of threads.
 double norm(const Field& v);
