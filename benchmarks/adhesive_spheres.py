@@ -17,7 +17,7 @@ RADIUS, WORK, MODULUS = 1e-6, 0.05, 1e9
 RIGID, ELASTIC = sc.Material.rigid(), sc.Material.elastic(MODULUS, 0.0)
 JKR = sc.adhesion.jkr(RADIUS, WORK, MODULUS)
 FORCE = math.pi * WORK * RADIUS
-LARGEST = 1.6  # radius of the contact at the start / that of JKR at pull-off
+RADIUS_AT_START = 1.6  # of the contact / that of JKR at pull-off
 BOX = 2.2  # side of the grid / radius of the attraction at the start
 TRANSITIONS = (0.1, 0.5, 1.0, 3.0)
 
@@ -31,7 +31,7 @@ def maugis_error(transition: float, cells: int, step: float = 0.05) -> float:
     sphere = sc.adhesion.maugis(RADIUS, WORK, MODULUS, stress)
     unit = JKR.radius_at_pull_off
     length = float(-JKR.approach(unit / 3 ** (2 / 3)))
-    radii = np.linspace(0.02, LARGEST, 300) * unit
+    radii = np.linspace(0.02, RADIUS_AT_START, 300) * unit
     approach, load = sphere.approach(radii), sphere.load(radii)
     end = int(np.argmin(approach))
     path = np.arange(approach[-1], approach[end] + 0.05 * length, -step * length)

@@ -23,7 +23,7 @@ from .grid import Grid
 RESOLVED = 0.5
 """Resolution number kappa of a range that is refined to the grid."""
 RESOLVED_DROP = 0.4
-"""The same for the drop of constant attraction, whose edge is sharper."""
+"""Resolution number of the drop of constant attraction, whose edge is sharper."""
 MAX_RESOLVED, MAX_SOLVABLE = 0.6, 1.0
 """Resolution number kappa above which a warning is issued, and above which the law is refused."""
 

@@ -38,7 +38,7 @@ def test_a_rough_surface_moves_past_an_adhering_bump():
 
 
 def test_an_imprint_moves_with_its_body_under_an_adhering_ball():
-    """Once nothing yields, the contact is elastic, over the print that has moved."""
+    """Once nothing yields, the contact is elastic, over the imprint that has moved."""
     n, dx = 24, 8e-9
     grid = sc.Grid(n, n, dx, dx, dz=dx, nz=10)
     metal = sc.Material.perfect_plastic(1e9, 0.3, 30e6)

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.filterwarnings("ignore:the attraction at the edge")
 W, RANGE = 0.05, 1.6e-9
 TIP, SOFT = sc.Material.rigid(), sc.Material.elastic(1e9, 0.3)
 PATH = [{"approach": 1e-9}, {"pull_off": sc.paths.Retraction()}, {"approach": 0.0}]
-COARSE = [PATH[0], {"pull_off": sc.paths.Retraction(1.5e-9)}, PATH[2]]
+COARSE_PATH = [PATH[0], {"pull_off": sc.paths.Retraction(1.5e-9)}, PATH[2]]
 
 
 def tip(body=SOFT, **more):
@@ -36,12 +36,12 @@ def test_a_path_retracts_as_pull_off_does():
 
 def test_a_stopped_retraction_goes_on_without_a_change(tmp_path):
     folder = tmp_path / "run"
-    whole = tip().run(COARSE, progress=False, checkpoint=folder)
+    whole = tip().run(COARSE_PATH, progress=False, checkpoint=folder)
     files = sorted(folder.glob("*.h5"))
     assert len(files) == len(whole) > 5
     for file in files[3:]:
         file.unlink()
-    again = tip().run(COARSE, progress=False, checkpoint=folder)
+    again = tip().run(COARSE_PATH, progress=False, checkpoint=folder)
     for state, other in zip(again, whole, strict=True):
         np.testing.assert_array_equal(state.pressure, other.pressure)
         assert state.approach == other.approach
@@ -58,11 +58,11 @@ def test_a_retraction_that_does_not_end_keeps_its_states():
 
 def test_errors_of_a_retraction_are_estimated_at_its_increments():
     simulation = tip()
-    states = simulation.run(COARSE, progress=False)
-    found = sc.estimate_errors(simulation, COARSE, states)
+    states = simulation.run(COARSE_PATH, progress=False)
+    found = sc.estimate_errors(simulation, COARSE_PATH, states)
     assert len(found.errors["approach"]) == len(states)
     with pytest.raises(ValueError, match="path must begin with increments"):
-        sc.estimate_errors(simulation, COARSE[1:], states)
+        sc.estimate_errors(simulation, COARSE_PATH[1:], states)
 
 
 def test_the_pull_off_force_of_a_viscoelastic_body_increases_with_the_speed():
