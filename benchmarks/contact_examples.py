@@ -181,11 +181,11 @@ EXAMPLES: dict[str, Callable[[], Rows]] = {
     for made in (cattaneo, carter2d, bentall, catt_to_cart, spence35, visc_cylindr, veldep_fric,
                  plastic_3bl)
 }  # fmt: skip
-QUICK = ("carter2d", "plastic_3bl")
+QUICK_EXAMPLES = ("carter2d", "plastic_3bl")
 
 
 def points(quick: bool) -> list[Record]:
-    return [{"of": name} for name in EXAMPLES if not quick or name in QUICK]
+    return [{"of": name} for name in EXAMPLES if not quick or name in QUICK_EXAMPLES]
 
 
 def run(of: str) -> Record:

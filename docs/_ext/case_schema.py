@@ -21,7 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from samcontact import cases
 from samcontact.cases.field_units import models_in, unit_of
-from samcontact.cases.kinds import KINDS
+from samcontact.cases.kinds import SECTIONS as KIND_SECTIONS
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -30,7 +30,7 @@ else:
 
 MEANINGS = Path(__file__).with_name("field_meanings.toml")
 SIGNS = (("gt", ">"), ("ge", "≥"), ("lt", "<"), ("le", "≤"))
-SECTIONS = {kind: f"a file with `[{name}]`" for name, kind in KINDS.items()}
+SECTIONS = {getattr(cases, kind): f"a file with `[{name}]`" for kind, name in KIND_SECTIONS.items()}
 ROOTS = {
     cases.Case: "Top of the file",
     **{kind: f"Top of {where}" for kind, where in SECTIONS.items()},

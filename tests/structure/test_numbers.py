@@ -162,6 +162,20 @@ def test_limits_of_shakedown_are_those_of_the_theory():
     assert [*map(float, found)] == pytest.approx([*map(float, message)], abs=1.01e-3)  # a digit
 
 
+def test_counts_of_random_families_are_those_of_a_run(monkeypatch):
+    monkeypatch.syspath_prepend(ROOT / "tests" / "fuzz")
+    families = importlib.import_module("random_families")
+    counts = json.loads(families.COUNTS.read_text(encoding="utf-8"))
+    assert list(counts) == ["all", *families.FAMILIES]
+    assert kept(TEXTS["docs/testing.md"], "random_families") == families.table(counts)
+    assert counts["all"]["FAILED"] == 0
+    once = families.counted(
+        ["films: 0 solved", "films: 3 border", "films: 0 refused", "x: 1 solved"]
+    )
+    assert once["all"] == once["films"]
+    assert {name: n for name, n in once["all"].items() if n} == {"refused": 1, "border": 1}
+
+
 def test_counts_of_random_problems_are_those_of_a_run(monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "tests" / "fuzz")
     counter = importlib.import_module("setup_counts")

@@ -8,7 +8,6 @@ import math
 import os
 import sys
 from collections.abc import Iterable, Mapping
-from decimal import Decimal
 from itertools import islice
 from numbers import Integral, Real
 from pathlib import Path
@@ -17,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .array_contents import NON_REAL_TYPES, masked_values, not_numbers
 from .short_text import in_short
 
 FloatArray = NDArray[np.float64]
@@ -33,7 +33,6 @@ MAX_FILE_NAME_BYTES = 200
 """Maximum length of a file name [bytes]: up to 255 are allowed, but temporary names are longer."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
-_NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)  # numbers according to Python or NumPy
 
 
 def _has_unit(value: Any) -> bool:
@@ -45,7 +44,7 @@ def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
-    if isinstance(value, _NON_REAL_TYPES) or not isinstance(value, Real):
+    if isinstance(value, NON_REAL_TYPES) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a number, got {in_short(value)}{_remedy(value)}")
     try:
         found = float(value) + 0.0  # never -0.0
@@ -130,7 +129,7 @@ def integer(
     name: str, value: Any, minimum: int | None = None, largest: int | None = MAX_COUNT
 ) -> int:
     """Return `value` as an int >= `minimum` with magnitude <= `largest`."""
-    if isinstance(value, _NON_REAL_TYPES) or not isinstance(value, Integral):
+    if isinstance(value, NON_REAL_TYPES) or not isinstance(value, Integral):
         raise TypeError(f"{name} must be an integer, got {in_short(value)}")
     if minimum is not None and value < minimum:
         raise ValueError(f"{name} must be an integer >= {minimum}, got {in_short(value)}")
@@ -196,7 +195,7 @@ def choice(name: str, value: Any, allowed: tuple[Any, ...]) -> Any:
     for item in allowed:
         # True and 1 + 0j are equal to 1; 2.0 is accepted as 2
         kind = Real if isinstance(item, Real) else type(item)
-        if isinstance(value, kind) and not isinstance(value, _NON_REAL_TYPES) and value == item:
+        if isinstance(value, kind) and not isinstance(value, NON_REAL_TYPES) and value == item:
             return item
     listed = ", ".join(repr(item) for item in allowed)
     raise ValueError(f"{name} must be one of {listed}, got {in_short(value)}")
@@ -228,9 +227,11 @@ def exactly_one(**given: Any) -> str:
 
 def real_array(name: str, value: ArrayLike) -> FloatArray:
     """Return `value` as a float64 array of any shape; refuse lossy conversions."""
+    if type(value) is np.ndarray and value.dtype == np.float64:  # nothing to convert
+        return _within_range(name, value, value)
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it to SI units with samcontact.units.si")
-    lost = _masked_values(value)
+    lost = masked_values(value)
     if lost:  # NumPy would use the masked values
         raise ValueError(
             f"{name} must be defined everywhere, got {lost} masked values: fill them first "
@@ -245,7 +246,7 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     wrong = ""
     try:
         given = np.asarray(value)
-        wrong = " and ".join(sorted(_not_numbers(value, given)))
+        wrong = " and ".join(sorted(not_numbers(value, given)))
         array = np.asarray(given, dtype=np.float64) if not wrong else None
     except OverflowError:  # an integer of more than 308 digits
         array = np.array(sys.float_info.max)
@@ -254,6 +255,11 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     if array is None:
         rows = "" if wrong else ", whose rows are equally long"
         raise TypeError(f"{name} must be an array of numbers{rows}, got {wrong or in_short(value)}")
+    return _within_range(name, array, value)
+
+
+def _within_range(name: str, array: FloatArray, value: ArrayLike) -> FloatArray:
+    """Return the array; raise ValueError for a finite number beyond `MAX_NUMBER`."""
     if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MAX_NUMBER:
         raise ValueError(
             f"{name} must be finite everywhere and of magnitude <= {MAX_NUMBER:g}, "
@@ -266,45 +272,6 @@ def _finite_end(end: np.ufunc, array: FloatArray) -> float:
     """Return the minimum or maximum of an array, ignoring NaN; 0 if the result is not finite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
-
-
-def _masked_values(value: ArrayLike) -> int:
-    """Return the number of masked values in an array or a list of arrays.
-
-    `numpy.ma` is not imported for this check: the import takes longer than solving a small contact.
-    An import of `numpy.ma` by another thread is not awaited: a forked process lacks this thread.
-    """
-    masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)
-    if masked is None:
-        return 0
-    parts = value if isinstance(value, (list, tuple)) else (value,)
-    return sum(int(np.sum(p.mask)) for p in parts if isinstance(p, masked))
-
-
-def _not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
-    """Return the types in `value` that are not real numbers, in words, e.g. "complex numbers"."""
-    names = {"b": "Boolean values", "c": "complex numbers", "S": "texts", "U": "texts"}
-    names |= {"m": "time spans", "M": "dates"}
-    if given.dtype.kind not in "iufO":
-        return {names.get(given.dtype.kind, "records")}
-    # NumPy converts a list of Boolean values and numbers to an array of numbers
-    kinds = _kinds(given.flat if given.dtype.kind == "O" else value)
-    wrong = {
-        k for k in kinds if not issubclass(k, (Real, Decimal)) or issubclass(k, _NON_REAL_TYPES)
-    }
-    return {names.get(np.dtype(k).kind, k.__name__.removesuffix("Type")) for k in wrong}
-
-
-def _kinds(value: Any) -> set[type]:
-    """Return the types of all entries of nested lists and arrays."""
-    if isinstance(value, np.ndarray):
-        return {value.dtype.type}
-    if not isinstance(value, (list, tuple, np.flatiter)):
-        return set()
-    found = set(map(type, value))
-    if not any(issubclass(kind, (list, tuple, np.ndarray)) for kind in found):
-        return found
-    return set().union(*(_kinds(item) for item in value))
 
 
 def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = None) -> FloatArray:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from .._util.short_text import in_short
 from .base import CaseError
 from .case import Case
 from .kinds import CLASSES, kind_of
@@ -38,7 +39,7 @@ _PLACES = {name: module for module, name in CLASSES.items()} | {
 
 def __getattr__(name: str) -> Any:
     if name not in _PLACES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        raise AttributeError(f"module {__name__!r} has no attribute {in_short(name)}")
     return getattr(importlib.import_module(f".{_PLACES[name]}", __name__), name)
 
 

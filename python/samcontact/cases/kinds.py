@@ -10,6 +10,7 @@ import importlib
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from .._util.short_text import in_short
 from .case import Case
 
 if TYPE_CHECKING:
@@ -22,15 +23,18 @@ if TYPE_CHECKING:
 
 CLASSES = {"asperities": "AsperityCase", "films": "FilmCase", "sliding": "SlidingCase"}
 """Names of the classes of all kinds of files other than those of one contact, by module."""
-_SECTIONS = {"lubricant": "films", "asperities": "asperities", "film": "films",
-             "sliding": "sliding"}  # fmt: skip
-"""Modules of these kinds, by a section that only they have."""
+SECTIONS = {"AsperityCase": "asperities", "FilmCase": "film", "SlidingCase": "sliding"}
+"""Section that only files of the kind have, by class."""
 
 
 def kind_of(content: Mapping[str, Any]) -> type[AnyCase]:
     """Return the class of a case with these sections."""
-    module = next((place for name, place in _SECTIONS.items() if name in content), None)
-    return Case if module is None else _class_in(module)
+    if "lubricant" in content:
+        return _class_in("films")
+    for module, name in CLASSES.items():
+        if SECTIONS[name] in content:
+            return _class_in(module)
+    return Case
 
 
 def _class_in(module: str) -> type[AnyCase]:
@@ -43,7 +47,7 @@ def _class_in(module: str) -> type[AnyCase]:
 def __getattr__(name: str) -> Any:
     """Load all kinds for `AnyCase`, their union, and `ALL_KINDS`, a tuple of their classes."""
     if name not in ("AnyCase", "ALL_KINDS"):
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        raise AttributeError(f"module {__name__!r} has no attribute {in_short(name)}")
     asperities, films, sliding = map(_class_in, CLASSES)
     if name == "AnyCase":
         return Case | asperities | films | sliding

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -49,6 +50,32 @@ class PlasticBody(NamedTuple):
     """Minimum initial yield stress [Pa]."""
     yielding: list[tuple[float, float]]
     """Young's modulus [Pa] and minimum yield stress [Pa] of each elastic-plastic material."""
+
+
+class _Fit(NamedTuple):
+    """Points of a grid at which a paraboloid is fitted, and its terms there."""
+
+    chosen: tuple[Any, ...]
+    """Index of the points among the cells."""
+    half_lengths: tuple[float, float]
+    """Largest |x| and |y| of the cell centres [m]."""
+    basis: FloatArray
+    """Values of the six terms at the points, in x and y divided by the half-lengths."""
+    products: FloatArray
+    """Sums of the products of the terms."""
+
+
+@lru_cache(maxsize=8)
+def _fit_on(grid: Grid) -> _Fit:
+    """Return the points and terms of a fit, which many contacts on one grid share."""
+    rows, columns = (
+        np.linspace(0, n - 1, min(n, _FIT_POINTS_PER_SIDE), dtype=int) for n in grid.surface_shape
+    )
+    a, b = np.abs(grid.x).max(), np.abs(grid.y).max()
+    grids = np.meshgrid(grid.x[rows] / a, grid.y[columns] / b, indexing="ij")
+    x, y = (v.ravel() for v in grids)
+    basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
+    return _Fit(np.ix_(rows, columns), (a, b), basis, basis @ basis.T)
 
 
 class Paraboloid(NamedTuple):
@@ -139,24 +166,17 @@ class ContactSetup:
     @cached_property
     def _paraboloid(self) -> Paraboloid | None:
         """Paraboloid of the gap; None if the gap is not a convex paraboloid."""
-        shape = self.grid.surface_shape
-        if min(shape) < 3 or self.relieved:
+        if min(self.grid.surface_shape) < 3 or self.relieved:
             return None
-        rows, columns = (
-            np.linspace(0, n - 1, min(n, _FIT_POINTS_PER_SIDE), dtype=int) for n in shape
-        )
-        a, b = np.abs(self.grid.x).max(), np.abs(self.grid.y).max()
-        grids = np.meshgrid(self.grid.x[rows] / a, self.grid.y[columns] / b, indexing="ij")
-        x, y = (v.ravel() for v in grids)
-        heights = self.gap[np.ix_(rows, columns)].ravel()
+        chosen, (a, b), basis, products = _fit_on(self.grid)
+        heights = self.gap[chosen].ravel()
         if np.isinf(self.gap).any():  # a finite body is no paraboloid
             return None
         lowest, highest = float(heights.min()), float(heights.max())
         if not 0 < highest - lowest < math.inf:
             return None
         heights = (heights - lowest) / (highest - lowest)
-        basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
-        found = np.linalg.solve(basis @ basis.T, basis @ heights)  # well conditioned in x/a, y/b
+        found = np.linalg.solve(products, basis @ heights)  # well conditioned in x/a, y/b
         deviation = float(np.max(np.abs(found @ basis - heights)))
         if not deviation <= MAX_PARABOLOID_DEVIATION:
             return None

@@ -55,8 +55,15 @@ class FrictionLaw(HtmlTable):
 
     def to_core(self) -> _core.FrictionLaw:
         """Return the law as an object of the core; raise ValueError for an invalid parameter."""
-        values = {name: np.atleast_1d(value).tolist() for name, value in asdict(self).items()}
-        return _core.FrictionLaw(self.law, values)
+        made: _core.FrictionLaw | None = self.__dict__.get("_made")
+        if made is None:
+            values = {name: np.atleast_1d(value).tolist() for name, value in asdict(self).items()}
+            made = _core.FrictionLaw(self.law, values)
+            object.__setattr__(self, "_made", made)  # each solve needs it several times
+        return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_made"}
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
         """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip.

@@ -10,6 +10,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from .._util.short_text import in_short
 from .._util.tensors import COMPONENTS
 from .dataset import to_dataset
 from .file import open_results, save, scalars
@@ -39,7 +40,7 @@ _PLACES = {"films_dataset": "films", "films_of": "films", "to_pvd": "pvd", "to_v
 
 def __getattr__(name: str) -> Any:
     if name not in _PLACES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        raise AttributeError(f"module {__name__!r} has no attribute {in_short(name)}")
     return getattr(importlib.import_module(f".{_PLACES[name]}", __name__), name)
 
 

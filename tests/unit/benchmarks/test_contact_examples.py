@@ -32,7 +32,7 @@ def test_the_page_is_made_from_the_stored_numbers():
 
 @pytest.mark.parametrize(
     "name",
-    [name if name in examples.QUICK else pytest.param(name, marks=pytest.mark.slow)
+    [name if name in examples.QUICK_EXAMPLES else pytest.param(name, marks=pytest.mark.slow)
      for name in examples.EXAMPLES],
 )  # fmt: skip
 def test_the_stored_numbers_are_those_of_this_version(name):
