@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, choice, require_type
+from .._util.short_text import in_short
 from ..contact.solver import ContactSolver
 from ..problem.grid import Grid
 from .film_solution import FilmSolution
@@ -43,6 +44,8 @@ def pass_stress(films: Sequence[FilmSolution], *, z: ArrayLike, body: int = 2) -
         body is rigid; the friction is impossible, see `friction`.
     """
     number = choice("body", body, (1, 2))
+    if not isinstance(films, Sequence):
+        raise TypeError(f"films must be a sequence of films, got {in_short(films)}")
     if len(films) < 2:
         raise ValueError(f"films must contain at least two films, got {len(films)}")
     for film in films:

@@ -41,7 +41,8 @@ def lubricants_and_films():
         )  # fmt: skip
         worn = sc.lubrication.running_in(rubbing, archard=1e-15 / 3, duration=0.1, steps=1)
     return [
-        loaded.plasticity, worn, oil, tabulated, oil.density_law, tabulated.density_law, oil.heat, oil.tables(1e9),
+        loaded.plasticity, worn, oil, tabulated, oil.density_law, tabulated.density_law, oil.heat,
+        oil.tables(1e9),
         sc.lubricants.Incompressible(), sc.lubricants.Tait(1.2e9 / 3, 11.7),
         sc.lubricants.iso_vg(68), sc.lubrication.estimate(*case),
         sc.lubrication.hamrock_dowson(*case), sc.lubrication.moes(*case), layer, film, history,
