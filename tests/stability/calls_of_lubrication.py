@@ -36,6 +36,7 @@ with warnings.catch_warnings():
         INLET_GRID, STEEL, STEEL, GAP, load=40.0, speed=(1e-3, 0.0), lubricant=OIL, order=1,
         boundary=BOUNDARY,
     )  # fmt: skip
+    IN_TIME = sc.lubrication.transient(FLOWING, duration=1e-5, steps=2)
 ON_GRID = {"grid": INLET_GRID, "body1": STEEL, "body2": STEEL, "gap": GAP, "lubricant": OIL}
 HOW = {"order": 1, "tol": 1e-4, "max_iterations": 30}
 WARM_STEEL = STEEL.with_thermal(46.0, 12e-6, 12.5e-6)
@@ -126,6 +127,8 @@ CALLS = [
      {**HOW, "simulation": sc.Simulation(INLET_GRID, STEEL, STEEL, GAP), "load": 40.0,
       "speed": (1.0, 1.0), "lubricant": OIL, "boundary": BOUNDARY, "shear_thinning": False,
       "thermal": False}),
+    ("lubrication.pass_stress", sc.lubrication.pass_stress,
+     {"films": IN_TIME.solutions, "z": [1e-5, 2e-5], "body": 2}),
     ("lubrication.running_in", sc.lubrication.running_in,
      {"film": RUBBING, "archard": 1e-15, "duration": 0.1, "steps": 1, "worn": 2, "tol": 1e-4,
       "max_iterations": 30, "progress": False}),

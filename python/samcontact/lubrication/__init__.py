@@ -25,6 +25,7 @@ from .formulas import (
 from .friction import FilmFriction, friction
 from .groups import MoesNumbers, moes
 from .loading import press_loads
+from .pass_stress import pass_stress
 from .running_in import RunningIn, running_in
 from .steady import steady
 from .stribeck import StribeckCurve, stribeck
@@ -57,6 +58,7 @@ __all__ = [
     "lambda_ratio",
     "moes",
     "nijenbanning",
+    "pass_stress",
     "press",
     "press_loads",
     "regime",

@@ -32,8 +32,17 @@ def lubricants_and_films():
         pressed = sc.lubrication.press(
             sc.Simulation(grid, steel, steel, gap), load=40.0, speed=(1.0, 0.9), lubricant=oil
         )
+        (loaded,) = sc.lubrication.press_loads(
+            sc.Simulation(grid, steel, steel, gap), loads=[40.0], speed=(1.0, 0.9), lubricant=oil
+        )
+        rubbing = sc.lubrication.steady(
+            grid, steel, steel, gap, load=40.0, speed=(1e-3, 0.0), lubricant=oil, order=1,
+            boundary=sc.lubrication.Boundary(2e-9),
+        )  # fmt: skip
+        worn = sc.lubrication.running_in(rubbing, archard=1e-15 / 3, duration=0.1, steps=1)
     return [
-        oil, tabulated, oil.density_law, tabulated.density_law, oil.heat, oil.tables(1e9),
+        loaded.plasticity, worn, oil, tabulated, oil.density_law, tabulated.density_law, oil.heat,
+        oil.tables(1e9),
         sc.lubricants.Incompressible(), sc.lubricants.Tait(1.2e9 / 3, 11.7),
         sc.lubricants.iso_vg(68), sc.lubrication.estimate(*case),
         sc.lubrication.hamrock_dowson(*case), sc.lubrication.moes(*case), layer, film, history,
