@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a film case describes: bodies, lubricant, motion, load, grid and gap."""
+"""Description of a film case: bodies, lubricant, motion, load, grid and gap."""
 
 from __future__ import annotations
 

@@ -175,7 +175,10 @@ def _contents(dataset: xr.Dataset, case: AnyCase) -> _Contents:
         return _Contents("Maxima", columns, lambda values, _: float(np.nanmax(values)))
     if isinstance(case, FilmCase):
         columns = {n: quantity for n, quantity in FILMS.items() if quantity.short and n in dataset}
-        return _Contents("At the highest speed", columns, lambda values, _: float(values[-1]))
+        if case.film.transient is not None:
+            return _Contents("At the largest pressure over time", columns, _at_largest_pressure)
+        title = "At the largest load" if case.yields else "At the highest speed"
+        return _Contents(title, columns, lambda values, _: float(values[-1]))
     of_case = {name: SWEEP[name] for name in SWEEP if name in dataset and SWEEP[name].short}
     if "increment" in dataset.dims:
         body = getattr(case.output, "body", 2)  # other kinds have no increments of one contact
@@ -191,6 +194,10 @@ def _contents(dataset: xr.Dataset, case: AnyCase) -> _Contents:
         of_wear | of_case,
         lambda values, _: float(values[np.flatnonzero(~np.isnan(values))[-1]]),
     )
+
+
+def _at_largest_pressure(values: FloatArray, one: xr.Dataset) -> float:
+    return float(values[int(np.argmax(one["max_pressure"].values))])
 
 
 def _value(

@@ -146,7 +146,7 @@ def _peak_figures(results: ContactResults) -> dict[str, Figure]:
     figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
     pressure = results.surface("pressure", results.peak)
     # adhering bodies pull along the edge, where the traction may be larger than in the middle
-    y = results.row(np.maximum(pressure, 0.0) if pressure.max() > 0.0 else pressure)
+    y = results.row(np.maximum(pressure, 0.0))
     ax = figures["pressure"].axes[0]
     draw_pressure(pressure, grid, ax, results.hertz, "x", y)
     add_to_title(ax, _load_text(results, results.peak), elsewhere("y", y, grid.dy))
