@@ -69,7 +69,8 @@ def solved(seed):
         except sc.ConvergenceError:
             return False
         except ValueError as error:
-            assert "the plastic zone of body 2 is unbounded" in str(error)
+            if "the plastic zone of body 2 is unbounded" not in str(error):
+                raise
             return False
         largest = max(np.abs(state.stress(2)).max() for state in states)
         for state, step in zip(states, path, strict=True):

@@ -47,11 +47,16 @@ def test_same_bits_in_powers_of_two(problem):
         assert relative_difference(values, in_si(problem)[name]) <= minimum, name
 
 
-@pytest.mark.parametrize("units", [pytest.param(name, marks=pytest.mark.slow) for name in UNITS])
+@pytest.mark.parametrize(
+    "units",
+    [
+        name if n == 0 else pytest.param(name, marks=pytest.mark.slow)
+        for n, name in enumerate(UNITS)
+    ],
+)
 def test_inclusions_in_other_units(units):
-    """Rounding errors grow in a pore, whose strain is not unique."""
     for name, values in interface_setups.included(Units(*UNITS[units])).items():
-        assert relative_difference(values, interface_setups.included(Units())[name]) <= 1e-7, name
+        assert relative_difference(values, interface_setups.included(Units())[name]) <= 1e-12, name
 
 
 def test_inclusions_have_the_same_bits_in_powers_of_two():

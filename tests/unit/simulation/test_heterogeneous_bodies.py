@@ -50,6 +50,17 @@ SPHERES = [
 ]
 
 
+@pytest.mark.parametrize("matrix", [STEEL, YIELDING])
+def test_evaluations_at_a_modulus_ratio_of_ten(matrix):
+    """Of the stress, in each increment; the first ones of the matrix that yields flow next to the
+    sphere only."""
+    body = sc.Heterogeneous(matrix, [sphere(sc.Material.elastic(2100e9, 0.25))])
+    sim = simulation(body, tol=1e-3)
+    states = [sim.step(load=load) for load in (0.2 * LOAD, 0.4 * LOAD, LOAD)]
+    assert (states[-1].max_equivalent_plastic_strain(2) > 0) == (matrix is YIELDING)
+    assert max(state.iterations + 1 for state in states) <= 9
+
+
 @pytest.mark.parametrize(("ratio", "per_radius", "matrix", "inside"), SPHERES)
 def test_sphere_in_uniform_stress(ratio, per_radius, matrix, inside):
     """Eshelby's sphere and Goodier's void, four radii below a surface that carries no traction."""
