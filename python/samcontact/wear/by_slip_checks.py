@@ -26,6 +26,7 @@ from ..problem.friction import FrictionLaw, sticking_law
 from ..problem.grid import Grid
 from .problem import NO_RELAXATION, WearProblem
 from .results import FrettingCycle
+from .worn_inclusions import require_worn_inclusions
 
 _ALLOWED_ARGUMENTS = (
     "load", "approach", "shift", "tangential_load", "twist", "torque", "duration",
@@ -65,7 +66,8 @@ def make_setup(
 ) -> FrettingSetup:
     """Check all arguments that `Simulation` does not check, and return them."""
     require_type("grid", grid, Grid)
-    require_bodies(*bodies)
+    require_bodies(*bodies, inclusions=True)
+    require_worn_inclusions(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
     require_no_relaxation(NO_RELAXATION, *bodies)
     sticking_law(friction)
