@@ -77,7 +77,8 @@ def fretting(
     grid, body1, body2, gap, relief1, relief2
         As for `Simulation`; the bodies do not move except for slip. If all surfaces are given as
         functions, the grid is enlarged when the contact reaches its edge. Plastic strain, and the
-        layers of a layered body, are treated as in `run`.
+        layers of a layered body, are treated as in `run`. Inclusions of elastic bodies come closer
+        to the worn surface: each moves up by the mean worn depth above it.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``, with load or
         approach, shift or tangential_load, twist or torque; with ``heat=Heat(partition=...)``, each
@@ -114,7 +115,8 @@ def fretting(
     ------
     ValueError, TypeError
         An argument is outside its range (before the first cycle); a cycle requires more than 10 000
-        contact solutions, or does not become periodic; a contact reaches the edge of the grid; a
+        contact solutions, or does not become periodic; a contact reaches the edge of the grid; wear
+        reaches a void; a
         checkpoint was written by a run with different arguments. The exception of a later cycle
         holds the result of the completed cycles in its attribute `result`.
 

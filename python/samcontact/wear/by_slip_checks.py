@@ -29,6 +29,7 @@ from ..problem.friction import FrictionLaw, sticking_law
 from ..problem.grid import Grid
 from .problem import WearProblem
 from .results import FrettingCycle
+from .worn_inclusions import require_worn_inclusions
 
 _ALLOWED_ARGUMENTS = (
     "load", "approach", "shift", "tangential_load", "twist", "torque", "duration",
@@ -85,7 +86,8 @@ def make_setup(
 ) -> FrettingSetup:
     """Check all arguments that `Simulation` does not check, and return them."""
     require_type("grid", grid, Grid)
-    require_bodies(*bodies)
+    require_bodies(*bodies, inclusions=True)
+    require_worn_inclusions(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:

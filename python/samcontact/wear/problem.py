@@ -12,6 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from .._util.checks import FloatArray
+from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import Body
 from ..bodies.viscoelastic import relaxes
 from ..problem.domain import SurfaceGeometry
@@ -24,6 +25,7 @@ from ..simulation.kept_history import widened as widened_creep
 from ..simulation.simulation import Simulation
 from ..solutions.state import State
 from .results import AnyCycle
+from .worn_inclusions import raised
 
 P = TypeVar("P", bound="WearProblem")
 
@@ -170,8 +172,21 @@ def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | No
         first, _ = problem.rows(body)
         heights = standing.heights[body]
         worn = np.maximum(heights[0] - heights[-1], 0.0)
-        reliefs[body - 1] = Relief(heights[-1], first, worn=worn)
+        # Inclusions come closer to the surface instead.
+        moves = isinstance(problem.bodies[body - 1], Heterogeneous)
+        reliefs[body - 1] = Relief(heights[-1], first, worn=None if moves else worn)
     return reliefs
+
+
+def _bodies_now(problem: WearProblem, standing: WearProgress) -> list[Body]:
+    """Return both bodies, whose inclusions have come closer to the worn surface."""
+    bodies = list(problem.bodies)
+    for body in problem.worn:
+        if isinstance(bodies[body - 1], Heterogeneous):  # in the rows of the grid
+            heights = standing.heights[body]
+            worn = np.maximum(heights[0] - heights[-1], 0.0)
+            bodies[body - 1] = raised(bodies[body - 1], body, worn, standing.grid)
+    return bodies
 
 
 def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
@@ -180,8 +195,9 @@ def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
     If the surfaces are known beyond the grid, the simulation enlarges a grid that is too small.
     """
     given = _surfaces_now(problem, standing)
+    body1, body2 = _bodies_now(problem, standing)
     simulation = Simulation(
-        standing.grid, *problem.bodies, given.gap, problem.friction,
+        standing.grid, body1, body2, given.gap, problem.friction,
         relief1=given.relief1, relief2=given.relief2, **problem.settings,
     )  # fmt: skip
     simulation.monitor.checks_steps = False
