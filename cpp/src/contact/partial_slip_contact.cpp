@@ -217,23 +217,26 @@ PartialSlipSolution PartialSlipContact::roll(const Field& gap, const Drive& driv
   const Attraction attraction(*law_, grid_, normal_.displacement(), gap);
   const Drive repelling = attraction.repelling(drive);
   require_reach(repelling, grid_, gap);
-  if (drive.normal.is_force()) {
-    require_held(creepage, friction_, repelling.normal.value, rolling_motions);
-  }
   ContactHistory still;
   still.free_slip = displacement;
   for (double& slip : still.free_slip) slip = -slip;
-  PartialSlipStart begin = start;
-  begin.pressure = attraction.repulsion(std::move(begin.pressure));
-  begin.pressure.resize(gap.size(), 0.0);
-  // Without an initial shear, start from coarser boxes.
-  if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
-  const auto run = [&](Field pressure, const PartialSlipStart& from,
-                       const FrictionConditions& local) {
-    Sweeps sweeps(*this, attraction.gap(), repelling, creepage, still, local, settings, true);
-    return finished(sweeps.run(std::move(pressure), from), drive, attraction, settings);
+  const auto driven = [&](const TangentialDrive& by, const PartialSlipStart& from) {
+    if (drive.normal.is_force()) {
+      require_held(by, friction_, repelling.normal.value, rolling_motions);
+    }
+    PartialSlipStart begin = from;
+    begin.pressure = attraction.repulsion(std::move(begin.pressure));
+    begin.pressure.resize(gap.size(), 0.0);
+    // Without an initial shear, start from coarser boxes.
+    if (!begin.shear.empty() && !(longest(begin.shear) > 0)) begin.shear.clear();
+    const auto run = [&](Field pressure, const PartialSlipStart& near,
+                         const FrictionConditions& local) {
+      Sweeps sweeps(*this, attraction.gap(), repelling, by, still, local, settings, true);
+      return finished(sweeps.run(std::move(pressure), near), drive, attraction, settings);
+    };
+    return with_conditions(run, begin.pressure, begin, conditions, {true, settings.tol});
   };
-  return with_conditions(run, begin.pressure, begin, conditions, {true, settings.tol});
+  return solve_pulled(friction_, grid_, creepage, driven, start, settings.tol);
 }
 
 }  // namespace samcontact::contact

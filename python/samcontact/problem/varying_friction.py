@@ -168,8 +168,8 @@ class ThirdBody(FrictionLaw):
     strength); at this limit the layer flows or slips, which counts as slip. The layer has no normal
     compliance. With hardening k, the strength of a cell changes with the plastic slip of the layer,
     strength + k plastic_slip (at least 0); the part of the slip at the limit mu p is not plastic.
-    Prescribed tangential forces may exceed the strength before the increment if the layer hardens,
-    except in steady rolling; otherwise prescribe a shift to make the whole layer flow.
+    Prescribed tangential forces may exceed the strength before the increment if the layer hardens;
+    otherwise prescribe a shift to make the whole layer flow.
 
     Attributes
     ----------

@@ -188,6 +188,17 @@ def test_forces_and_motions_above_the_first_strength_are_inverse(body1):
     np.testing.assert_allclose(state.shift, (6e-6, 2e-6), rtol=1e-5)
 
 
+def test_a_force_above_the_first_strength_rolls_with_the_creepage_that_causes_it():
+    law = sc.ThirdBody(0.4, 1e8, 1e9, 1e-6, 5e12)
+    given = {"load": 300.0, "friction": law}
+    crept = sc.rolling.steady(SPOT, BRASS, STEEL, BALL, creepage=(6e-3, 0.0), **given)
+    force = float(crept.tangential_load[0])
+    assert force > 1.05 * law.strength * crept.contact_area
+    pulled = sc.rolling.steady(SPOT, BRASS, STEEL, BALL, tangential_load=(force, None), **given)
+    assert pulled.tangential_load[0] == pytest.approx(force, rel=1e-5)
+    assert pulled.creepage[0] == pytest.approx(6e-3, rel=1e-4)
+
+
 def test_a_layer_that_softens_too_fast_is_refused():
     with pytest.raises(ValueError, match=r"hardening of the layer must be more than -.* Pa/m"):
         flowing(sc.ThirdBody(0.4, 2e8, 1e8, 1e-6, -1.2e14))
