@@ -113,7 +113,7 @@ def failed_of_bodies(
 def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCheck]:
     for number, (whole, body) in enumerate(zip(bodies, map(softest, bodies), strict=True), 1):
         if body.is_plastic:
-            name, ratio = f"yield stress over E of body {number}", body.min_yield_stress / body.E
+            name, ratio = f"yield stress / E of body {number}", body.min_yield_stress / body.E
             check = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
             yield PlausibilityCheck(check, lambda: "Use Pa for both")
         yield from _failed(_body_checks(f"body {number}", whole))
@@ -226,7 +226,7 @@ def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
 
 def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     for modulus, _ in body.kinematic:
-        label = f"modulus of kinematic hardening over E of {name}"
+        label = f"modulus of kinematic hardening / E of {name}"
         for limit, at_least in ((MIN_STRESS_RATIO, True), (MAX_BACKSTRESS_MODULUS_RATIO, False)):
             check = Check(label, modulus / body.E, limit, at_least)
             yield PlausibilityCheck(check, lambda: "Use Pa for both")
@@ -240,7 +240,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
     if body.residual_stress is not None:
         largest = max(abs(v) for values in body.residual_stress[1:] for v in values)
         if largest > 0:
-            label = f"maximum residual stress over E of {name}"
+            label = f"maximum residual stress / E of {name}"
             check = Check(label, largest / body.E, MIN_STRESS_RATIO, at_least=True)
             yield PlausibilityCheck(check, lambda: "Use Pa for both: -800 MPa is -800e6")
         yield _depth_check(f"depth of the residual stress of {name}", body.residual_stress)
@@ -251,7 +251,7 @@ def _strength_check(number: int, body: Material) -> PlausibilityCheck:
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
-    name = f"maximum yield stress over E of body {number}"
+    name = f"maximum yield stress / E of body {number}"
     check = Check(name, largest / body.E, MAX_YIELD_STRAIN)
     return PlausibilityCheck(check, lambda: "Use Pa for both: 210 GPa is 210e9")
 
@@ -302,7 +302,7 @@ def part_of_radius(
     """
     first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
-    name = "half-width of the Hertz contact over the radius of curvature"
+    name = "half-width of the Hertz contact / radius of curvature"
     check = Check(name, share, MAX_HALF_WIDTH_RATIO)
     taken = "The theory assumes half-spaces, and paraboloids in place of spheres"
     return PlausibilityCheck(check, lambda: f"{first()}. {taken}", True)

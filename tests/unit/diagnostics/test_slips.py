@@ -50,8 +50,8 @@ FITS = "The contact would be plausible with"
 HERTZ = "Hertz: radius 244.5 µm, p0 = 2.395 GPa"
 CELLS_ACROSS, GRID_WIDTHS = "width of the Hertz contact in cells", "relative to the grid"
 RADIUS_RATIO, YIELD = (
-    "half-width of the Hertz contact over the radius of curvature",
-    "yield stress over E of body 2",
+    "half-width of the Hertz contact / radius of curvature",
+    "yield stress / E of body 2",
 )
 CAPACITY = "volumetric heat capacity (conductivity over diffusivity) of body 2"
 # changed value, failing check, and names in the text
@@ -147,9 +147,9 @@ UNIT_ERRORS_OF_MATERIALS = {
     "hardness numbers": (STEEL.with_yield_profile([0, 1e-3], [720, 350]), "maximum yield factor"),
     "case depth in mm": (STEEL.with_yield_profile([0, 0.8, 1], [2, 1, 1]), "depth of the yield"),
     "depths in mm": (STEEL.with_residual_stress([0, 0.3], [-8e8, 0]), "depth of the residual"),
-    "MPa": (STEEL.with_residual_stress([0, 3e-4], [-800, 0]), "maximum residual stress over E"),
+    "MPa": (STEEL.with_residual_stress([0, 3e-4], [-800, 0]), "maximum residual stress / E"),
     "E in GPa": (sc.Material.tabulated(210.0, 0.3, [0, 1e-3], [1e9, 2e9]), "maximum yield stress"),
-    "E in MPa": (sc.Material.voce(2.1e5, 0.3, 1e4, 2e5, 10.0), "maximum yield stress over E"),
+    "E in MPa": (sc.Material.voce(2.1e5, 0.3, 1e4, 2e5, 10.0), "maximum yield stress / E"),
     "backstress in MPa": (STEEL.with_kinematic_hardening(2e4), "modulus of kinematic hardening"),
     "layer in µm": (sc.Layered([(STEEL, 5.0)], STEEL), "thickness of layers[0] of body 2"),
     "residual stress below a layer": (
