@@ -285,7 +285,7 @@ def prepare_search(
             raise ValueError("largest_load must be > 0 [N] if case is a function, got None")
         build, start = case, positive("largest_load", largest_load)
     else:
-        from ..cases.given import case_of_contact
+        from .given_case import case_of_contact
 
         known = case_of_contact("case", case)
         start = max_load(known)

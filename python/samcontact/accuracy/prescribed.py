@@ -99,7 +99,7 @@ def prepare_search(
     progress: bool = False,
 ) -> AccuracySearch:
     """Check the arguments of `to_accuracy` and prepare the search."""
-    from ..cases.given import case_of_contact
+    from .given_case import case_of_contact
 
     boolean("progress", progress)
     own = isinstance(case, Mapping) and "grid" not in case and accuracy is not None

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import click
 
-from ..cases.examples import FIRST_CASES, example_names, example_text, example_title
 from ..files.atomic import replacing
 from .errors import short_errors
+from .example_cases import FIRST_CASES, example_names, example_text, example_title
 
 
 def _write_new(file: Path, text: str) -> bool:

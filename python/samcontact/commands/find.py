@@ -57,8 +57,8 @@ def find(
     "permanent_deformation=1e-4 D".
     """
     with short_errors(files=True):
+        from ..accuracy.given_case import case_of_contact
         from ..accuracy.load_search import prepare_search
-        from ..cases.given import case_of_contact
         from .tables import Sheet, new_console
 
         case = case_of_contact("CASE.toml", case_file)

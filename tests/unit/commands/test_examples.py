@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from samcontact import materials, units
 from samcontact.cases import load_case
-from samcontact.cases.examples import FIRST_CASES, example_names, example_text
+from samcontact.commands.example_cases import FIRST_CASES, example_names, example_text
 from samcontact.commands.main import main
 
 

@@ -12,7 +12,7 @@ from gallery.applications.__main__ import DOCS, NAMES, find, records, texts
 from gallery.applications.application import Answer, Work, with_errors
 from gallery.applications.page import shown
 from gallery.applications.running import run, split
-from samcontact.cases.examples import FIRST_CASES, example_text
+from samcontact.commands.example_cases import FIRST_CASES, example_text
 
 STORED = records()
 # Relative tolerance of the answers with a check, by application and answer. The first two checks

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from .base import CaseFile
-from .case import Case
-from .reading import load_case, validated
+from ..cases.base import CaseFile
+from ..cases.case import Case
+from ..cases.reading import load_case, validated
 
 
 def case_of_contact(name: str, given: object, **defaults: Any) -> Case:

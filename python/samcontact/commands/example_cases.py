@@ -14,7 +14,7 @@ else:
 
 from .._util.short_text import in_short
 
-FOLDER = Path(__file__).parent / "example_files"
+FOLDER = Path(__file__).parents[1] / "cases" / "example_files"
 FIRST_CASES = {
     "adhesion": "k1_adhering_tip",
     "bearing": "b5_bearing_6208",
