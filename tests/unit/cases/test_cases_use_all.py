@@ -138,7 +138,7 @@ def computed(tmp_path, monkeypatch):
     seen = {}
 
     def record(*arguments, **named):
-        seen["arguments"] = stated([list(arguments), named])
+        seen["arguments"] = [*seen["arguments"], stated([list(arguments), named])]
 
     for name in ("cycle", "steady_cycle"):
         monkeypatch.setattr(fatigue, name, lambda states, *given, name=name: (name, *given))
@@ -158,6 +158,7 @@ def computed(tmp_path, monkeypatch):
     monkeypatch.setattr(dents.Indentation, "__call__", lambda pressed, simulation: None)
 
     def compute(content):
+        seen["arguments"] = []
         case = kind_of(content).model_validate(content)
         case._source = tmp_path / "case.toml"
         if isinstance(case, FilmCase):
