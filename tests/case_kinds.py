@@ -360,7 +360,8 @@ KINDS = {
 "surface": GEAR | {"torque": 10.0},
        "film": {"pinion_speed": 150.0, "load_factor": 0.9}},
     "transient film": SMOOTH_FILM
-    | {"lubricant": OIL, "relief1": DENT, "relief2": ROUGH,
+    | {"lubricant": OIL, "relief1": DENT,
+       "relief2": ROUGH | {"wavelength_min": 6e-5, "wavelength_max": 2e-4, "roll_off": 1.2e-4},
        "film": {"load": 20.0, "entrainment": 1.0, "slide_to_roll": 0.1, "transient": {
            "duration": 1e-4, "steps": 8, "times": [0.0, 1e-4], "load_factors": [1.0, 2.0],
            "speed_factors": [1.0, 0.5]}}},

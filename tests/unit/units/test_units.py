@@ -201,6 +201,7 @@ NUMBERS = {
     *("mu_x", "mu_y", "body", "kinetic", "drop"),
     *("misfit", "axes", "fraction", "gap", "members"),
     *("z", "B", "R0", "modulus_slope", "carreau_exponent", "limiting_shear"),
+    *("load_factors", "speed_factors"),
 }
 
 
