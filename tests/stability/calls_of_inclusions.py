@@ -22,9 +22,9 @@ SPHERE_IN_STRESS = sc.inclusions.eshelby_sphere(STEEL, OXIDE, TENSION)
 MISFIT = sc.inclusions.MisfitSphere(2e11, 0.3, 1e-3, 1e-5, 3e-5)
 FIT = sc.inclusions.weibull_fit([1.0, 2.0, 3.0, 5.0])
 STEEL_OXIDES = sc.inclusions.LargestInclusion(2e-5, 4e-6, 1.5e-4, 12)
-SMALL = sc.Inclusion.sphere([0.0, 0.0, 6e-5], 3e-6, OXIDE)
+OXIDE_OF_STATE = sc.Inclusion.sphere([0.0, 0.0, 6e-5], 3e-6, OXIDE)
 PLAIN_STATE = sc.Simulation(GRID, sc.Material.rigid(), STEEL, GAP).step(load=0.4)
-(FINE_BOX,) = sc.inclusions.fine_boxes(PLAIN_STATE, [SMALL], cells_per_radius=4.0)
+(FINE_BOX,) = sc.inclusions.fine_boxes(PLAIN_STATE, [OXIDE_OF_STATE], cells_per_radius=4.0)
 POINTS = {"x": 3e-5, "y": np.array([3e-5, 4e-5]), "z": 1e-5}
 
 CALLS = [
@@ -122,8 +122,8 @@ CALLS = [
         "inclusions.fine_boxes",
         sc.inclusions.fine_boxes,
         {
-            "state": PLAIN_STATE, "inclusions": [SMALL], "body": 2, "cells_per_radius": 4.0,
-            "within": 1.5, "tol": 1e-3,
+            "state": PLAIN_STATE, "inclusions": [OXIDE_OF_STATE], "body": 2,
+            "cells_per_radius": 4.0, "within": 1.5, "tol": 1e-3,
         },
     ),
     (

@@ -67,6 +67,7 @@ CORE_USERS = {
     "diagnostics.hertz_estimate",
     "fatigue.criteria",
     "heat_kernels",
+    "inclusions.fine_solution",
     "kernels",
     "lubrication.balance",
     "lubrication.film_accuracy",

@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from scipy.interpolate import make_interp_spline
 
 from .._util.checks import FloatArray
 from .._util.display import quantity
+from .._util.lazy_scipy import scipy
 from ..solutions.state import State
 
 _MARGIN = 4  # cells of the state around the points that the splines use
@@ -95,8 +95,9 @@ class StressAtPoints:
         if periodic:
             first = math.floor((points[0] - edge) / step + 1e-9) - _MARGIN
         at = edge + (first + np.arange(cells.size) + 0.5) * step
+        spline, every = scipy.interpolate.make_interp_spline, np.eye(cells.size)
         weights = [
-            np.asarray(make_interp_spline(at, np.eye(cells.size), k=min(k, cells.size - 1))(points))
+            np.asarray(spline(at, every, k=min(k, cells.size - 1))(points))
             for k in (_CUBIC, _LINEAR)
         ]
         return cells, weights[0], weights[1]

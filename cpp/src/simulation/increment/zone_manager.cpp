@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -56,6 +57,26 @@ bool moves_steadily(const IncrementTask& task, const PlasticBody& body) {
          !std::ranges::any_of(task.target.heating, hot);
 }
 
+std::invalid_argument unbounded_zone_error(const IncrementTask& task, const PlasticBody& body) {
+  return std::invalid_argument(
+      "at " + describe(task.target) + " the plastic zone of body " +
+      std::to_string(body.index() + 1) +
+      " is unbounded (whole half-space, or beyond three grid widths): reduce the load or widen the "
+      "grid");
+}
+
+/// The box without the layers above all inclusions and all strain of a body, if these are many.
+Box below_surface(const IncrementTask& task, const BoxChoice& choice, const PlasticBody& body,
+                  Box box) {
+  const Box mixed = body.cells().mixed().box();
+  box.k0 = 0;
+  if (mixed.empty() || task.settings.softening[body.index()]) return box;
+  int top = choice.with_margin(mixed).k0;
+  if (body.history()) top = std::min(top, body.history()->tiles().first_layer());
+  if (top >= min_part_above * box.nz) box.k0 = top;
+  return box;
+}
+
 }  // namespace
 
 ZoneManager::ZoneManager(const IncrementTask& task, fft::Symmetry symmetry, const StartGuess& guess,
@@ -84,17 +105,9 @@ void ZoneManager::soften() {
 
 void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
   const Box whole = choice_.whole(zones.around());
-  if (is_unbounded(whole, task_.setup().grid)) throw unbounded_zone_error(body);
+  if (is_unbounded(whole, task_.setup().grid)) throw unbounded_zone_error(task_, body);
   body.set_zones(zones, split, sources_, active_);
   softening_.extend(body, whole);
-}
-
-std::invalid_argument ZoneManager::unbounded_zone_error(const PlasticBody& body) const {
-  return std::invalid_argument(
-      "at " + describe(task_.target) + " the plastic zone of body " +
-      std::to_string(body.index() + 1) +
-      " is unbounded (whole half-space, or beyond three grid widths): reduce the load or widen the "
-      "grid");
 }
 
 /// Whole box around its zones; empty if there are none.
@@ -126,7 +139,7 @@ bool ZoneManager::fit(const Field& gap) {
       const YieldScan& scan = *task_.scans[body.index()];
       // Under approach control the load is a result.
       if (!task_.target.is_approach() && body.search().yields_everywhere(body.tractions(), scan))
-        throw unbounded_zone_error(body);
+        throw unbounded_zone_error(task_, body);
       const Box near = body.search().near_yield(body.tractions(), scan, sources_);
       if (!near.empty()) needed = choice_.in_grid_or(now, needed.united(choice_.with_margin(near)));
     }
@@ -188,7 +201,8 @@ bool ZoneManager::grow_beyond() {
     }
     if (!task_.scans[body.index()]) continue;
     const YieldScan& scan = *task_.scans[body.index()];
-    if (body.search().yields_everywhere(body.tractions(), scan)) throw unbounded_zone_error(body);
+    if (body.search().yields_everywhere(body.tractions(), scan))
+      throw unbounded_zone_error(task_, body);
     const Box box = body.zones().around();
     Box needed = whole_or_none(body);
     if (!box.empty()) {
@@ -210,21 +224,11 @@ bool ZoneManager::grow_beyond() {
   return grown;
 }
 
-Box ZoneManager::below_surface(const PlasticBody& body, Box box) const {
-  const Box mixed = body.cells().mixed().box();
-  box.k0 = 0;
-  if (mixed.empty() || task_.settings.softening[body.index()]) return box;
-  int top = choice_.with_margin(mixed).k0;
-  if (body.history()) top = std::min(top, body.history()->tiles().first_layer());
-  if (top >= min_part_above * box.nz) box.k0 = top;
-  return box;
-}
-
 void ZoneManager::take_up_inclusions(PlasticBody& body) {
   const Box mixed = body.cells().mixed().box();
   if (mixed.empty()) return;
   const Box now = whole_or_none(body),
-            needed = below_surface(body, now.united(choice_.with_margin(mixed)));
+            needed = below_surface(task_, choice_, body, now.united(choice_.with_margin(mixed)));
   if (body.zones().count() == 1 && now.contains(needed)) return;
   set_box(body, choice_.fitted(needed, body.zones().around()));
 }
@@ -239,7 +243,7 @@ bool ZoneManager::take_up_inclusions_in_zones(PlasticBody& body) {
   boxes = split_.merged_zones(boxes);
   const Box window = window_of(task_.from.tractions, task_.setup().grid);
   const Box one = choice_.fitted(choice_.with_margin(around(boxes).united(window)), {});
-  if (!split_.cost_less(boxes, below_surface(body, one))) return false;
+  if (!split_.cost_less(boxes, below_surface(task_, choice_, body, one))) return false;
   set_zones(body, Zones(std::move(boxes)), true);
   return true;
 }
@@ -286,7 +290,7 @@ void ZoneManager::take_up_zones(PlasticBody& body) {
   }
   const auto parts = parts_of(task_.from.flow_boxes[body.index()], task_.setup().grid, symmetry_);
   const Box box = parts.size() == 1 ? parts.front() : choice_.fitted(around(parts), {});
-  set_box(body, below_surface(body, box));
+  set_box(body, below_surface(task_, choice_, body, box));
 }
 
 bool ZoneManager::fit_zones(PlasticBody& body) {

@@ -3,7 +3,6 @@
 // computed, and their growth.
 #pragma once
 
-#include <stdexcept>
 #include <vector>
 
 #include "samcontact/simulation/body/active_cells.hpp"
@@ -46,8 +45,6 @@ class ZoneManager {
   /// Uses a single stored box.
   void set_box(PlasticBody& body, const Box& box) { set_zones(body, Zones({box})); }
   void take_up_zones(PlasticBody& body);
-  /// The box without the layers above all inclusions and all strain of a body, if these are many.
-  Box below_surface(const PlasticBody& body, Box box) const;
   /// Makes the box contain all inclusions of a body.
   void take_up_inclusions(PlasticBody& body);
   /// Makes the box contain the inclusions near the contact only, if the contact moves on without
@@ -71,7 +68,6 @@ class ZoneManager {
   bool grow_for_yield(PlasticBody& body);
   /// Whole box around the zones of a body; empty if there are none.
   Box whole_or_none(const PlasticBody& body) const;
-  std::invalid_argument unbounded_zone_error(const PlasticBody& body) const;
   /// Whether a body may be in contact where its residual displacement is not known.
   bool may_touch_outside(const Field& gap) const;
   /// Stored box that elastic-plastic body number b needs because of plastic flow in the outermost
