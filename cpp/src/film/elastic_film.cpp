@@ -46,18 +46,16 @@ void ElasticFilm::precondition(const std::vector<char>& marked, const Field& res
 }
 
 Field ElasticFilm::press(const Field& displacement, const std::vector<char>& marked,
-                         const Field& compliance, double share, Field& displaced) {
+                         const Field& compliance, double share) {
   const std::ptrdiff_t n = std::ssize(displacement);
   Field pressure(n, 0.0), residual(n), z(n), direction(n), moved(n);
   for_each_cell(n, [&](std::ptrdiff_t i) { residual[i] = marked[i] ? displacement[i] : 0.0; });
   const double enough = share * std::sqrt(dot(residual, residual));
-  displaced.assign(n, 0.0);
   precondition(marked, residual, z);
   direction = z;
   double along = dot(residual, z);
   for (int step = 0; step < max_steps && along > 0; ++step) {
     displace(direction, moved);
-    const Field everywhere = moved;
     for_each_cell(n, [&](std::ptrdiff_t i) {
       moved[i] = marked[i] ? moved[i] + compliance[i] * direction[i] : 0.0;
     });
@@ -65,7 +63,6 @@ Field ElasticFilm::press(const Field& displacement, const std::vector<char>& mar
     for_each_cell(n, [&](std::ptrdiff_t i) {
       pressure[i] += length * direction[i];
       residual[i] -= length * moved[i];
-      displaced[i] += length * everywhere[i];
     });
     if (std::sqrt(dot(residual, residual)) < enough) break;
     precondition(marked, residual, z);

@@ -205,8 +205,8 @@ void FilmSystem::find_response(const Linearised& system) {
   flow_response_ = flow_solution(flow);
   Field negative = flow_response_;
   for (double& value : negative) value = -value;
-  pressure_response_ = elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_,
-                                      pressure_accuracy, displacement_response_);
+  pressure_response_ =
+      elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_, pressure_accuracy);
   load_response_ =
       cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure_response_[i]; });
 }
@@ -218,8 +218,8 @@ void FilmSystem::precondition(const Linearised& system, const Field& residual, F
   Field contact(n);
   for (std::size_t i = 0; i < n; ++i) contact[i] = residual[n + i] / contact_weight_[i];
   Field flow = flow_solution(residual);
-  Field pressure = elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_,
-                                  pressure_accuracy, displaced_);
+  Field pressure =
+      elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_, pressure_accuracy);
   double approach = residual[2 * n];
   if (system.has_load) {
     const double load = cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure[i]; });
@@ -232,12 +232,6 @@ void FilmSystem::precondition(const Linearised& system, const Field& residual, F
     if (!full_[i]) change[n + i] = touched_[i] ? z : contact[i];
   }
   change[2 * n] = approach;
-  const bool has_layer = std::any_of(system.stiffness.begin(), system.stiffness.end(),
-                                     [](double stiffness) { return stiffness > 0; });
-  if (has_layer) displaced_.clear();
-  for (std::size_t i = 0; i < displaced_.size(); ++i) {
-    displaced_[i] += approach * displacement_response_[i];
-  }
 }
 
 Field FilmSystem::pressure_of(const Field& change) const {
@@ -252,11 +246,7 @@ void FilmSystem::apply(const Linearised& system, const Field& change, Field& ima
   const Field pressure = pressure_of(change);
   const double approach = change[2 * n];
   Field film(n), fluid(n), voids(n), flow(n, 0.0);
-  if (displaced_.empty()) {
-    elastic_.displace(pressure, film);
-  } else {
-    film = displaced_;
-  }
+  elastic_.displace(pressure, film);
   for (std::size_t i = 0; i < n; ++i) {
     film[i] -= approach;
     fluid[i] = full_[i] ? change[i] + system.stiffness[i] * film[i] : 0.0;

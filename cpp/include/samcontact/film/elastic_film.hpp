@@ -30,9 +30,8 @@ class ElasticFilm {
 
   /// Solves (K + D) p = u on marked cells by conjugate gradients, until the residual is a share of
   /// the first. compliance: diagonal D [m/Pa]. The pressure of other cells is zero.
-  /// displaced: K p of all cells [m].
   Field press(const Field& displacement, const std::vector<char>& marked, const Field& compliance,
-              double share, Field& displaced);
+              double share);
 
  private:
   void precondition(const std::vector<char>& marked, const Field& residual, Field& step);

@@ -83,9 +83,7 @@ class FilmSystem {
   ElasticFilm& elastic_;
   std::vector<char> full_, touched_, stiff_, pressed_;
   Field damping_, column_, contact_weight_, row_scale_;
-  Field flow_response_, pressure_response_, displacement_response_;
-  /// Displacement of the last preconditioned change without a boundary layer [m]; else empty.
-  Field displaced_;
+  Field flow_response_, pressure_response_;
   double load_response_ = 1.0;
   std::vector<char> decomposed_;  // full cells at the decomposition
   int steps_when_new_ = 0;
