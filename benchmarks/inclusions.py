@@ -19,15 +19,15 @@ STEEL = sc.Material.linear_hardening(210e9, 0.3, 1500e6, 9.5e9)
 ALUMINA = sc.Material.elastic(390e9, 0.25)
 CELLS, A, P0 = 12, 0.5e-3, 4e9  # cells per contact radius, contact radius [m], elastic p0 [Pa]
 COUNT, INCREMENTS, SIDE = 200, 60, 6  # inclusions, positions of the ball, width of the grid in A
-CLEAN, ALONE, FILLED = "clean", "clean, no mirror plane", "inclusions"
+CLEAN_BODY, UNMIRRORED_BODY, FILLED_BODY = "clean", "clean, no mirror plane", "inclusions"
 
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     increments = 6 if quick else INCREMENTS
     return [
-        Task(NAME, "p0 = 4 GPa", body, "roll", {"method": body, "increments": increments}, CLEAN,
+        Task(NAME, "p0 = 4 GPa", body, "roll", {"method": body, "increments": increments}, CLEAN_BODY,
              rounds=1 if quick else 2)
-        for body in (CLEAN, ALONE, FILLED)
+        for body in (CLEAN_BODY, UNMIRRORED_BODY, FILLED_BODY)
     ]  # fmt: skip
 
 
@@ -53,9 +53,9 @@ def roll(meter: Meter, method: str, increments: int) -> dict[str, Any]:
     h = A / CELLS
     grid = sc.Grid(SIDE * CELLS, SIDE * CELLS, h, h, dz=h)
     radius = 2 * A * STEEL.E / (1 - STEEL.nu**2) / (np.pi * P0)
-    off = 0.25 * h if method == ALONE else 0.0
+    off = 0.25 * h if method == UNMIRRORED_BODY else 0.0
     gap = (grid.x[:, None] ** 2 + (grid.y - off) ** 2) / (2 * radius)
-    body = sc.Heterogeneous(STEEL, inclusions(increments)) if method == FILLED else STEEL
+    body = sc.Heterogeneous(STEEL, inclusions(increments)) if method == FILLED_BODY else STEEL
     load = 2 / 3 * np.pi * A**2 * P0
 
     def rolled() -> sc.Simulation:
@@ -75,11 +75,14 @@ def roll(meter: Meter, method: str, increments: int) -> dict[str, Any]:
 def notes(rows: list[dict[str, Any]]) -> list[str]:
     """Return a line with processor time and memory over those of the clean body."""
     of = {row["method"]: row for row in rows}
-    if not {CLEAN, ALONE, FILLED} <= set(of) or "time_ratio" not in of[FILLED]:
+    if (
+        not {CLEAN_BODY, UNMIRRORED_BODY, FILLED_BODY} <= set(of)
+        or "time_ratio" not in of[FILLED_BODY]
+    ):
         return []
     (time, memory), (alone, memory_alone) = (
-        [of[FILLED][name] / of[body][name] for name in ("time_ratio", "memory_MB")]
-        for body in (CLEAN, ALONE)
+        [of[FILLED_BODY][name] / of[body][name] for name in ("time_ratio", "memory_MB")]
+        for body in (CLEAN_BODY, UNMIRRORED_BODY)
     )
     return [
         f"With 200 inclusions, processor time and memory are {time:.1f} and {memory:.1f} times "

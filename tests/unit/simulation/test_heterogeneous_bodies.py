@@ -52,8 +52,7 @@ SPHERES = [
 
 @pytest.mark.parametrize("matrix", [STEEL, YIELDING])
 def test_evaluations_at_a_modulus_ratio_of_ten(matrix):
-    """Of the stress, in each increment; the first ones of the matrix that yields flow next to the
-    sphere only."""
+    """Each increment takes at most nine; plastic flow starts next to the sphere."""
     body = sc.Heterogeneous(matrix, [sphere(sc.Material.elastic(2100e9, 0.25))])
     sim = simulation(body, tol=1e-3)
     states = [sim.step(load=load) for load in (0.2 * LOAD, 0.4 * LOAD, LOAD)]
