@@ -42,7 +42,7 @@ def set_two_phases(
     if not moderate.any():
         return
     normal = normals(cells, grid)
-    own = moderate[of_cell] & normal[(slice(None), *cut)].any(axis=0)
+    own = moderate[of_cell] & np.asarray(normal.any(axis=0))[cut]
     places = tuple(index[own] for index in cut)
     for field, value in zip((*fields[:2], *fields[3:9]), constants[of_cell[own]].T, strict=True):
         field[places] = value
