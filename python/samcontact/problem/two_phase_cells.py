@@ -42,7 +42,8 @@ def set_two_phases(
     if not moderate.any():
         return
     normal = normals(cells, grid)
-    own = moderate[of_cell] & normal[(slice(None), *cut)].any(axis=0)
+    x, y, z = cut
+    own = moderate[of_cell] & normal[:, x, y, z].any(axis=0)
     places = tuple(index[own] for index in cut)
     for field, value in zip((*fields[:2], *fields[3:9]), constants[of_cell[own]].T, strict=True):
         field[places] = value
