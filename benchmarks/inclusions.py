@@ -24,9 +24,10 @@ CLEAN_BODY, UNMIRRORED_BODY, FILLED_BODY = "clean", "clean, no mirror plane", "i
 
 def tasks(quick: bool, folder: Path) -> list[Task]:
     increments = 6 if quick else INCREMENTS
+    rounds = 1 if quick else 2
     return [
-        Task(NAME, "p0 = 4 GPa", body, "roll", {"method": body, "increments": increments}, CLEAN_BODY,
-             rounds=1 if quick else 2)
+        Task(NAME, "p0 = 4 GPa", body, "roll", {"method": body, "increments": increments},
+             CLEAN_BODY, rounds=rounds)
         for body in (CLEAN_BODY, UNMIRRORED_BODY, FILLED_BODY)
     ]  # fmt: skip
 
