@@ -77,9 +77,9 @@ def edit(draw):
 
 @st.composite
 def change_boxes(draw, name):
-    """Draw a function that changes boxes, [box][i0, j0, nx, ny, nz], of an open HDF5 file."""
+    """Draw a function that changes boxes, [box][i0, j0, nx, ny, nz, k0], of an open HDF5 file."""
     how = draw(st.sampled_from(["shift", "shift", "value", "repeat", "remove", "turn", "split"]))
-    box, part = draw(st.integers(0, 100)), draw(st.integers(0, 4))
+    box, part = draw(st.integers(0, 100)), draw(st.integers(0, 5))
     far = st.sampled_from([-(2**31), 2**31 - 1, 2**32, -(2**63), 2**63 - 1, 10**6, -(10**6)])
     number = draw(st.one_of(st.integers(-40, 40), st.integers(-3, 3), far))
 
@@ -87,7 +87,7 @@ def change_boxes(draw, name):
         boxes = file[name][...]
         at = box % len(boxes)
         if how == "shift":
-            boxes[at] += np.where(np.arange(5) == part, number, 0)  # may overflow
+            boxes[at] += np.where(np.arange(6) == part, number, 0)  # may overflow
         elif how == "value":
             boxes[at, part] = number
         elif how == "repeat":

@@ -107,7 +107,7 @@ def test_changed_boxes(tmp_path, count):
     simulation.save(first)
     content, boxes = first.read_bytes(), zones_of(simulation, 2)
     assert len(boxes) > 4
-    some, refused = 3 * np.prod(boxes[:, 2:], axis=1).sum(), 0
+    some, refused = 3 * np.prod(boxes[:, 2:5], axis=1).sum(), 0
 
     def check(name, data):
         nonlocal refused

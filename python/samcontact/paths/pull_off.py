@@ -63,45 +63,6 @@ class Retraction:
         choice("until", self.until, ("apart", "maximum"))
         object.__setattr__(self, "max_steps", integer("max_steps", self.max_steps, 1, MAX_STEPS))
 
-    def require_speed(self, needed: bool) -> None:
-        """Raise ValueError unless the speed is given if, and only if, it is needed."""
-        if (self.speed is not None) != needed:
-            raise ValueError(
-                "speed must be given if, and only if, a body is viscoelastic or the friction law "
-                f"depends on the slip rate, got {self.speed!r}: "
-                + ("set the speed of the retraction [m/s]" if needed else "omit it")
-            )
-
-    def increments(
-        self, current: Callable[[], Any], step: float, stiffness: float | None
-    ) -> Iterator[dict[str, float]]:
-        """Iterate over the arguments of the increments; each is solved before the next is asked.
-
-        current: function that returns the present state. step: decrease of the approach in an
-        increment [m]. stiffness: stiffness of the machine [N/m], None: rigid. Raises ValueError if
-        `max_steps` increments do not separate the surfaces. Warns (IncrementWarning) if the
-        increments do not resolve the largest tension.
-        """
-        state = current()
-        compliance = 0.0 if stiffness is None else 1.0 / stiffness
-        machine = state.approach + compliance * state.load
-        lasts = {} if self.speed is None else {"duration": step / self.speed}
-        tension = [-state.load]
-        for n in range(1, self.max_steps + 1):
-            yield {"approach": machine - n * step, **lasts}
-            state = current()
-            tension.append(-state.load)
-            most = max(tension)
-            is_past = most > 0 and tension[-1] < PAST_MAXIMUM * most
-            if _is_apart(state, most) or (self.until == "maximum" and is_past):
-                _warn_of_step(tension, step)
-                return
-        raise ValueError(
-            f"max_steps = {self.max_steps} increments of {step:.3g} m do not separate the "
-            f"surfaces: at the approach {state.approach:.4g} m the tension is {-state.load:.4g} N; "
-            "use a larger step or max_steps"
-        )
-
 
 @dataclass(frozen=True, repr=False)
 class PullOff(ShortRepr):
@@ -185,16 +146,59 @@ def pull_off(
             f"simulation must have adhesion, got adhesion = {simulation.adhesion!r}: without "
             "attraction, the largest tension is 0"
         )
-    retraction.require_speed(simulation.engine.setup.needs_duration)
+    require_speed(retraction, simulation.engine.setup.needs_duration)
     states = [simulation.state]
     work = 0.0
-    for arguments in retraction.increments(lambda: states[-1], step, simulation.stiffness):
+    for arguments in retraction_increments(
+        retraction, lambda: states[-1], step, simulation.stiffness
+    ):
         before, state = states[-1], simulation.step(**arguments)
         states.append(state)
         work += 0.5 * (before.load + state.load) * (state.approach - before.approach)
     pulled = max(states, key=lambda state: -state.load)
     most = max(-pulled.load, 0.0)
     return PullOff(states, most, pulled.approach, work, _is_apart(states[-1], most))
+
+
+def require_speed(retraction: Retraction, needed: bool) -> None:
+    """Raise ValueError unless the speed is given if, and only if, it is needed."""
+    if (retraction.speed is not None) != needed:
+        raise ValueError(
+            "speed must be given if, and only if, a body is viscoelastic or the friction law "
+            f"depends on the slip rate, got {retraction.speed!r}: "
+            + ("set the speed of the retraction [m/s]" if needed else "omit it")
+        )
+
+
+def retraction_increments(
+    retraction: Retraction, current: Callable[[], Any], step: float, stiffness: float | None
+) -> Iterator[dict[str, float]]:
+    """Iterate over the arguments of the increments; each is solved before the next is asked.
+
+    current: function that returns the present state. step: decrease of the approach in an
+    increment [m]. stiffness: stiffness of the machine [N/m], None: rigid. Raises ValueError if
+    `max_steps` increments do not separate the surfaces. Warns (IncrementWarning) if the
+    increments do not resolve the largest tension.
+    """
+    state = current()
+    compliance = 0.0 if stiffness is None else 1.0 / stiffness
+    machine = state.approach + compliance * state.load
+    lasts = {} if retraction.speed is None else {"duration": step / retraction.speed}
+    tension = [-state.load]
+    for n in range(1, retraction.max_steps + 1):
+        yield {"approach": machine - n * step, **lasts}
+        state = current()
+        tension.append(-state.load)
+        most = max(tension)
+        is_past = most > 0 and tension[-1] < PAST_MAXIMUM * most
+        if _is_apart(state, most) or (retraction.until == "maximum" and is_past):
+            _warn_of_step(tension, step)
+            return
+    raise ValueError(
+        f"max_steps = {retraction.max_steps} increments of {step:.3g} m do not separate the "
+        f"surfaces: at the approach {state.approach:.4g} m the tension is {-state.load:.4g} N; "
+        "use a larger step or max_steps"
+    )
 
 
 def _is_apart(state: Any, most: float) -> bool:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from .._util.checks import require_type, step_list
-from ..paths.pull_off import Retraction
+from ..paths.pull_off import Retraction, require_speed, retraction_increments
 from .steps import STEP_ARGUMENTS
 
 if TYPE_CHECKING:
@@ -44,6 +44,7 @@ def run_list(name: str, path: Any) -> list[dict[str, Any]]:
             yield {"approach": 0.0}
 
     several = isinstance(path, Iterable) and not isinstance(path, (Mapping, str, bytes))
+    several = several and getattr(path, "ndim", 1) > 0
     found = step_list(name, steps() if several else path, STEP_ARGUMENTS)
     for n, step in retractions.items():
         found[n] = step
@@ -64,7 +65,9 @@ def unfolded(
             yield step
         else:
             length = _step_of(retraction, engine)
-            yield from retraction.increments(current, length, engine.setup.settings.stiffness)
+            yield from retraction_increments(
+                retraction, current, length, engine.setup.settings.stiffness
+            )
 
 
 def solved_path(path: Path, engine: Engine, states: Sequence[State]) -> list[Mapping[str, Any]]:
@@ -103,7 +106,7 @@ def _step_of(retraction: Retraction, engine: Engine) -> float:
             f"pull_off requires adhesion, got adhesion = {engine.setup.adhesion!r}: without "
             "attraction, the largest tension is 0"
         )
-    retraction.require_speed(engine.setup.needs_duration)
+    require_speed(retraction, engine.setup.needs_duration)
     if retraction.step is not None:
         return retraction.step
     if not law.varies:

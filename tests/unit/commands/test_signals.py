@@ -115,7 +115,7 @@ import os, signal, sys
 sys.argv[0] = sys.argv[1]
 class Slow:  # what takes long to import
     def find_spec(self, name, path=None, target=None):
-        if name == "h5py":
+        if name == "numpy":
             os.kill(os.getpid(), signal.SIGINT)
 sys.meta_path.insert(0, Slow())
 from samcontact.commands.main import main

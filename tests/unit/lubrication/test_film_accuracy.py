@@ -62,7 +62,7 @@ def test_errors_of_values_that_converge_with_order_1_5_are_covered():
 
 def test_an_accuracy_out_of_reach_is_reported(monkeypatch):
     monkeypatch.setattr(sc.lubrication.film_accuracy, "MAX_CELLS_OF_LINE", 200)
-    with pytest.warns(sc.AccuracyWarning, match="prescribe a lower one"):
+    with pytest.warns(sc.AccuracyWarning, match="relax the accuracy"):
         film, _ = line_film(1e-4)
     assert film.errors.central_film > 1e-4 * film.central_film
 

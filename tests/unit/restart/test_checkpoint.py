@@ -295,10 +295,10 @@ class TestDamage:
         "spoil",
         [
             lambda boxes: np.repeat(boxes, 2, axis=0),
-            lambda boxes: np.repeat(boxes // [1, 1, 1, 1, 2], 2, axis=0),  # as many cells
-            lambda boxes: boxes - [100, 0, 0, 0, 0],
-            lambda boxes: boxes * [1, 1, -1, -1, 1],
-            lambda boxes: boxes - [-(2**32), 0, 0, 0, 0],
+            lambda boxes: np.repeat(boxes // [1, 1, 1, 1, 2, 1], 2, axis=0),  # as many cells
+            lambda boxes: boxes - [100, 0, 0, 0, 0, 0],
+            lambda boxes: boxes * [1, 1, -1, -1, 1, 1],
+            lambda boxes: boxes - [-(2**32), 0, 0, 0, 0, 0],
             lambda boxes: boxes[:, :4],
             lambda boxes: boxes[0],
         ],

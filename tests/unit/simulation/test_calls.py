@@ -12,7 +12,7 @@ import samcontact as sc
 PACKAGE = str(Path(sc.__file__).parent)
 STEEL = sc.Material.elastic(210e9, 0.3)
 YIELDING = sc.Material.perfect_plastic(210e9, 0.3, 0.6e9)
-MAX_CALLS = {"elastic": 59, "plastic": 67}
+MAX_CALLS = {"elastic": 61, "plastic": 69}
 """Calls of functions of the package in a step: a few more than there are."""
 
 
