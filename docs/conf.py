@@ -49,7 +49,7 @@ nb_merge_streams = True
 python_maximum_signature_line_length = 72  # then a line for each parameter
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
-autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray", "HeightsOfPoints")}
+autodoc_type_aliases = {name: name for name in ("ArrayLike", "FloatArray")}
 # Aliases by name also within unions, and as types of properties.
 TypeAliasForwardRef.__repr__ = lambda self: self.name
 autodoc_default_options = {

@@ -199,7 +199,8 @@ def estimate_errors(
         raise ValueError("path and states are required if run is a samcontact.Simulation")
     path = run_list("path", path)
     require_list("states", states, State)
-    path = solved_path(path, run.engine, states)
+    if len(path) <= len(states):  # a retraction has several states
+        path = solved_path(path, run.engine, states)
     if len(path) != len(states):
         raise ValueError(
             f"path and states must have equal lengths, got {len(path)} and {len(states)}"

@@ -60,7 +60,7 @@ class FilmHistory(ShortRepr):
         return np.array([s.pressure for s in self.solutions])
 
 
-HeightsOfPoints = Callable[[FloatArray, FloatArray], ArrayLike]
+_Heights = Callable[[FloatArray, FloatArray], ArrayLike]
 
 
 def transient(
@@ -68,8 +68,8 @@ def transient(
     *,
     duration: float,
     steps: int,
-    relief1: HeightsOfPoints | None = None,
-    relief2: HeightsOfPoints | None = None,
+    relief1: Callable[[FloatArray, FloatArray], ArrayLike] | None = None,
+    relief2: Callable[[FloatArray, FloatArray], ArrayLike] | None = None,
     load: Callable[[float], float] | None = None,
     speed: Callable[[float], Sequence[Any]] | None = None,
     order: int = 3,
@@ -198,7 +198,7 @@ class _Course:
     """Motion, load and reliefs over time."""
 
     def __init__(
-        self, start: FilmSolution, step: float, reliefs: Sequence[HeightsOfPoints | None],
+        self, start: FilmSolution, step: float, reliefs: Sequence[_Heights | None],
         load: Callable[[float], float] | None, speed: Callable[[float], Sequence[Any]] | None,
     ) -> None:  # fmt: skip
         self.step, self._grid, self._reliefs = step, start.grid, reliefs
