@@ -44,8 +44,8 @@ Values residual_stress(const Grid& grid, const Array& strain, const Elastic& ela
 class ResidualBox {
  public:
   /// above: number of layers between the surface and the box.
-  ResidualBox(Grid grid, int above, const Elastic& elastic, double image_tol)
-      : grid_(below(std::move(grid), above)),
+  ResidualBox(const Grid& grid, int above, const Elastic& elastic, double image_tol)
+      : grid_(below(grid, above)),
         volume_(grid_, operators::half_space(elastic),
                 {operators::Tensor::full,
                  operators::Symmetry::none,

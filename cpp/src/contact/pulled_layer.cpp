@@ -12,7 +12,6 @@
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
-#include "samcontact/contact/tangential/shear_problem.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -48,7 +47,7 @@ class Pull {
       slopes.col(k) = (solve_at(moved) - error) / way;
     }
     while (error.cwiseAbs().maxCoeff() > tol_) {
-      Eigen::VectorXd step = -slopes.fullPivLu().solve(error);
+      const Eigen::VectorXd step = -slopes.fullPivLu().solve(error);
       if (!step.allFinite() || !improve(motion, error, slopes, step)) return std::nullopt;
     }
     return std::move(best_);
@@ -87,7 +86,7 @@ class Pull {
       reach = std::max(reach, std::hypot(xs[at / grid_.ny], ys[at % grid_.ny]));
       limit_ += law_.coefficient * pressure[at] * grid_.cell_area();
     }
-    const double length = std::max(reach, std::max(grid_.dx, grid_.dy));
+    const double length = std::max({reach, grid_.dx, grid_.dy});
     double force = 0.0;
     for (const int axis : pulled_) {
       const double size = std::fabs(drive_[axis].value);
