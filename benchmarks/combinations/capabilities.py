@@ -146,7 +146,7 @@ def _slides(contact: Contact) -> None:
 
 
 def _rolls_across(contact: Contact) -> None:
-    contact.travels = ((0.0, -0.5 * SIZE), (0.0, -0.5 * SIZE))
+    contact.travels = ((0.0, -SIZE), (0.0, -SIZE))
 
 
 def _measured(contact: Contact) -> None:

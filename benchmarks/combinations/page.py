@@ -101,8 +101,8 @@ REASONS = (
     Reason("moment cannot be combined with approach", "Moment at a prescribed approach."),
     Reason(
         "advance along y is not supported|heat.velocity of body . along y must be 0",
-        "Motion along y of plastic strain and of surface heights, under partial slip, and of heat "
-        "along a period.",
+        "Motion along y of viscoelastic bodies, inclusions and reliefs; also of plastic strain and "
+        "heat along a period.",
     ),
     Reason(
         "relaxation cannot be combined with a yield stress",

@@ -72,9 +72,8 @@ class Heat:
         Longest distance along x between two positions of a body [m], > 0, or a pair of such
         distances along x and y; only with `history` and instead of `velocity`. The heat then
         follows the travel of the bodies, which may stop, turn and return unloaded, as in several
-        passes. The memory grows with these distances. Motion along y requires elastic bodies
-        without reliefs in full sliding. Default: each body has the constant velocity
-        `velocity`, and does not return.
+        passes. The memory grows with these distances. Default: each body has the constant
+        velocity `velocity`, and does not return.
 
     Raises
     ------

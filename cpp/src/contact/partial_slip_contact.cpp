@@ -149,7 +149,7 @@ PartialSlipSolution PartialSlipContact::with_conditions(const SolveUnder& solve,
         "direction of rolling no state is steady; use a Simulation");
   }
   if (friction_.map() != nullptr && conditions.factor.empty()) {
-    conditions.factor = factor_on(*friction_.map(), grid_, 0.0);
+    conditions.factor = factor_on(*friction_.map(), grid_, 0.0, 0.0);
   }
   if (!friction_.rates().is_on()) return solve(std::move(pressure), start, conditions);
   return solve_with_slip_rate(friction_.rates(), grid_, solve, std::move(pressure), start,

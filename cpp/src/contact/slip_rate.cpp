@@ -119,11 +119,11 @@ class SlipRate : public VaryingBound {
 
 }  // namespace
 
-Field factor_on(const MappedCoulomb& map, const Grid& grid, double moved) {
+Field factor_on(const MappedCoulomb& map, const Grid& grid, double moved_x, double moved_y) {
   const std::vector<double> x = grid.x(), y = grid.y();
   Field factor(grid.surface_size());
   for (std::size_t at = 0; at < factor.size(); ++at) {
-    factor[at] = map.factor(x[at / grid.ny] + moved, y[at % grid.ny]);
+    factor[at] = map.factor(x[at / grid.ny] + moved_x, y[at % grid.ny] + moved_y);
   }
   return factor;
 }

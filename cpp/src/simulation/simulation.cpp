@@ -100,35 +100,48 @@ constexpr int max_heat_solves = 20, heat_anderson_depth = 4;
 /// and power that counts as zero [W/m^2].
 constexpr double power_tol_ratio = 10.0, smallest_power = 1e-200;
 
-/// Throws std::invalid_argument for motion along y that a part of the simulation excludes.
-void require_free_to_advance_along_y(const State& state) {
-  const Setup& setup = state.setup();
-  const char* reason = "";
-  if (setup.friction.sticks()) {
-    reason = "with partial slip: use full sliding";
-  } else if (setup.is_strained(0) || setup.is_strained(1)) {
-    reason = "of elastic-plastic bodies, whose strain moves along x only: use elastic bodies";
-  } else if (setup.is_viscoelastic()) {
-    reason = "of viscoelastic bodies, whose track is kept along x only: use elastic bodies";
-  } else if (setup.followed() >= 0) {
-    reason = "with relief1 or relief2, which move along x only: omit the relief";
-  } else if (state.eigenstrain[0] || state.eigenstrain[1]) {
-    reason = "with an eigenstrain, which moves along x only: omit the eigenstrain";
-  } else {
-    return;
+/// Throws std::invalid_argument unless the bodies move by whole cells along an axis.
+void require_whole_cells(const std::array<double, 2>& by, const std::string& along, double size,
+                         const char* condition) {
+  for (int b = 0; b < 2; ++b) {
+    if (std::fabs(by[b] - std::round(by[b])) > 1e-6) {
+      throw std::invalid_argument("advance of body " + std::to_string(b + 1) + along +
+                                  " must be a multiple of the cell size, " + to_text(size) +
+                                  " m, " + condition + ", got " + to_text(by[b] * size) + " m");
+    }
   }
-  throw std::invalid_argument(std::string("advance along y is not supported ") + reason);
 }
 
-/// Throws std::invalid_argument unless the bodies move by whole cells, since the memory of a
-/// viscoelastic body is stored by cell.
-void require_whole_cells(const Travel& by, double dx) {
-  for (int b = 0; b < 2; ++b) {
-    if (std::fabs(by.x[b] - std::round(by.x[b])) > 1e-6) {
-      throw std::invalid_argument(
-          "advance of body " + std::to_string(b + 1) + " must be a multiple of the cell size, " +
-          to_text(dx) + " m, if a body is viscoelastic, got " + to_text(by.x[b] * dx) + " m");
-    }
+/// Throws std::invalid_argument for motion along y that a part of the simulation excludes.
+void require_free_to_advance_along_y(const State& state, const Travel& by) {
+  const Setup& setup = state.setup();
+  const bool strained = setup.is_strained(0) || setup.is_strained(1);
+  const bool given = state.eigenstrain[0] || state.eigenstrain[1];
+  const char* reason = "";
+  if (setup.is_viscoelastic()) {
+    reason = "of viscoelastic bodies, whose track is kept along x only: use elastic bodies";
+  } else if (setup.inclusions[0] || setup.inclusions[1]) {
+    reason = "of bodies with inclusions, which move along x only: omit the inclusions";
+  } else if (!setup.reliefs[0].heights.empty() || !setup.reliefs[1].heights.empty()) {
+    reason = "with relief1 or relief2, which move along x only: omit the relief";
+  } else if (setup.grid.period.y > 0 && (strained || given)) {
+    reason =
+        "of bodies with plastic strain or an eigenstrain on a grid that is periodic along y: "
+        "exchange the axes, or use an open grid";
+  }
+  if (*reason != '\0') {
+    throw std::invalid_argument(std::string("advance along y is not supported ") + reason);
+  }
+  const bool sticks = setup.friction.sticks();
+  if (sticks && std::fabs(by.y[0] - by.y[1]) > 1e-6) {
+    throw std::invalid_argument(
+        "advance of both bodies along y must be equal with partial slip, got a difference of " +
+        to_text((by.y[0] - by.y[1]) * setup.grid.dy) +
+        " m: prescribe a relative motion along y by shift");
+  }
+  if (sticks || strained || given) {
+    require_whole_cells(by.y, " along y", setup.grid.dy,
+                        "with partial slip, plastic strain or an eigenstrain");
   }
 }
 
@@ -204,8 +217,10 @@ const Scans& Simulation::scans(const operators::HeatingPair& heating) {
 }
 
 void Simulation::check(const Target& target) const {
-  if (!target.advance.is_along_x()) require_free_to_advance_along_y(state_);
-  if (setup_->is_viscoelastic()) require_whole_cells(target.advance, setup_->grid.dx);
+  if (!target.advance.is_along_x()) require_free_to_advance_along_y(state_, target.advance);
+  if (setup_->is_viscoelastic()) {
+    require_whole_cells(target.advance.x, "", setup_->grid.dx, "if a body is viscoelastic");
+  }
   if (setup_->transient_heating.is_on() && target.duration == 0 && state_.load != 0) {
     throw std::invalid_argument(
         "duration must be > 0 for an increment that unloads the bodies, got 0: unload them first");
@@ -350,11 +365,6 @@ void Simulation::add_eigenstrain(int body, const Box& box, int k0, const Field& 
     throw std::invalid_argument("the box of an eigenstrain must lie inside the grid");
   }
   require_field(strain, 6 * box.volume_size(), "strain", shape_text({6, box.nx, box.ny, box.nz}));
-  if (!state_.travel.is_along_x()) {
-    throw std::invalid_argument(
-        "an eigenstrain cannot be added after the bodies have moved along y: it moves along x "
-        "only; add it before, or omit the motion");
-  }
   Eigenstrains sum = state_.eigenstrain;
   sum[body] = sum_of(sum[body], box, k0, strain, grid);
   require_followed(sum, *setup_, state_.travel);

@@ -20,7 +20,7 @@ from ..diagnostics.resolution import ROUND_SPOT_AREA_ERROR, area_uncertainty
 from ..problem.friction import friction_law
 from ..simulation import coarsening, error_controlled_quantities, increment_errors
 from ..simulation.increment_errors import IncrementErrors
-from ..simulation.repeated import coarsened
+from ..simulation.repeated import coarsened, coarsened_path
 from ..simulation.restoring import repeat_with
 from ..simulation.run import run_into
 from ..simulation.unfolding import run_list, solved_path
@@ -224,7 +224,7 @@ def estimated(
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
     """Estimate the grid errors of a run; `solve` returns the states of the coarser simulation."""
-    steps, which = coarsening.coarser_path(path, run.grid)
+    steps, which = coarsened_path(run, path)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # these warnings concern the coarser grid
         coarse = coarsened(run, states[0].heat)

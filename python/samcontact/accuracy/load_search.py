@@ -24,7 +24,7 @@ from ..bodies.material import Material
 from ..restart.identity import identity
 from ..simulation import coarsening, error_controlled_quantities
 from ..simulation.journal import describe
-from ..simulation.repeated import coarsened
+from ..simulation.repeated import coarsened, coarsened_path
 from .attainable_values import require_attainable
 from .grid_errors import estimated
 from .load_search_cases import (
@@ -120,7 +120,7 @@ class LoadSearch:
 
         def made() -> Built:
             simulation, path = self._built(load)
-            path, _ = coarsening.coarser_path(path, simulation.grid)
+            path, _ = coarsened_path(simulation, path)
             return coarsened(simulation, simulation.heat), path
 
         return self._excess(f"coarse_{load!r}", "coarse", load, made)

@@ -181,14 +181,11 @@ def _require_free_along_y(case: Any) -> None:
         return
     for name in ("body1", "body2"):
         body = getattr(case, name)
-        if body.is_plastic or getattr(body, "free_faces", None) is not None:
-            what = "an elastic-plastic body" if body.is_plastic else "free_faces"
-            raise ValueError(f"advance along y must be 0 with {what} in [{name}]")
+        if getattr(body, "free_faces", None) is not None:
+            raise ValueError(f"advance along y must be 0 with free_faces in [{name}]")
     for name in ("relief1", "relief2"):
         if getattr(case, name) is not None:
             raise ValueError(f"advance along y must be 0 with [{name}]: omit the relief")
-    if case.friction.sticks:
-        raise ValueError("advance along y must be 0 with partial slip: use full sliding")
 
 
 def _require_known_faces(case: Any) -> None:

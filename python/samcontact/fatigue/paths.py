@@ -72,6 +72,8 @@ class StatePaths:
 
     @classmethod
     def of(cls, states: Sequence[State], body: int) -> StatePaths:
+        for state in states:
+            state.require_path_along_x(body)
         firsts = [state._core.first_cell[body - 1] for state in states]
         grid = states[0].grid
         rows = min(firsts) + grid.nx - max(firsts)

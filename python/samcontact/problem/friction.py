@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, fields
 from typing import Any, ClassVar
 
@@ -253,6 +253,11 @@ def sticking_law(friction: Any) -> FrictionLaw:
             f"friction must be a law such as samcontact.Coulomb(mu), got {in_short(friction)}"
         )
     return friction
+
+
+def has_history(law: FrictionLaw, bodies: Iterable[Any]) -> bool:
+    """Whether partial slip or plastic strain is transported with the bodies, by whole cells."""
+    return law.sticks or any(body.is_plastic for body in bodies)
 
 
 def lasting(law: FrictionLaw, duration: float | None, name: str = "duration") -> float:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from .._util.cached_property import cached_property
 from ..bodies.viscoelastic import relaxes
+from .friction import has_history
 from .settings import Settings
 
 if TYPE_CHECKING:
@@ -37,6 +38,14 @@ class SimulationSetup:
     def friction(self) -> FrictionLaw:
         """Friction law; if `friction` is a number, the contact slides fully."""
         return self.settings.law
+
+    def steps_of_motion(self, grid: Grid) -> tuple[float, float | None]:
+        """Return the lengths along x and y [m] of which motions are multiples; None: any motion.
+
+        Along x, other motions move the origin of the contact. Along y, bodies without history can
+        move by any distance.
+        """
+        return grid.dx, grid.dy if has_history(self.friction, self.bodies) else None
 
     @property
     def adhesion(self) -> ContactLaw:

@@ -87,14 +87,17 @@ def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], lis
     """Return the distance of the plastic zone to the grid edge [cells] and its thickness [layers].
 
     Both lists have one value per increment. Plastic strain of a moving body leaves the grid along
-    x, so the two sides perpendicular to x are ignored.
+    its motion, so the two sides perpendicular to the motion are ignored.
     """
-    margins, layers, moved = [], [], False
+    margins: list[float] = []
+    layers: list[float] = []
+    moved = [False, False]
     for state in states:
-        moved = moved or any(state.travel)
+        for axis, travels in enumerate((state.travel, state.lateral_travel)):
+            moved[axis] = moved[axis] or any(travels)
         extent, grid = strained_extent(state, body), state.grid
         shape = (*grid.surface_shape, len(state.depths))
-        has_edges = not (moved or grid.along_x), not grid.along_y
+        has_edges = not (moved[0] or grid.along_x), not (moved[1] or grid.along_y)
         margins.append(free_cells(extent, shape, *has_edges))
         layers.append(layers_across_plastic_zone(extent))
     return margins, layers

@@ -31,7 +31,7 @@ def add_motion(
     """Add travel and, for elastic-plastic bodies that moved, their tracks at the end.
 
     If `volume` is False, a track contains only the residual imprint. Nothing is added if no body
-    moved; travel along y is added if a body moved along y.
+    moved; travel along y is added if a body moved along y, without tracks if it ends there.
     """
     moved = moving_bodies(states)
     if any(any(state.lateral_travel) for state in states):
@@ -47,7 +47,7 @@ def add_motion(
         offset = [state.offset(body=body) for state in states]
         if any(offset):
             add(dataset, "offset", "increment", offset, body)
-        if body in moved:
+        if body in moved and states[-1].lateral_travel[body - 1] == 0.0:
             track = states[-1].track(body=body).to_dataset(volume=volume)
             names = {n: stored for n, stored in _stored_names(body).items() if n in track.variables}
             dataset.update(track.rename(names))

@@ -64,7 +64,7 @@ def add_slipping(
     if not all(state.converged for state in states):
         add(dataset, "converged", "increment", [int(state.converged) for state in states])
     inelastic = simulation.body1.is_plastic or simulation.body2.is_plastic
-    at_rest = not any(any(state.travel) for state in states)
+    at_rest = not any(state.has_travelled for state in states)
     if at_rest and (volume or not inelastic) and not no_balance(simulation, states):
         _add_balance(dataset, energy.balance(simulation, states))
 

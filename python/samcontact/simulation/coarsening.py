@@ -13,11 +13,12 @@ from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray, finite_array
 from .._util.lazy_scipy import scipy
-from .._util.travels import both_axes, plain
+from .._util.travels import AT_REST, both_axes, plain
 from ..bodies.layered import Layered
 from ..diagnostics.hertz_estimate import ContactSetup
 from ..problem.domain import SurfaceGeometry
 from ..problem.moving_topography import Relief, over_period
+from .increment_paths import Sizes, are_multiples
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
@@ -95,18 +96,20 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
     return part / (part // 2) if part > 1 else 1.0 if ends else 2.0
 
 
-def coarser_path(path: Path, fine: Grid) -> tuple[list[dict[str, Any]], list[int]]:
+def coarser_path(path: Path, sizes: Sizes) -> tuple[list[dict[str, Any]], list[int]]:
     """Convert a path to cells twice as long; return the path and the new index of each increment.
 
     Two successive increments that move the surfaces by an equal odd number of cells are merged.
+
+    sizes: cell sizes, see `SimulationSetup.steps_of_motion`.
     """
+    larger = 2 * sizes[0], None if sizes[1] is None else 2 * sizes[1]
     steps: list[dict[str, Any]] = []
     which: list[int] = []
     waiting = False
     for step in path:
         given = dict(step)
-        moves = both_axes(given.get("advance", (0.0, 0.0)))[:, 0]  # along y any distance is exact
-        whole = np.allclose(moves / (2 * fine.dx), np.round(moves / (2 * fine.dx)), atol=1e-6)
+        whole = are_multiples(both_axes(given.get("advance", AT_REST)), larger)
         if waiting and given == path[len(which) - 1]:
             steps[-1] |= _sum_of_two(given)
             if given.get("duration") is not None:

@@ -218,7 +218,7 @@ def _compared(
     for level in range(1, _level(states) + 1):
         try:
             coarse = coarsening.coarser(setup, domain)
-            steps = coarsening.coarser_path(steps, domain.grid)[0]
+            steps = coarsening.coarser_path(steps, setup.steps_of_motion(domain.grid))[0]
             setup, domain = coarse
         except ValueError:  # a periodic direction that cannot be halved further
             level -= 1
@@ -229,7 +229,7 @@ def _compared(
         first = repeat(setup, grid, heat, steps)
     start = float(domain.initial_gap.min())
     halves = halved(steps, first, start)
-    merged, ends = halves or doubled(steps, first, start, grid.dx, heat)
+    merged, ends = halves or doubled(steps, first, start, setup.steps_of_motion(grid), heat)
     compared = f"{'half' if halves else 'twice'} as many increments"
     # Motions by single cells are merged on larger cells.
     ratios = _HALVING_FACTORS if halves else _DOUBLING_FACTORS

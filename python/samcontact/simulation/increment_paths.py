@@ -6,6 +6,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
+from .._util.checks import FloatArray
 from .._util.travels import AT_REST, both_axes, plain
 
 if TYPE_CHECKING:
@@ -13,6 +16,8 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 Step = Mapping[str, Any]
+Sizes = tuple[float, float | None]
+"""Cell sizes along x and y [m]; None along y if bodies may move by parts of cells along y."""
 Ends = list[tuple[int, int]]
 """Index pairs (from 0): an increment of one path, and one of another path with an equal target."""
 _TARGETS = ("load", "approach", "torque")
@@ -22,6 +27,20 @@ _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0
 _MAX_REMAINING_FRACTION = 0.65
 """Maximum fraction of increments that may remain after merging."""
+
+
+def _is_by_cells(changes: FloatArray, sizes: Sizes) -> bool:
+    """Whether displacements [body][axis] are multiples of cell sizes, as far as they must be."""
+    if sizes[1] is None and changes[:, 1].any():  # bodies without a history
+        return True
+    return are_multiples(changes, sizes)
+
+
+def are_multiples(changes: FloatArray, sizes: Sizes) -> bool:
+    """Whether displacements [body][axis] are multiples of the cell sizes; along y, if given."""
+    axes = 1 if sizes[1] is None else 2
+    cells = changes[:, :axes] / np.array(sizes[:axes])
+    return bool(np.allclose(cells, np.round(cells), atol=1e-6))
 
 
 def cleaned(step: Step) -> dict[str, Any]:
@@ -36,19 +55,19 @@ def cleaned(step: Step) -> dict[str, Any]:
 
 
 def doubled(
-    path: Sequence[Step], states: Sequence[State], start: float, dx: float, heat: Heat
+    path: Sequence[Step], states: Sequence[State], start: float, sizes: Sizes, heat: Heat
 ) -> tuple[list[dict[str, Any]], Ends]:
     """Split each increment in two halves, if motion and heating allow it.
 
     An increment is not split if the bodies would move by a fraction of a cell in each half, or if a
     half would be shorter than the heat history allows.
 
-    start: approach at first contact [m]; dx: cell length [m].
+    start: approach at first contact [m].
     """
     steps: list[dict[str, Any]] = []
     ends = []
     for number, step in enumerate(path):
-        steps += _halves(step, _before(number, path, states, start), dx, heat)
+        steps += _halves(step, _before(number, path, states, start), sizes, heat)
         ends.append((number, len(steps) - 1))
     return steps, ends
 
@@ -116,13 +135,11 @@ def _before(
     return found | {name: step[name] for name in _TARGETS if name in step}
 
 
-def _halves(step: Step, before: Step, dx: float, heat: Heat) -> list[dict[str, Any]]:
+def _halves(step: Step, before: Step, sizes: Sizes, heat: Heat) -> list[dict[str, Any]]:
     first, second = dict(step), dict(step)
     if "advance" in step:
         changes = 0.5 * both_axes(step["advance"])
-        # Only bodies without a history move along y, by any distance.
-        cells = [] if changes[:, 1].any() else (changes[:, 0] / dx).tolist()
-        if any(abs(n - round(n)) > 1e-6 for n in cells):
+        if not _is_by_cells(changes, sizes):
             return [first]
         first["advance"] = second["advance"] = plain(changes)
     if heat.history is not None and 0.5 * step["duration"] < heat.history[0]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from ..heat import Heat
-from .coarsening import coarser, coarser_strain
+from .coarsening import Path, coarser, coarser_path, coarser_strain
 from .given_strain import prepare
 from .restoring import without_estimates
 from .simulation import Simulation
@@ -36,6 +36,11 @@ def rebuilt(simulation: Simulation, **changes: Any) -> Simulation:
             found.add_eigenstrain(body, _eigenstrain(simulation, body))
     prepare(found, simulation.engine.preparation)
     return found
+
+
+def coarsened_path(simulation: Simulation, path: Path) -> tuple[list[dict[str, Any]], list[int]]:
+    """Return a path for the coarsened simulation, see `coarser_path`."""
+    return coarser_path(path, simulation.engine.setup.steps_of_motion(simulation.grid))
 
 
 def coarsened(simulation: Simulation, heat: Heat) -> Simulation:

@@ -207,7 +207,7 @@ class Simulation(Configured, HtmlTable):
             Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
             [m]: equal for rolling towards -x, different for sliding by the difference (creepage
             with `Coulomb`). Plastic strain moves with the body. Motion by whole cells is exact,
-            else see `State.origin`. Smooth elastic bodies in full sliding: or ((x1, y1), (x2, y2)).
+            else see `State.origin`. Or ((x1, y1), (x2, y2)): whole cells along y, or full sliding.
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.

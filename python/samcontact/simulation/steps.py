@@ -27,7 +27,7 @@ from ..contact.normal_drive import UNTILTED, NormalDrive
 from ..contact.tangential_drive import TangentialInput, given_along
 from ..heat import Heat
 from ..problem.cell_fields import shear_components
-from ..problem.friction import FrictionLaw, lasting
+from ..problem.friction import FrictionLaw, has_history, lasting
 from ..problem.grid import Grid
 from ..problem.heating import (
     Bodies,
@@ -95,6 +95,7 @@ class StepArguments:
     ) -> None:
         self.grid, self.bodies, self.friction, self.spring = grid, bodies, friction, spring
         self._slips_by_rate = friction.needs_duration
+        self._has_history = has_history(friction, bodies)
         self.relaxes = relaxes(*bodies)
         self._heated: tuple[Heat, float | None, list[Any]] | None = None
 
@@ -166,6 +167,8 @@ class StepArguments:
         grid = self.grid
         if heat.history is not None:
             _require_motion_of_heat(heat, duration, travels, grid)
+            if self._has_history:
+                require_whole_cells(travels[0], grid.dx)
             if heat.track is not None and is_loaded:
                 along, across = (
                     [n * size / duration for n in cells]
@@ -328,8 +331,8 @@ def _of_friction(
 def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid: Grid) -> None:
     """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
 
-    With a track, the velocity follows from the motion. A track along y excludes bodies with a
-    history, so that fractions of a cell have no effect on the positions of cells.
+    With a track, the velocity follows from the motion. With a track along y, bodies without a
+    history may move by fractions of a cell, which have no effect on the positions of cells.
     """
     if heat.track is not None:
         for axis, (cells, length) in enumerate(zip(advance, heat.tracks, strict=True)):

@@ -142,7 +142,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         Track
             Fields are computed on access; MemoryError if the available memory is too small.
         """
-        choice("body", body, (1, 2))
+        self.require_path_along_x(choice("body", body, (1, 2)))
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
         if cells > MAX_CELLS_ALONG_AXIS // 4:
             raise ValueError(f"margin must be <= {MAX_CELLS_ALONG_AXIS // 4} cells, got {cells}")

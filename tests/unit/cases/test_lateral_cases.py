@@ -82,13 +82,6 @@ def test_a_heated_path_that_turns(case_of):
         ("track = [150e-6, 100e-6]", "track = 150e-6", r"heat\.track along y must be at least"),
         ("track = [150e-6, 100e-6]", "track = [100e-6, 100e-6]", r"heat\.track must be at least"),
         ("friction = 0.0", "friction = 0.1", "advance of both bodies along y must be equal"),
-        ("friction = 0.0", "friction = {coulomb = 0.1}", "along y must be 0 with partial slip"),
-        (
-            'law = "elastic"\nE = 210e9\nnu = 0.3\n[body2]',
-            'law = "voce"\nE = 210e9\nnu = 0.3\nyield_stress = 1e9\nsaturation_stress = 1.5e9\n'
-            "rate = 10.0\n[body2]",
-            r"along y must be 0 with an elastic-plastic body in \[body1\]",
-        ),
         ("[heat]", '[relief2]\nkind = "dent"\ndepth = 1e-7\nradius = 1e-4\n[heat]',
          r"along y must be 0 with \[relief2\]"),
         ("[0.0, -100e-6]]", "[0.0, -100e-6], [0.0, 0.0]]", r"path\[1\]\.advance: must be a list"),

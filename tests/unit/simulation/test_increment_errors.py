@@ -165,7 +165,7 @@ class TestPaths:
                 {"load": 0.0, "advance": (2.0, 2.0)},
                 {"load": 1.0, "advance": (1.0, 1.0)}]  # fmt: skip
         states = [State(2.0), State(2.0), State(4.0), State(0.0), State(1.0)]
-        found, ends = doubled(path, states, 0.0, 1.0, self.HEAT)
+        found, ends = doubled(path, states, 0.0, (1.0, None), self.HEAT)
         assert found == [
             {"load": 1.0}, {"load": 2.0},
             {"load": 2.0, "shift": (2e-6, None)}, {"load": 2.0, "shift": (2e-6, None)},

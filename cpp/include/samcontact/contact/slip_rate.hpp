@@ -9,9 +9,9 @@
 
 namespace samcontact::contact {
 
-/// Coefficient of friction of each cell relative to the largest; moved: distance of the body's
-/// material points ahead of the cells, towards -x [m].
-Field factor_on(const MappedCoulomb& map, const Grid& grid, double moved);
+/// Coefficient of friction of each cell relative to the largest; moved_x, moved_y: distances by
+/// which the body has moved towards -x and -y [m].
+Field factor_on(const MappedCoulomb& map, const Grid& grid, double moved_x, double moved_y);
 
 /// Iterates the slip rate until the friction of each cell is that of its slip rate. The iteration
 /// starts from the slip rate of the conditions. Throws std::invalid_argument without a duration,

@@ -15,10 +15,11 @@ double snapped(double cells) {
   return std::fabs(cells - whole) < rounding ? whole : cells;
 }
 
-/// Row of the grid at an index along x, which may lie in another period.
-int row_of(const Grid& grid, int i) {
-  return grid.period.x > 0 ? (i % grid.nx + grid.nx) % grid.nx : i;
+/// Row or column of the grid at an index that may lie in another period.
+int within(int index, int cells, double period) {
+  return period > 0 ? (index % cells + cells) % cells : index;
 }
+int row_of(const Grid& grid, int i) { return within(i, grid.nx, grid.period.x); }
 
 }  // namespace
 
@@ -32,6 +33,7 @@ Travel advanced(const Travel& travel, const Travel& by) {
 }
 
 Placement::Placement(const Travel& travel, int followed) {
+  for (int b = 0; b < 2; ++b) first_y[b] = static_cast<int>(std::lround(-travel.y[b]));
   if (followed < 0) {
     for (int b = 0; b < 2; ++b) first[b] = static_cast<int>(std::lround(-travel.x[b]));
     return;
@@ -132,14 +134,18 @@ Field shifted_gap(const Field& gap, const Grid& grid, double shift) {
   return out;
 }
 
-Field moved(const Field& field, const Grid& grid, int cells) {
-  if (cells == 0 || field.empty()) return field;
+Field moved(const Field& field, const Grid& grid, Cells by) {
+  if ((by.x == 0 && by.y == 0) || field.empty()) return field;
   Field out(field.size(), 0.0);
   for (int i = 0; i < grid.nx; ++i) {
-    const int from = row_of(grid, i - cells);
-    if (from < 0 || from >= grid.nx) continue;
-    std::copy_n(field.data() + static_cast<std::size_t>(from) * grid.ny, grid.ny,
-                out.data() + static_cast<std::size_t>(i) * grid.ny);
+    const int row = row_of(grid, i - by.x);
+    if (row < 0 || row >= grid.nx) continue;
+    const double* from = field.data() + static_cast<std::size_t>(row) * grid.ny;
+    double* to = out.data() + static_cast<std::size_t>(i) * grid.ny;
+    for (int j = 0; j < grid.ny; ++j) {
+      const int column = within(j - by.y, grid.ny, grid.period.y);
+      if (column >= 0 && column < grid.ny) to[j] = from[column];
+    }
   }
   return out;
 }

@@ -18,9 +18,18 @@
 namespace samcontact::simulation {
 namespace {
 
-/// Mean travel of both bodies in the increment [m].
-double mean_travel(const State& state) {
-  return 0.5 * (state.advance.x[0] + state.advance.x[1]) * state.setup().grid.dx;
+/// Mean travel of both bodies in the increment along x and y [m].
+std::array<double, 2> mean_travel(const State& state) {
+  const auto& [x, y] = state.advance;
+  const Grid& grid = state.setup().grid;
+  return {0.5 * (x[0] + x[1]) * grid.dx, 0.5 * (y[0] + y[1]) * grid.dy};
+}
+
+/// Displacement due to a rotation about the origin, of particles at their mean position during an
+/// increment, less that at the end.
+std::array<double, 2> lead_of(const State& state, double rotation) {
+  const auto [x, y] = mean_travel(state);
+  return {contact::spin_lead * y * rotation, -contact::spin_lead * x * rotation};
 }
 
 /// If the travel of a body differs from that of the tractions by this much, its displacement is
@@ -36,53 +45,73 @@ operators::Tractions for_each(const operators::Tractions& tractions, const auto&
 
 /// Tractions at their positions on the surface of a body that has moved by some cells.
 operators::Tractions taken_along(const operators::Tractions& tractions, const Grid& grid,
-                                 int cells) {
+                                 Cells cells) {
   return for_each(tractions, [&](const Field& field) { return moved(field, grid, cells); });
 }
 
 /// Whether a part of a surface field leaves the grid when it moves by some cells.
-bool is_cut(const Field& field, const Grid& grid, int cells) {
-  if (grid.period.x > 0) return false;
-  const auto size = static_cast<std::ptrdiff_t>(field.size());
-  const auto lost = std::min(size, static_cast<std::ptrdiff_t>(std::abs(cells)) * grid.ny);
-  const auto begin = cells > 0 ? field.end() - lost : field.begin();
-  return std::any_of(begin, begin + lost, [](double v) { return v != 0; });
+bool is_cut(const Field& field, const Grid& grid, Cells by) {
+  const auto leaves = [](int place, int cells, double period) {
+    return period == 0 && (place < 0 || place >= cells);
+  };
+  for (std::size_t at = 0; at < field.size(); ++at) {
+    if (field[at] == 0) continue;
+    const int i = static_cast<int>(at / grid.ny), j = static_cast<int>(at % grid.ny);
+    if (leaves(i + by.x, grid.nx, grid.period.x) || leaves(j + by.y, grid.ny, grid.period.y)) {
+      return true;
+    }
+  }
+  return false;
 }
 
-/// Grid with some additional rows of cells on both sides, and fields on it.
+/// Grid with some additional cells on all sides, and fields on it.
 class Widened {
  public:
-  Widened(const Grid& grid, int rows) : wide_(grid), from_(rows * grid.surface_size() / grid.nx) {
-    wide_.nx += 2 * rows;
+  Widened(const Grid& grid, Cells more) : narrow_(grid), wide_(grid), more_(more) {
+    wide_.nx += 2 * more.x;
+    wide_.ny += 2 * more.y;
   }
   const Grid& grid() const { return wide_; }
   Field operator()(const Field& field) const {
     if (field.empty()) return field;
     Field out(wide_.surface_size(), 0.0);
-    std::copy(field.begin(), field.end(), out.begin() + from_);
+    for (int i = 0; i < narrow_.nx; ++i) {
+      const double* from = field.data() + static_cast<std::ptrdiff_t>(i) * narrow_.ny;
+      std::copy_n(from, narrow_.ny, out.data() + first_of(i));
+    }
     return out;
   }
-  /// Part of a wide field in the grid.
-  auto begin_of(const Field& wide) const { return wide.begin() + from_; }
+  /// Appends the part of a wide field in the grid.
+  void append_inside(const Field& wide, Field& out) const {
+    for (int i = 0; i < narrow_.nx; ++i) {
+      const double* from = wide.data() + first_of(i);
+      out.insert(out.end(), from, from + narrow_.ny);
+    }
+  }
 
  private:
-  Grid wide_;
-  std::ptrdiff_t from_;
+  std::ptrdiff_t first_of(int i) const {
+    return static_cast<std::ptrdiff_t>(i + more_.x) * wide_.ny + more_.y;
+  }
+
+  Grid narrow_, wide_;
+  Cells more_;
 };
 
 /// Tangential displacement of a body [2][i][j] due to tractions moved by its travel [cells], less
 /// that due to tractions moved by `cells` without those that left the grid.
 Field displaced_otherwise(const Setup& setup, int body, const operators::Tractions& tractions,
-                          double body_travel, int cells) {
+                          double body_travel, Cells cells) {
   const Grid& grid = setup.grid;
   const double max_travel = farthest * grid.nx;
   const double own = grid.period.x > 0 ? std::remainder(body_travel, grid.nx)
                                        : std::clamp(body_travel, -max_travel, max_travel);
   const int whole = static_cast<int>(std::lround(own));
-  const Widened widened(grid, grid.period.x > 0 ? 0 : std::abs(whole) + 1);
+  const Widened widened(grid, {grid.period.x > 0 ? 0 : std::abs(whole) + 1,
+                               grid.period.y > 0 ? 0 : std::min(std::abs(cells.y), 2 * grid.ny)});
   const operators::Tractions wide = for_each(tractions, widened);
-  operators::Tractions difference =
-      seen_from_body(taken_along(wide, widened.grid(), whole), widened.grid(), own - whole);
+  operators::Tractions difference = seen_from_body(
+      taken_along(wide, widened.grid(), {whole, cells.y}), widened.grid(), own - whole);
   const operators::Tractions kept = for_each(taken_along(tractions, grid, cells), widened);
   contact::add_scaled(-1.0, kept.pressure, difference.pressure);
   contact::add_scaled(-1.0, kept.shear_x, difference.shear_x);
@@ -91,20 +120,19 @@ Field displaced_otherwise(const Setup& setup, int body, const operators::Tractio
   for (const auto axis : {operators::Axis::x, operators::Axis::y}) {
     const Field u = operators::surface_displacement(widened.grid(), *setup.media[body], {},
                                                     difference, operators::shear_sign(body), axis);
-    slid.insert(slid.end(), widened.begin_of(u),
-                widened.begin_of(u) + static_cast<std::ptrdiff_t>(grid.surface_size()));
+    widened.append_inside(u, slid);
   }
   return slid;
 }
 
-/// Slip due to the difference between the travel of the bodies [cells] and the whole cells by which
-/// the tractions move; empty: none.
+/// Slip due to the difference between the travel of the bodies along x [cells] and the whole cells
+/// by which the tractions move; empty: none.
 Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
-                     const std::array<double, 2>& travel, int cells) {
+                     const std::array<double, 2>& travel, Cells cells) {
   const bool cut = is_cut(tractions.pressure, setup.grid, cells);
   Field slip;
   for (int b = 0; b < 2; ++b) {
-    const bool differs = std::fabs(travel[b] - cells) >= min_travel_difference;
+    const bool differs = std::fabs(travel[b] - cells.x) >= min_travel_difference;
     // The memory of a viscoelastic body contains its tractions at their positions on the body.
     if (setup.bodies[b].is_viscoelastic()) continue;
     if (setup.media[b]->is_rigid() || !(cut || differs)) continue;
@@ -117,13 +145,14 @@ Field slip_of_travel(const Setup& setup, const operators::Tractions& tractions,
 }
 
 /// Cells by which the surface of the followed body moves through the grid in an increment.
-int cells_moved(const IncrementTask& task) {
+Cells cells_moved(const IncrementTask& task) {
   const Travel& by = task.from.advance;
   const Placement then = task.setup().placement(advanced(task.from.travel, scaled(by, -1.0)));
   const Placement now = task.from.placement();
   const int followed = std::max(task.setup().followed(), 0);
-  return then.first[followed] - now.first[followed] -
-         static_cast<int>(std::lround(now.origin - then.origin));
+  return {then.first[followed] - now.first[followed] -
+              static_cast<int>(std::lround(now.origin - then.origin)),
+          then.first_y[followed] - now.first_y[followed]};
 }
 
 /// Temperature rise of the hotter surface in each cell [K].
@@ -150,7 +179,8 @@ contact::FrictionConditions conditions_of(const IncrementTask& task) {
     const Placement place = task.from.placement();
     const int body = map->body == 1 ? 0 : 1;
     const double moved = place.first[body] + place.offset[body];
-    conditions.factor = contact::factor_on(*map, setup.grid, moved * setup.grid.dx);
+    conditions.factor = contact::factor_on(*map, setup.grid, moved * setup.grid.dx,
+                                           place.first_y[body] * setup.grid.dy);
   }
   if (const contact::ThermalCoulomb* law = setup.friction.thermal()) {
     conditions.factor = hotter_surface(task);
@@ -180,14 +210,14 @@ contact::ContactHistory contact_before(const IncrementTask& task) {
   } else {
     // Tractions of a moved state lie at its contact, not at the new positions of their cells.
     const int followed = std::max(task.setup().followed(), 0);
-    const int cells = cells_moved(task);
+    const Cells cells = cells_moved(task);
     const auto carried = taken_along(task.from.tractions, grid, cells);
     before.has_moved = true;
     before.pressure = carried.pressure;
     before.shear = shear_vectors(carried);
     // Fractions of a cell move the grid, not the surface of the body that it follows.
     const double own = task.setup().followed() < 0 ? 0.5 * (by.x[0] + by.x[1]) : by.x[followed];
-    const std::array travel{by.x[0] - own + cells, by.x[1] - own + cells};
+    const std::array travel{by.x[0] - own + cells.x, by.x[1] - own + cells.x};
     before.free_slip = slip_of_travel(task.setup(), task.from.tractions, travel, cells);
   }
   before.shear.resize(2 * grid.surface_size(), 0.0);
@@ -202,8 +232,10 @@ contact::TangentialDrive tangential_drive(const IncrementTask& task) {
     drive[0].value += (task.from.advance.x[0] - task.from.advance.x[1]) * task.setup().grid.dx;
   }
   // Slip due to rotation is evaluated at the mean positions of particles during the increment.
-  if (!drive[1].is_force())
-    drive[1].value -= contact::spin_lead * mean_travel(task.from) * drive[2].value;
+  const auto lead = lead_of(task.from, drive[2].value);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (!drive[axis].is_force()) drive[axis].value += lead[axis];
+  }
   return drive;
 }
 
@@ -319,8 +351,9 @@ void SlipHistory::remember(const operators::Tractions& tractions, State& state) 
     }
   }
   const auto& motion = shear_.motion;
-  state.motion[0] += motion[0];
-  state.motion[1] += motion[1] + contact::spin_lead * mean_travel(task_.from) * motion[2];
+  const auto lead = lead_of(task_.from, motion[2]);
+  state.motion[0] += motion[0] - lead[0];
+  state.motion[1] += motion[1] - lead[1];
   state.motion[2] += motion[2];
   state.friction_work += shear_.friction_work;
   state.shear_symmetry = common(state.shear_symmetry, symmetry_of(tangential_drive(task_)));

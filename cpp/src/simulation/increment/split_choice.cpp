@@ -84,7 +84,11 @@ std::vector<Box> SplitChoice::zones_to_begin_with(const PlasticBody& body) const
   const Grid& grid = task_.setup().grid;
   // Strain far outside the grid moved there, or was set there.
   if (task_.from.travel != Travel{} || is_unbounded(around(boxes), grid)) {
-    for (Box& box : boxes) box = box.intersected({0, box.j0, grid.nx, box.ny, box.nz});
+    const bool across = !task_.from.travel.is_along_x();
+    for (Box& box : boxes) {
+      const int j0 = across ? 0 : box.j0, ny = across ? grid.ny : box.ny;
+      box = box.intersected({0, j0, grid.nx, ny, box.nz});
+    }
     std::erase_if(boxes, [](const Box& box) { return box.empty(); });
   }
   for (Box& box : boxes) box = widened(box, 1);

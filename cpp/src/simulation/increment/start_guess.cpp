@@ -2,6 +2,7 @@
 #include "samcontact/simulation/increment/start_guess.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -48,11 +49,19 @@ double StartGuess::part_of_last_motion() const {
   const auto& last = task_.from.last_flow;
   const Travel& by = task_.from.advance;
   if (!last || by == Travel{} || last->symmetry != symmetry_) return 0.0;
-  const int main = std::fabs(last->advance.x[0]) > std::fabs(last->advance.x[1]) ? 0 : 1;
-  const double ratio = by.x[main] / last->advance.x[main];
-  const bool same_direction =
-      std::fabs(by.x[1 - main] - ratio * last->advance.x[1 - main]) <= 1e-6 * std::fabs(by.x[main]);
-  if (!same_direction || !(ratio > 0 && ratio <= 2)) return 0.0;
+  const std::array now{by.x[1], by.x[0], by.y[1], by.y[0]};
+  const Travel& then = last->advance;
+  const std::array before{then.x[1], then.x[0], then.y[1], then.y[0]};
+  const auto shorter = [](double a, double b) { return std::fabs(a) < std::fabs(b); };
+  const auto main = std::ranges::max_element(before, shorter) - before.begin();
+  const double ratio = now[main] / before[main];
+  const auto turned = [&](double a, double b) {
+    return std::fabs(a - ratio * b) > 1e-6 * std::fabs(now[main]);
+  };
+  if (!(ratio > 0 && ratio <= 2)) return 0.0;
+  for (std::size_t n = 0; n < now.size(); ++n) {
+    if (turned(now[n], before[n])) return 0.0;
+  }
   const auto near = [](double a, double b) { return std::fabs(a - b) <= 0.05 * std::fabs(b); };
   const double normal = task_.target.drive.normal.value;
   if (task_.target.is_load() && !near(normal, task_.from.load)) return 0.0;

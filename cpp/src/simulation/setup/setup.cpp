@@ -108,7 +108,7 @@ Placement Setup::placement(const Travel& travel) const {
   // Under partial slip the shear is transported with the surface, by the mean travel of both
   // bodies.
   const double mean = 0.5 * (travel.x[0] + travel.x[1]);
-  return {Travel{{mean, mean}, {}}, 1};
+  return {Travel{{mean, mean}, travel.y}, 1};
 }
 
 Field Setup::relief(int body, const Travel& travel) const {

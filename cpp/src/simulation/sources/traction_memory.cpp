@@ -324,7 +324,7 @@ std::shared_ptr<const TractionMemory> moved(std::shared_ptr<const TractionMemory
   for (std::size_t field = 0; field < fields; ++field) {
     Field own(around.box.surface_size(), 0.0);
     insert(memory->values.data() + field * from.surface_size(), from, own.data(), around.box);
-    own = moved(own, strip, cells);
+    own = moved(own, strip, {cells, 0});
     around.values.insert(around.values.end(), own.begin(), own.end());
   }
   return std::make_shared<const TractionMemory>(std::move(around));

@@ -104,7 +104,7 @@ State State::moved(const Travel& to) const {
                    {to.y[0] - travel.y[0], to.y[1] - travel.y[1]}};
   const Grid& grid = setup_->grid;
   const Placement from = placement(), place = state.placement();
-  const auto cells = static_cast<int>(std::lround(place.origin - from.origin));
+  const Cells cells{static_cast<int>(std::lround(place.origin - from.origin)), 0};
   state.tractions.pressure = simulation::moved(tractions.pressure, grid, cells);
   state.tractions.shear_x = simulation::moved(tractions.shear_x, grid, cells);
   state.tractions.shear_y = simulation::moved(tractions.shear_y, grid, cells);
@@ -113,21 +113,23 @@ State State::moved(const Travel& to) const {
   state.contact_gap.clear();
   require_followed(eigenstrain, *setup_, to);
   for (int b = 0; b < 2; ++b) {
-    const int by = from.first[b] - place.first[b];
+    const int by = from.first[b] - place.first[b], across = from.first_y[b] - place.first_y[b];
     state.memory[b] = simulation::moved(memory[b], grid, by);
-    if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, 0);
+    if (eigenstrain[b]) state.eigenstrain[b] = eigenstrain[b]->moved(by, across);
     for (auto* flow : {&state.inclusions_flow[b], &state.matrix_flow[b]}) {
       if (!*flow) continue;
       const auto own = common((*flow)->symmetry(), fft::Symmetry::y);
       *flow = unfolded(*flow, grid, own)->moved(by, 0);
     }
     if (!plastic[b]) continue;
-    if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0]) {
+    if (b == 1 && plastic[0] == plastic[1] && by == from.first[0] - place.first[0] &&
+        across == from.first_y[0] - place.first_y[0]) {
       state.plastic[1] = state.plastic[0];
       continue;
     }
-    const auto symmetry = common(plastic[b]->symmetry(), fft::Symmetry::y);
-    state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by, 0);
+    const auto symmetry =
+        common(plastic[b]->symmetry(), across == 0 ? fft::Symmetry::y : fft::Symmetry::none);
+    state.plastic[b] = unfolded(plastic[b], grid, symmetry)->moved(by, across);
   }
   return state;
 }

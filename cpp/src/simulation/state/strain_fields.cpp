@@ -105,6 +105,10 @@ Box strain_beyond(const State& state, int body) {
     seen.i0 = whole.i0;
     seen.nx = whole.nx;
   }
+  if (!state.travel.is_along_x()) {
+    seen.j0 = whole.j0;
+    seen.ny = whole.ny;
+  }
   if (seen.contains(whole)) return {};
   const Box strained = whole_box(history->zones().around(), grid, history->symmetry());
   return seen.contains(strained) ? Box{} : strained;

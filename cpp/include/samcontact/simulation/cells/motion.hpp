@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Motion of the bodies through the contact; the grid stays with the contact. Along a periodic
-// direction, rows that leave the grid enter it at its other end. Only bodies without a history move
-// along y.
+// direction, rows that leave the grid enter it at its other end. Bodies with a history move along y
+// by whole cells.
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ Travel advanced(const Travel& travel, const Travel& by);
 /// cells coincide with those of the body that is followed, so that a fraction of a cell moves the
 /// origin of the contact within the grid.
 struct Placement {
-  /// Cell of the body at the position of the first grid cell.
-  std::array<int, 2> first{};
+  /// Cell of the body at the position of the first grid cell, along x and y.
+  std::array<int, 2> first{}, first_y{};
   /// Offset of that cell from the grid cell, towards -x, in [-0.5, 0.5] cells; 0 for the body that
   /// is followed.
   std::array<double, 2> offset{};
@@ -79,7 +79,12 @@ operators::Tractions seen_from_body(const operators::Tractions& tractions, const
 /// nearest row has no body; next to such rows, linear between two rows with a body, or constant.
 Field shifted_gap(const Field& gap, const Grid& grid, double shift);
 
-/// Surface field moved by whole cells towards +x; zero enters unless the grid is periodic.
-Field moved(const Field& field, const Grid& grid, int cells);
+/// Whole cells towards +x and +y.
+struct Cells {
+  int x = 0, y = 0;
+};
+
+/// Surface field moved by whole cells; zero enters unless the grid is periodic.
+Field moved(const Field& field, const Grid& grid, Cells by);
 
 }  // namespace samcontact::simulation
