@@ -280,11 +280,13 @@ void bind_contact(py::module_& m) {
         py::arg("rise"));
   bind_friction(m);
   py::class_<contact::ContactLaw, std::shared_ptr<contact::ContactLaw>>(m, "ContactLaw")
-      .def(py::init([](const std::string& kind, const std::vector<double>& parameters) {
-             return std::const_pointer_cast<contact::ContactLaw>(
-                 contact::contact_law(kind, parameters));
+      .def(py::init([](const std::string& kind, const std::vector<double>& parameters,
+                       bool rubs_by_compression) {
+             contact::SharedContactLaw law = contact::contact_law(kind, parameters);
+             if (rubs_by_compression) law = contact::rubbing_by_compression(std::move(law));
+             return std::const_pointer_cast<contact::ContactLaw>(law);
            }),
-           py::arg("kind"), py::arg("parameters"))
+           py::arg("kind"), py::arg("parameters"), py::arg("rubs_by_compression") = false)
       .def_property_readonly("attracts", &contact::ContactLaw::attracts)
       .def_property_readonly("largest_attraction", &contact::ContactLaw::largest_attraction)
       .def_property_readonly("steepest_fall", &contact::ContactLaw::steepest_fall)

@@ -65,6 +65,16 @@ TEST_CASE("energy and fall of a law are the integral and the slope of its attrac
   }
 }
 
+TEST_CASE("friction by compression is the pressure of cells that are pressed") {
+  const auto law = exponential_adhesion(0.3, 0.5);
+  const auto pressing = rubbing_by_compression(law);
+  const Field pushed{0.0, 0.4, 0.9}, gap{0.2, 0.0, 0.0};
+  CHECK(rubbing_pressure(*law, pushed, gap) == pushed);
+  CHECK(rubbing_pressure(*pressing, pushed, gap) == Field{0.0, 0.0, 0.9 - 0.6});
+  CHECK(pressing->varies());
+  CHECK(pressing->attraction(0.1) == law->attraction(0.1));
+}
+
 TEST_CASE("impossible laws of adhesion are refused") {
   CHECK_THROWS_AS(exponential_adhesion(0.0, 1.0), std::invalid_argument);
   CHECK_THROWS_AS(dugdale_adhesion(0.3, 0.5, 1.3), std::invalid_argument);

@@ -8,7 +8,8 @@ import samcontact as sc
 GRID = sc.Grid(12, 12, 5e-8, 5e-8)
 TIP, SOFT = sc.Material.rigid(), sc.Material.elastic(1e9, 0.3)
 LAW = sc.Adhesion.jkr(0.1)
-TABLE = {"gap": [0.0, 1e-9], "stress": [1e7, 0.0]}
+ON = {"friction_on": "repulsion"}
+TABLE = {"gap": [0.0, 1e-9], "stress": [1e7, 0.0], **ON}
 JKR = sc.adhesion.jkr(1e-6, 0.1, 1e9)
 MAUGIS = sc.adhesion.maugis(1e-6, 0.1, 1e9, 1e7)
 WAVE = sc.adhesion.wave(1e-6, 1e-8, 0.1, 1e9)
@@ -39,10 +40,10 @@ def retracted(simulation, step, until, max_steps, speed):
 
 
 CALLS = [
-    ("Adhesion.exponential", sc.Adhesion.exponential, {"w": 0.1, "range": 1e-9}),
-    ("Adhesion.jkr", sc.Adhesion.jkr, {"w": 0.1}),
-    ("Adhesion.dugdale", sc.Adhesion.dugdale, {"w": 0.1, "stress": 1e7}),
-    ("Adhesion.lennard_jones", sc.Adhesion.lennard_jones, {"w": 0.1, "z0": 1e-9}),
+    ("Adhesion.exponential", sc.Adhesion.exponential, {"w": 0.1, "range": 1e-9, **ON}),
+    ("Adhesion.jkr", sc.Adhesion.jkr, {"w": 0.1, **ON}),
+    ("Adhesion.dugdale", sc.Adhesion.dugdale, {"w": 0.1, "stress": 1e7, **ON}),
+    ("Adhesion.lennard_jones", sc.Adhesion.lennard_jones, {"w": 0.1, "z0": 1e-9, **ON}),
     ("Adhesion.tabulated", sc.Adhesion.tabulated, TABLE),
     ("Adhesion.on", LAW.on, {"grid": GRID, "body1": TIP, "body2": SOFT}),
     ("Adhesion.resolved", LAW.resolved, {"grid": GRID, "body1": TIP, "body2": SOFT}),

@@ -13,7 +13,8 @@ from benchmarks.stability.table import relative_difference
 from benchmarks.stability.units import CASES, SLIDING
 
 pytestmark = pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
-QUICK_CASE = "contact radius, load, time and temperature of the problem"
+QUICK_CASE = "contact radius, load, time and temperature of the case"
+assert QUICK_CASE in UNITS
 
 
 @cache

@@ -84,14 +84,32 @@ PartialSlipSolution PartialSlipContact::AdhesiveSlip::slip_at(const Solution& ad
   const Attraction fixed(std::move(pull), contact_.grid_, contact_.normal_.displacement(), gap_);
   // Without stick in open cells whose pressure differs from the attraction by its error.
   Field pushed = repulsion(*contact_.law_, adhesive.tractions.pressure, adhesive.gap);
+  const Field share = share_of_bound(pushed, adhesive.gap);
   const Drive drive = drive_at(adhesive.motion);
   const auto run = [&](Field pressure, const PartialSlipStart& from,
-                       const FrictionConditions& local) {
+                       const FrictionConditions& given) {
+    FrictionConditions local = given;
+    if (local.factor.empty()) {
+      local.factor = share;
+    } else {
+      for (std::size_t i = 0; i < share.size(); ++i) local.factor[i] *= share[i];
+    }
     Sweeps sweeps(contact_, fixed.gap(), drive, tangential_, history, local, settings_);
     return contact_.finished(sweeps.run(std::move(pressure), from), drive_, fixed, settings_);
   };
   return contact_.with_conditions(run, std::move(pushed), start, conditions_,
                                   {false, settings_.tol});
+}
+
+Field PartialSlipContact::AdhesiveSlip::share_of_bound(const Field& pushed,
+                                                       const Field& gap) const {
+  if (!contact_.law_->rubs_by_compression()) return {};
+  Field share = rubbing_pressure(*contact_.law_, pushed, gap);
+  for (std::size_t i = 0; i < share.size(); ++i) {
+    const double whole = contact_.friction_.bound(pushed[i]);
+    share[i] = whole > 0 ? contact_.friction_.bound(share[i]) / whole : 1.0;
+  }
+  return share;
 }
 
 bool PartialSlipContact::AdhesiveSlip::is_small(const Field& change, const Solution& adhesive) {

@@ -213,14 +213,15 @@ Solution ContactSolver::solve_adhesive(const Field& gap, const Drive& drive,
   Solution solution;
   if (multilevel_.displacement().has_rest()) {
     ComplexField scratch;
-    // Shear is proportional to the repulsion, which takes the place of the pressure.
+    // Shear is proportional to the pressure on which friction depends, which takes its place.
     const LaggedContact contact{
-        [&](const Field& repulsion, Field& separation) {
-          multilevel_.displacement().apply_rest(repulsion.data(), separation.data(), scratch);
+        [&](const Field& rubbing, Field& separation) {
+          multilevel_.displacement().apply_rest(rubbing.data(), separation.data(), scratch);
         },
-        [&](const Field& lagged, const Field& /*repulsion*/, double tol) {
+        [&](const Field& lagged, const Field& /*rubbing*/, double tol) {
           Solution found = solve(lagged, tol);
-          found.tractions.pressure = repulsion(*law_, found.tractions.pressure, found.gap);
+          Field pushed = repulsion(*law_, found.tractions.pressure, found.gap);
+          found.tractions.pressure = rubbing_pressure(*law_, std::move(pushed), found.gap);
           return found;
         }};
     solution = solve_lagged(contact, grid_, gap, drive, Field(gap.size(), 0.0), settings.tol);
@@ -235,7 +236,7 @@ Solution ContactSolver::solve_adhesive(const Field& gap, const Drive& drive,
     throw too_small(grid_, pushed, solution.edge_warning);
   }
   Field pressure = std::move(solution.tractions.pressure);
-  solution.tractions = friction_.tractions(pushed);
+  solution.tractions = friction_.tractions(rubbing_pressure(*law_, pushed, solution.gap));
   solution.tractions.pressure = std::move(pressure);
   return solution;
 }

@@ -79,10 +79,11 @@ Solution solve_lagged(const LaggedContact& contact, const Grid& grid, const Fiel
     for (std::size_t i = 0; i < gap.size(); ++i) {
       scale = std::max(scale, std::fabs(solution.gap[i] + lowering(i) - lagged[i]));
     }
-    const double change =
-        change_in_contact(separation, previous, solution.tractions.pressure, modes);
+    const Field& pressed = solution.tractions.pressure;
+    const double change = change_in_contact(separation, previous, pressed, modes);
     // The surfaces may be separated by shear that no longer exists.
-    const bool parted = solution.load == 0 && !is_zero(previous);
+    const bool parted =
+        std::none_of(pressed.begin(), pressed.end(), in_contact) && !is_zero(previous);
     const double error = parted ? 1.0 : scale > 0 ? change / scale : 0.0;
     slow = slow || (n > 0 && error > slow_contraction * outer_error);
     outer_error = error;

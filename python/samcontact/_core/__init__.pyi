@@ -246,7 +246,12 @@ class FrictionLaw:
     def ratio(self, pressure: float) -> float: ...
 
 class ContactLaw:
-    def __init__(self, kind: str, parameters: collections.abc.Sequence[float]) -> None: ...
+    def __init__(
+        self,
+        kind: str,
+        parameters: collections.abc.Sequence[float],
+        rubs_by_compression: bool = False,
+    ) -> None: ...
     @property
     def attracts(self) -> bool: ...
     @property

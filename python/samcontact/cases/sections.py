@@ -188,6 +188,9 @@ def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
     """Create the section of a contact law; the constants must be non-negative."""
     parameters: Any = {}
     for item in fields(law):
+        if "choices" in item.metadata:
+            parameters[item.name] = (Literal[item.metadata["choices"]], item.default)
+            continue
         value: Any = list[NonNegative] if item.metadata.get("many") else NonNegative
         value = Annotated[value, in_unit(item.metadata["unit"])]
         parameters[item.name] = (value, ...) if item.default is MISSING else (value | None, None)

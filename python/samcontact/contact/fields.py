@@ -14,6 +14,7 @@ from .._util.checks import FloatArray, choice, finite_array, real_array, require
 from ..bodies.layered import Body
 from ..heat import Heat
 from ..problem.cell_fields import depths_of, shear_components
+from ..problem.contact_law import rubbing_pressure
 from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.settings import Configured
@@ -219,7 +220,8 @@ class ContactFields(Configured):
                 "this solver"
             )
         else:
-            s_x, s_y = self._law.sliding_ratio * solution.repulsion, 0.0 * p
+            rubbing = rubbing_pressure(solution.repulsion, p, self.adhesion.rubs_by_compression)
+            s_x, s_y = self._law.sliding_ratio * rubbing, 0.0 * p
         sign = 1.0 if number == 2 else -1.0
         tractions = p, sign * s_x, sign * s_y
         return stress_at_points(solution.grid, tractions, material.nu, (x, y, z))

@@ -380,7 +380,7 @@ def solve_driven(  # warnings show the line two calls up
         resolution.warn_of_contact(solution, setup, stacklevel=3)
     resolution.warn_of_strain(solution, setup, stacklevel=3)
     yield_check.warn_of_yield(solution, bodies, initial._law, stacklevel=3)
-    adhesion.warn_of_adhesion(initial.adhesion, solution, bodies, stacklevel=3)
+    adhesion.warn_of_adhesion(initial.adhesion, solution, bodies, initial._law, stacklevel=3)
     if sharp_edges.may_have_edge(solution, setup):
         edge = sharp_edges.edge_of(solution, bodies, window.initial_gap)
         sharp_edges.warn_of_edge(solution, edge, stacklevel=3)

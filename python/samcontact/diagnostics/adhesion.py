@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..bodies.layered import Body
     from ..problem.contact_law import ContactLaw
+    from ..problem.friction import FrictionLaw
     from ..solutions.contact_solution import ContactSolution
     from ..solutions.state import State
 
@@ -28,14 +29,16 @@ def warn_of_adhesion(
     law: ContactLaw,
     solution: ContactSolution | State,
     bodies: tuple[Body, Body],
+    friction: FrictionLaw,
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn of adhesion that the grid does not resolve or contain; return True after a warning."""
+    """Warn of adhesion that the grid does not resolve or contain, and of friction that depends on
+    the grid; return True after a warning."""
     found = resolved_of(law, solution.grid, *bodies)
     if found is None:
         return False
-    unresolved = list(_of_resolution(found, bodies))
+    unresolved = [*_of_resolution(found, bodies), *_of_friction(found, friction)]
     for text in unresolved:
         warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
     if cut := _of_edge(found, solution.adhesion_stress):
@@ -67,6 +70,18 @@ def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterat
             f"the attraction of up to {quantity(found.law.peak, 'Pa')} exceeds the yield stress "
             f"{quantity(weakest, 'Pa')}, and its range was chosen for the grid: plastic flow at "
             "the contact edge depends on the cell size. Give the range, and cells that resolve it"
+        )
+
+
+def _of_friction(found: ResolvedAdhesion, friction: FrictionLaw) -> Iterator[str]:
+    """Text on friction that depends on a range chosen for the grid."""
+    by_pressure = not friction.prevents_slip and friction.bound(2.0) > friction.bound(1.0)
+    if found.is_refined and by_pressure and not found.law.rubs_by_compression:
+        yield (
+            f"friction depends on the repulsion, which contains the attraction of up to "
+            f"{quantity(found.law.peak, 'Pa')}, and the range of this attraction was chosen for "
+            "the grid: the friction depends on the cell size. Give the range, or friction_on = "
+            '"compression"'
         )
 
 

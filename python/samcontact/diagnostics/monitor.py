@@ -94,8 +94,9 @@ class Monitor:
             self.edge_warned = sharp_edges.warn_of_edge(state, edge, stacklevel=stacklevel + 1)
         if not self.adhesion_warned:
             self.adhesion_warned = adhesion.warn_of_adhesion(
-                state.setup.adhesion, state, state.setup.bodies, stacklevel=stacklevel + 1
-            )
+                state.setup.adhesion, state, state.setup.bodies, state.setup.friction,
+                stacklevel=stacklevel + 1,
+            )  # fmt: skip
         if setup.plastic:
             self._warn_of_flow(state, setup, stacklevel=stacklevel + 1)
 

@@ -19,6 +19,7 @@ from ..problem.friction import friction_law
 from ..solutions.state import State, on_common_grid
 from .mismatch import mismatch_energy, not_balanced
 from .motion import Motion, have_equal_eigenstrain, over_grid
+from .sliding import correction_of_sliding
 from .work import (
     cell_volume,
     eigenstrain_energy,
@@ -93,14 +94,15 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
 
     The work of an increment is the mean force times the motion. The mean load is computed for a
     load proportional to the power 3/2 of the approach, which is exact for elastic balls under
-    normal load. `EnergyBalance.imbalance` is smaller with smaller increments. The energy of the
-    first state is part of the work input. The work of thermal expansion in an increment is the mean
-    pressure times the change of the thermal displacement, plus the mean thermal stress times the
-    plastic strain increment. If the surface of a body has a slope, the pressure does work when the
-    body travels, e.g. the work of rolling resistance. In full sliding, the bodies move tangentially
-    by their travel alone. The friction work follows from this motion and from the tangential
-    displacement of the surfaces. With thermal softening, the mean of the yield stresses at the
-    start and the end of an increment is used.
+    normal load. Where all cells slip, the tangential force reaches the friction limit as for
+    elastic balls under constant load, and remains at it. `EnergyBalance.imbalance` is smaller with
+    smaller increments. The energy of the first state is part of the work input. The work of thermal
+    expansion in an increment is the mean pressure times the change of the thermal displacement,
+    plus the mean thermal stress times the plastic strain increment. If the surface of a body has a
+    slope, the pressure does work when the body travels, e.g. the work of rolling resistance. In
+    full sliding, the bodies move tangentially by their travel alone. The friction work follows from
+    this motion and from the tangential displacement of the surfaces. With thermal softening, the
+    mean of the yield stresses at the start and the end of an increment is used.
 
     Parameters
     ----------
@@ -248,7 +250,8 @@ def _work(simulation: Simulation, states: Sequence[State]) -> FloatArray:
     forces, motions = values[:, 2:7], values[:, 7:]
     along: FloatArray = np.sum(0.5 * (forces[1:] + forces[:-1]) * np.diff(motions, axis=0), axis=1)
     normal: FloatArray = _mean_load(load[:-1], load[1:]) * np.diff(approach)
-    return along + normal + _work_of_travel(simulation, states)
+    sliding = correction_of_sliding(friction_law(simulation.friction), states)
+    return along + normal + sliding + _work_of_travel(simulation, states)
 
 
 def _forces_and_motions(simulation: Simulation, state: State) -> tuple[float, ...]:

@@ -17,6 +17,7 @@ from .._util.checks import FloatArray, choice, finite_array, non_negative
 from .._util.quantities import CONTACT
 from ..problem.contact_law import in_contact
 from ..problem.friction import Coulomb, FrictionLaw, friction_law, law_of_attributes
+from ..results.contact import rubbing_pressure_of
 from .fields import Plane, clip, inside_of_contact, inside_of_slip, name_sides, outline
 from .parts import axes_or_new, edges, finish, prefixed, surface_line
 from .shown import require_possible
@@ -369,4 +370,5 @@ def largest_force(dataset: xr.Dataset) -> float | None:
     if law is None or law.prevents_slip:
         return None
     area = float(dataset.attrs["dx"]) * float(dataset.attrs["dy"])
-    return area * float(law.bound(dataset["pressure"].fillna(0.0).values).sum(axis=(1, 2)).max())
+    bound = law.bound(np.nan_to_num(rubbing_pressure_of(dataset)))
+    return area * float(bound.sum(axis=(1, 2)).max())

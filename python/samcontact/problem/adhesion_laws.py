@@ -13,8 +13,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _core
-from .._util.checks import finite_array, positive, require_type
-from .._util.display import HtmlTable, ShortRepr, quantity
+from .._util.checks import choice, finite_array, positive, require_type
+from .._util.display import MAX_REPR_CHARACTERS, UNIT_OF_FIELD, HtmlTable, Rows, quantity
+from .._util.short_text import in_short
 from ..bodies.layered import Body, require_bodies
 from ..bodies.viscoelastic import relaxed
 from .contact_law import ContactLaw, HardContact, TensileLimit
@@ -28,7 +29,11 @@ MAX_RESOLVED, MAX_SOLVABLE = 0.6, 1.0
 """Resolution number kappa above which a warning is issued, and above which the law is refused."""
 
 
-@dataclass(frozen=True)
+FRICTION_ON = ("repulsion", "compression")
+"""Pressures on which friction between adhering surfaces may depend."""
+
+
+@dataclass(frozen=True, repr=False)
 class Adhesion(ContactLaw):
     """Adhesion, for `ContactSolver` and `Simulation`: attraction a(g) with a work of adhesion.
 
@@ -41,52 +46,74 @@ class Adhesion(ContactLaw):
     pressure on it and s the steepest fall of the attraction with the gap. For larger kappa, single
     cells jump. Above 0.6 a ResolutionWarning is issued; above 1 the law is refused. If the range is
     None, the range for which kappa = 0.5 is used: the shortest that the grid resolves.
+
+    All constructors have the argument `friction_on`, the pressure on which friction depends. With
+    "repulsion", friction depends on r. The attraction then adds to the load, and the friction force
+    is mu (W + integral of a), as in the law of Derjaguin (1934, doi:10.1007/BF01333114). With
+    "compression", friction depends on p where p > 0, and cells under tension transmit no shear.
     """
 
+    friction_on: str = field(
+        default="repulsion", kw_only=True, metadata={"choices": FRICTION_ON, "unit": ""}
+    )
+    """Pressure on which friction depends, "repulsion" or "compression"."""
+
+    def __post_init__(self) -> None:
+        checked = choice("friction_on", self.friction_on, FRICTION_ON)
+        object.__setattr__(self, "friction_on", checked)
+
     @staticmethod
-    def exponential(w: float, range: float | None = None) -> ExponentialAdhesion:
+    def exponential(
+        w: float, range: float | None = None, *, friction_on: str = "repulsion"
+    ) -> ExponentialAdhesion:
         """Return the law a = w/range exp(-g/range).
 
-        w: work of adhesion [J/m^2]; range [m], None: refined to the grid. Rey, Anciaux & Molinari
-        (2017, doi:10.1007/s00466-017-1392-5). Raises ValueError for values that are not > 0.
+        w: work of adhesion [J/m^2]; range [m], None: refined to the grid; friction_on: see
+        `Adhesion`. Rey, Anciaux & Molinari (2017, doi:10.1007/s00466-017-1392-5). Raises ValueError
+        for values that are not > 0.
         """
-        return ExponentialAdhesion(positive("w", w), range)
+        return ExponentialAdhesion(positive("w", w), range, friction_on=friction_on)
 
     @staticmethod
-    def jkr(w: float) -> ExponentialAdhesion:
+    def jkr(w: float, *, friction_on: str = "repulsion") -> ExponentialAdhesion:
         """Return the exponential law with the shortest range that the grid resolves.
 
         w: work of adhesion [J/m^2]. In the limit of small cells, the contact is that of Johnson,
         Kendall & Roberts (1971, doi:10.1098/rspa.1971.0141).
         """
-        return ExponentialAdhesion(positive("w", w))
+        return ExponentialAdhesion(positive("w", w), friction_on=friction_on)
 
     @staticmethod
-    def dugdale(w: float, stress: float) -> DugdaleAdhesion:
+    def dugdale(w: float, stress: float, *, friction_on: str = "repulsion") -> DugdaleAdhesion:
         """Return the law of Maugis (1992, doi:10.1016/0021-9797(92)90285-T) with a resolved drop.
 
         w: work of adhesion [J/m^2]; stress: constant attraction [Pa] up to a gap near w/stress,
         around which it falls to zero, as half a cosine wave, over the shortest distance that the
-        grid resolves.
+        grid resolves; friction_on: see `Adhesion`.
         """
-        return DugdaleAdhesion(positive("w", w), stress)
+        return DugdaleAdhesion(positive("w", w), stress, friction_on=friction_on)
 
     @staticmethod
-    def lennard_jones(w: float, z0: float) -> LennardJonesAdhesion:
+    def lennard_jones(
+        w: float, z0: float, *, friction_on: str = "repulsion"
+    ) -> LennardJonesAdhesion:
         """Return a = 8 w/(3 z0) [(1 + g/z0)^-3 - (1 + g/z0)^-9], with a hard wall at z0.
 
-        w: work of adhesion [J/m^2]; z0: equilibrium distance of the half-spaces [m].
+        w: work of adhesion [J/m^2]; z0: equilibrium distance of the half-spaces [m];
+        friction_on: see `Adhesion`.
         """
-        return LennardJonesAdhesion(positive("w", w), z0)
+        return LennardJonesAdhesion(positive("w", w), z0, friction_on=friction_on)
 
     @staticmethod
-    def tabulated(gap: ArrayLike, stress: ArrayLike) -> TabulatedAdhesion:
+    def tabulated(
+        gap: ArrayLike, stress: ArrayLike, *, friction_on: str = "repulsion"
+    ) -> TabulatedAdhesion:
         """Return a piecewise linear law.
 
-        gap: increasing, the first 0 [m]; stress: attraction >= 0 [Pa], the last 0. Raises
-        ValueError for other values.
+        gap: increasing, the first 0 [m]; stress: attraction >= 0 [Pa], the last 0; friction_on: see
+        `Adhesion`. Raises ValueError for other values.
         """
-        return TabulatedAdhesion(gap, stress)
+        return TabulatedAdhesion(gap, stress, friction_on=friction_on)
 
     def on(self, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion:
         """Return the law as it is solved on a grid, with its range, kappa and Tabor number.
@@ -140,7 +167,37 @@ class Adhesion(ContactLaw):
                 f"{missing[0]} must be given, got None: `on` returns the law with the shortest "
                 f"{missing[0]} that a grid resolves"
             )
-        return super().to_core()
+        return _core.ContactLaw(self.kind, self._parameters(), self.rubs_by_compression)
+
+    def _parameters(self) -> list[float]:
+        """Return the parameters of the law of the core."""
+        return [getattr(self, name) for name in self._own_names()]
+
+    def _own_names(self) -> list[str]:
+        return [item.name for item in fields(self) if item.name != "friction_on"]
+
+    @property
+    def rubs_by_compression(self) -> bool:
+        """Whether friction depends on the compressive part of the pressure."""
+        return self.friction_on == "compression"
+
+    def to_tree(self) -> dict[str, Any]:
+        """Return the kind of the law, the parameters and, unless default, `friction_on`."""
+        tree = super().to_tree()
+        if not self.rubs_by_compression:
+            del tree["friction_on"]
+        return tree
+
+    def __repr__(self) -> str:
+        names = [*self._own_names(), *(["friction_on"] if self.rubs_by_compression else [])]
+        given = (f"{name}={in_short(getattr(self, name), MAX_REPR_CHARACTERS)}" for name in names)
+        return f"{type(self).__name__}({', '.join(given)})"
+
+    def _rows(self) -> Rows:
+        rows = [
+            (name, quantity(getattr(self, name), UNIT_OF_FIELD[name])) for name in self._own_names()
+        ]
+        return [*rows, ("friction on", self.friction_on)] if self.rubs_by_compression else rows
 
     @property
     def steepest_fall(self) -> float:
@@ -153,7 +210,7 @@ class Adhesion(ContactLaw):
         return float(self.to_core().largest_attraction)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class ExponentialAdhesion(Adhesion):
     """Exponential law of adhesion; see `Adhesion.exponential`."""
 
@@ -162,6 +219,7 @@ class ExponentialAdhesion(Adhesion):
     range: float | None = field(default=None, metadata={"unit": "m"})
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         object.__setattr__(self, "work", positive("work", self.work))
         if self.range is not None:
             object.__setattr__(self, "range", positive("range", self.range))
@@ -177,7 +235,7 @@ class ExponentialAdhesion(Adhesion):
         return replace(self, range=math.sqrt(self.work * influence / RESOLVED))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class DugdaleAdhesion(Adhesion):
     """Law of constant attraction; see `Adhesion.dugdale`."""
 
@@ -188,6 +246,7 @@ class DugdaleAdhesion(Adhesion):
     """Distance within which the attraction falls to zero [m]."""
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         for name in ("work", "stress"):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
         if self.drop is not None:
@@ -200,7 +259,7 @@ class DugdaleAdhesion(Adhesion):
         return replace(self, drop=min(drop, 2.0 * self.work / self.stress))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class LennardJonesAdhesion(Adhesion):
     """9-3 law of adhesion; see `Adhesion.lennard_jones`."""
 
@@ -209,12 +268,13 @@ class LennardJonesAdhesion(Adhesion):
     z0: float = field(metadata={"unit": "m"})
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         for name in ("work", "z0"):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
 
 
 @dataclass(frozen=True, repr=False)
-class TabulatedAdhesion(ShortRepr, Adhesion):
+class TabulatedAdhesion(Adhesion):
     """Piecewise linear law of adhesion; see `Adhesion.tabulated`."""
 
     kind: ClassVar[str] = "tabulated"
@@ -222,6 +282,7 @@ class TabulatedAdhesion(ShortRepr, Adhesion):
     stress: ArrayLike = field(metadata={"unit": "Pa", "many": True})
 
     def __post_init__(self) -> None:
+        super().__post_init__()
         gaps = finite_array("gap", self.gap)
         if gaps.ndim != 1 or gaps.size < 2:
             raise ValueError(
@@ -232,9 +293,9 @@ class TabulatedAdhesion(ShortRepr, Adhesion):
         object.__setattr__(self, "stress", tuple(stresses.tolist()))
         self.to_core()
 
-    def to_core(self) -> _core.ContactLaw:
-        points = np.stack([np.asarray(self.gap), np.asarray(self.stress)], axis=1)
-        return _core.ContactLaw(self.kind, points.ravel().tolist())
+    def _parameters(self) -> list[float]:
+        points: list[float] = np.ravel(np.stack([self.gap, self.stress], axis=1)).tolist()
+        return points
 
 
 @dataclass(frozen=True)

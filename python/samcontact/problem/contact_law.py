@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _core
 from .._util.cached_property import cached_property
-from .._util.checks import boolean, non_negative, require_type
+from .._util.checks import FloatArray, boolean, non_negative, require_type
 from .._util.display import HtmlTable
 from .._util.short_text import in_short
 from ..heat import Heat
@@ -32,8 +32,9 @@ class ContactLaw(HtmlTable):
 
     The pressure is p = r - a(g). The repulsion r is >= 0 in closed cells and 0 elsewhere; a(g) >= 0
     is the attraction across the gap g. With an attractive law, friction depends on the repulsion
-    only and the grid is not enlarged. A simulation starts with separated bodies under the maximum
-    tension. A prescribed pressure, heat, and `advance` under partial slip are not supported.
+    (unless a law of `Adhesion` states otherwise) and the grid is not enlarged. A simulation starts
+    with separated bodies under the maximum tension. A prescribed pressure, heat, and `advance`
+    under partial slip are not supported.
     """
 
     kind: ClassVar[str]
@@ -62,6 +63,11 @@ class ContactLaw(HtmlTable):
     @property
     def varies(self) -> bool:
         """Whether the attraction depends on the gap: there may be several solutions."""
+        return False
+
+    @property
+    def rubs_by_compression(self) -> bool:
+        """Whether friction depends on the compressive part of the pressure, not on repulsion."""
         return False
 
     @property
@@ -164,3 +170,12 @@ def in_contact(repulsion: ArrayLike) -> NDArray[np.bool_]:
     """Whether cells are in contact; repulsion: pressure without attraction in each cell [Pa]."""
     found: NDArray[np.bool_] = np.asarray(repulsion) > 0
     return found
+
+
+def rubbing_pressure(
+    repulsion: FloatArray, pressure: FloatArray, by_compression: bool
+) -> FloatArray:
+    """Return the pressure on which the friction of cells depends [Pa], >= 0."""
+    if not by_compression:
+        return repulsion
+    return np.where(in_contact(repulsion), np.maximum(pressure, 0.0), 0.0)

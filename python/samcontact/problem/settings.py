@@ -132,6 +132,12 @@ class ContactSettings:
                 f"{self.adhesion!r}: without adhesion, omit stiffness and add load/stiffness to "
                 "the approach of the bodies"
             )
+        if self.adhesion.rubs_by_compression and (self.law.prevents_slip or self.law.hardens):
+            raise ValueError(
+                f'friction_on must be "repulsion" with friction = {self.friction!r}, got '
+                f"adhesion = {self.adhesion!r}: without a bound of the shear, or "
+                "with a layer that hardens, friction by compression is not defined"
+            )
 
     @classmethod
     def checked(cls, name: str, value: Any) -> Any:

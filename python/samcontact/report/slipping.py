@@ -14,7 +14,7 @@ from .._util.checks import FloatArray
 from ..plotting.slip_summary import chosen, slip_figures
 from ..plotting.slipping import largest_force
 from ..problem.friction import law_of_attributes
-from ..results.contact import repulsion_of
+from ..results.contact import rubbing_pressure_of
 from ..results.reading import cell_size
 from ..results.slipping import balance_of
 
@@ -57,12 +57,12 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
 
 
 def _pressure_of_touching_cells(dataset: xr.Dataset, tol: float) -> FloatArray:
-    """Return the repulsion [Pa], with a tiny positive value in closed cells without pressure.
+    """Return the pressure of friction [Pa], with a tiny positive value in closed cells without.
 
     The tiny value marks such a cell as in contact, because a constant shear strength admits shear
     there.
     """
-    pressure: FloatArray = repulsion_of(dataset).values
+    pressure = rubbing_pressure_of(dataset)
     closed = dataset["gap"].values <= tol * np.abs(dataset["approach"].values[:, None, None])
     return np.where(closed & (pressure == 0), np.finfo(np.float64).tiny, pressure)
 

@@ -5,10 +5,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..problem.contact_law import rubbing_pressure
+
 if TYPE_CHECKING:
     import xarray as xr
+
+    from .._util.checks import FloatArray
 
 
 def repulsion_of(dataset: xr.Dataset) -> xr.DataArray:
     """Return the repulsion [Pa] in each increment; in hard contact it equals the pressure."""
     return dataset["repulsion" if "repulsion" in dataset else "pressure"]
+
+
+def rubbing_pressure_of(dataset: xr.Dataset) -> FloatArray:
+    """Return the pressure on which friction depends in each increment [Pa]."""
+    by_compression = dataset.attrs.get("adhesion_friction_on") == "compression"
+    repulsion, pressure = repulsion_of(dataset).values, dataset["pressure"].values
+    return rubbing_pressure(repulsion, pressure, by_compression)

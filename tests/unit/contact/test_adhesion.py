@@ -115,14 +115,20 @@ def test_constant_attraction_approaches_maugis(transition):
     assert fine < 0.7 * middle < 0.49 * coarse
 
 
-def test_a_long_range_is_the_limit_of_stiff_spheres():
-    """Pull-off force at the Tabor number 0.1, between that of Maugis and 2 pi w R."""
+def test_the_pull_off_of_stiff_spheres_is_that_of_maugis():
+    """Tabor number 0.1: the law of Maugis, and the exponential law of equal work and peak."""
     reach = (R * (W / E) ** 2 / 0.1**3) ** (1 / 3)
-    law = sc.Adhesion.exponential(W, reach)
-    solver, gap = ball(64, 24.0, law)
-    pulled = -loads_along(solver, gap, np.arange(0.5, -1.0, -0.1) * LENGTH).min() / FORCE
-    assert pulled == pytest.approx(1.959, rel=2e-3)
-    assert pulled < 2.0
+    theory = sc.adhesion.maugis(R, W, E, W / reach).pull_off
+    for law, cells, box, tol in (
+        (sc.Adhesion.dugdale(W, W / reach), 96, 8.0, 3e-3),
+        (sc.Adhesion.exponential(W, reach), 64, 24.0, 0.01),
+    ):
+        solver, gap = ball(cells, box, law)
+        loads = loads_along(solver, gap, np.arange(0.1, -0.85, -0.1) * LENGTH)
+        assert 1 < loads.argmin() < len(loads) - 1
+        assert -loads.min() == pytest.approx(theory, rel=tol)
+    assert theory == pytest.approx(1.942 * FORCE, rel=1e-3)  # 3 % less than 2 pi w R
+    assert -loads.min() == pytest.approx(1.959 * FORCE, rel=1e-3)
 
 
 def test_the_limit_of_long_ranges_is_that_of_dmt():

@@ -110,3 +110,34 @@ def test_friction_that_drives_the_sliding_is_refused():
     states = [simulation.step(load=5.0), simulation.step(load=5.0, advance=(0.0, D))]
     with pytest.raises(ValueError, match="friction must oppose the sliding"):
         sc.energy.balance(simulation, states)
+
+
+def reversed_slip(parts, body=BALL, last=LOAD):
+    """Return the balance of a contact that slides forwards, backwards and forwards again."""
+    grid = sc.Grid(24, 24, D, D)
+    gap = sc.surfaces.paraboloid(grid, 5e-3)
+    simulation = sc.Simulation(grid, BALL, body, gap, friction=sc.Coulomb(0.2))
+    states = [simulation.step(load=LOAD), simulation.step(load=LOAD, shift=(3e-6, 0.0))]
+    for way, load in ((-6e-6, last), (6e-6, LOAD)):
+        for now in np.linspace(states[-1].load, load, parts + 1)[1:]:
+            states.append(simulation.step(load=now, shift=(way / parts, 0.0)))
+    return sc.energy.balance(simulation, states)
+
+
+@pytest.mark.parametrize("body", [BALL, sc.Material.elastic(70e9, 0.2)], ids=["alike", "unlike"])
+def test_slip_reverses_in_few_increments(body):
+    """The work is that of fine increments, and the balance of stored and lost energy closes."""
+    fine = reversed_slip(40, body)
+    assert abs(fine.imbalance) < 1.5e-3
+    for parts, tol in ((1, 3e-3), (2, 3e-3), (10, 5e-3)):
+        found = reversed_slip(parts, body)
+        assert abs(found.imbalance) < tol
+        assert found.net_external_work == pytest.approx(fine.net_external_work, rel=tol)
+        assert found.friction_work == pytest.approx(fine.friction_work, rel=3e-3)
+
+
+def test_slip_reverses_while_the_load_changes():
+    """The friction limit follows the load, and the balance closes with the increments."""
+    missed = [abs(reversed_slip(parts, last=2 * LOAD).imbalance) for parts in (1, 2, 4, 8, 16)]
+    assert max(missed) < 0.015
+    assert missed[4] < 0.35 * missed[3] < 0.35**2 * missed[2]

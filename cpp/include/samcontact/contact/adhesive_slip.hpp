@@ -26,6 +26,8 @@ class PartialSlipContact::AdhesiveSlip {
   PartialSlipSolution slip_at(const Solution& adhesive, const PartialSlipStart& start);
   /// History with the slip due to the change of the attraction.
   ContactHistory history_at(const Field& pull);
+  /// Bound of the shear of each cell, relative to that by the repulsion `pushed`; empty: 1.
+  Field share_of_bound(const Field& pushed, const Field& gap) const;
   /// Whether a change of the displacement of the surfaces in contact is within the tolerance.
   bool is_small(const Field& change, const Solution& adhesive);
 

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/law_parameters.hpp"
@@ -28,6 +29,23 @@ class TensileLimit final : public ContactLaw {
 
  private:
   double limit_;  // [Pa]
+};
+
+/// A law whose friction depends on the compressive part of the pressure.
+class RubbingByCompression final : public ContactLaw {
+ public:
+  explicit RubbingByCompression(SharedContactLaw law) : law_(std::move(law)) {}
+
+  double attraction(double gap) const override { return law_->attraction(gap); }
+  double largest_attraction() const override { return law_->largest_attraction(); }
+  double fall(double gap) const override { return law_->fall(gap); }
+  double steepest_fall() const override { return law_->steepest_fall(); }
+  double reach() const override { return law_->reach(); }
+  double energy(double gap) const override { return law_->energy(gap); }
+  bool rubs_by_compression() const override { return true; }
+
+ private:
+  SharedContactLaw law_;
 };
 
 /// Error of the pressure relative to its maximum, at the loosest tolerance of an adhesive contact.
@@ -65,6 +83,10 @@ SharedContactLaw contact_law(const std::string& kind, const std::vector<double>&
   return found->second(parameters);
 }
 
+SharedContactLaw rubbing_by_compression(SharedContactLaw law) {
+  return std::make_shared<const RubbingByCompression>(std::move(law));
+}
+
 Field attraction(const ContactLaw& law, const Field& gap) {
   Field pull(gap.size());
   for (std::size_t i = 0; i < gap.size(); ++i) pull[i] = law.attraction(gap[i]);
@@ -80,6 +102,14 @@ Field repulsion(const ContactLaw& law, Field pressure, const Field& gap) {
                largest_of(pressure.size(), [&](std::size_t i) { return pressure[i]; }));
   for (double& r : pressure) r = r > error_fraction * largest ? r : 0.0;
   return pressure;
+}
+
+Field rubbing_pressure(const ContactLaw& law, Field pushed, const Field& gap) {
+  if (!law.rubs_by_compression()) return pushed;
+  for (std::size_t i = 0; i < pushed.size(); ++i) {
+    if (in_contact(pushed[i])) pushed[i] = std::max(pushed[i] - law.attraction(gap[i]), 0.0);
+  }
+  return pushed;
 }
 
 }  // namespace samcontact::contact

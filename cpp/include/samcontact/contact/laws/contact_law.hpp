@@ -35,6 +35,9 @@ class ContactLaw {
   /// infinite gap.
   virtual double energy(double gap) const = 0;
 
+  /// Whether friction depends on the pressure p where it is positive, and not on the repulsion r.
+  virtual bool rubs_by_compression() const { return false; }
+
   bool attracts() const { return largest_attraction() > 0; }
   /// Whether the attraction depends on the gap: the contact may then have several solutions.
   bool varies() const { return steepest_fall() > 0; }
@@ -63,11 +66,18 @@ SharedContactLaw hard_contact();
 /// range.
 SharedContactLaw contact_law(const std::string& kind, const std::vector<double>& parameters);
 
+/// The same law, with friction that depends on the compressive part of the pressure.
+SharedContactLaw rubbing_by_compression(SharedContactLaw law);
+
 /// Attraction at each gap [Pa].
 Field attraction(const ContactLaw& law, const Field& gap);
 
 /// Pressure plus the attraction at the gap [Pa]; the gap is not read if the law has no attraction.
 /// If the attraction depends on the gap, a repulsion below the error of the pressure is zero.
 Field repulsion(const ContactLaw& law, Field pressure, const Field& gap);
+
+/// Pressure on which the friction of each cell depends [Pa], >= 0: the repulsion (Derjaguin), or
+/// the compressive part of the pressure of cells in contact. pushed: repulsion.
+Field rubbing_pressure(const ContactLaw& law, Field pushed, const Field& gap);
 
 }  // namespace samcontact::contact
