@@ -136,19 +136,4 @@ TEST_CASE("what leaves a cell enters its neighbour") {
   CHECK(std::fabs(sum) < 1e-13 * largest * static_cast<double>(outflow.size()));
 }
 
-TEST_CASE("the order of elimination has each cell once, and the dividing strip at the end") {
-  for (const bool wraps : {false, true}) {
-    const Lattice lattice(Grid(37, 50, 1e-5, 1e-5).made_periodic(false, wraps));
-    std::vector<int> places = elimination_places(lattice);
-    // The strip in the middle of the longer side comes last, but for the ends of the period.
-    const int last = static_cast<int>(lattice.size()) - (wraps ? 2 * lattice.nx() : 0) - 1;
-    const int end_y = (lattice.ny() + (wraps ? 2 : 0)) / 2;
-    int latest = 0;
-    for (int i = 0; i < lattice.nx(); ++i) latest = std::max(latest, places[lattice.at(i, end_y)]);
-    CHECK(latest == last);
-    std::sort(places.begin(), places.end());
-    for (std::size_t i = 0; i < places.size(); ++i) CHECK(places[i] == static_cast<int>(i));
-  }
-}
-
 }  // namespace samcontact::film

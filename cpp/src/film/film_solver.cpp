@@ -12,9 +12,10 @@
 namespace samcontact::film {
 namespace {
 
-/// Accuracy of the linear systems: loosest without and with a boundary layer, finest, and relative
-/// to the error of the state.
-constexpr double loosest = 0.1, loosest_with_layer = 1e-2, finest = 1e-4, of_error = 0.1;
+/// Accuracy of the linear systems: loosest, loosest where a few cells have most of the residual (a
+/// boundary layer, or a large error), finest, and relative to the error of the state.
+constexpr double loosest = 0.1, loosest_for_few = 1e-2, finest = 1e-4, of_error = 0.1;
+constexpr double large_error = 30.0;
 /// Largest change in a step: of the pressure, relative to its maximum, and of the distance of a
 /// value from its bound, relative to this distance.
 constexpr double largest_change = 0.5, of_barrier = 0.9;
@@ -184,7 +185,9 @@ double FilmSolver::Newton::error() {
 
 /// Required accuracy of the linear system at an error of the state.
 double FilmSolver::Newton::accuracy(double error, double tol) const {
-  if (has_layer()) return std::clamp(of_error * error, finest, loosest_with_layer);
+  if (has_layer() || error > large_error) {
+    return std::clamp(of_error * error, finest, loosest_for_few);
+  }
   return std::min(std::max({of_error * error, of_error * tol / error, finest}), loosest);
 }
 
@@ -292,7 +295,6 @@ FilmSolution FilmSolver::solve(const FilmProblem& problem, const FaceVelocities&
       throw std::invalid_argument("fields of a film must have a value for each cell of the grid");
     }
   }
-  system_.forget();
   FlowSettings limited = flow;
   limited.boundary_thickness = layer.thickness;
   const Reynolds reynolds(grid_, velocities, lubricant, std::move(limited));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/film/film_system.hpp"
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
 
@@ -18,23 +16,7 @@ constexpr double pressure_accuracy = 0.05;
 /// Stiffness of the boundary layer in a cavitated cell, relative to that of the cell, from which on
 /// the preconditioner couples its pressure to the others.
 constexpr double least_contact = 1e-3;
-/// Pivots on the diagonal are taken if they are larger than this share of the column.
-constexpr double pivot_share = 0.01;
-/// A decomposition is used again for later systems, until a share of the cells has changed between
-/// full and cavitated, or GMRES takes this many times as many steps as with a new one.
-constexpr double changed_share = 2e-3, slower = 1.5;
-constexpr int few_steps = 4;
-/// Required accuracy of a system above which the state is too far from the solution.
-constexpr double share_when_close = 1e-3;
 constexpr double least_scale = 1e-300;
-
-/// The factors are a part of a preconditioner, for which single precision is enough.
-using Sparse = Eigen::SparseMatrix<double>;
-using ShortSparse = Eigen::SparseMatrix<float>;
-using ShortVector = Eigen::VectorXf;
-
-/// Entries below this share of the largest of their row are left out.
-constexpr double negligible_entry = 1e-3;
 
 double largest(const double* values, std::size_t n) {
   return largest_of(n, [&](std::size_t i) { return std::fabs(values[i]); });
@@ -42,24 +24,16 @@ double largest(const double* values, std::size_t n) {
 
 }  // namespace
 
-struct FilmSystem::Factors {
-  Eigen::SparseLU<ShortSparse, Eigen::NaturalOrdering<int>> lu;
-};
+/// Distance of cells that the preconditioner couples. The few coefficients of a plane that reach
+/// further are small: the pressure changes the density of the film that leaves a cell.
+static int coupled(const Lattice& lattice) { return lattice.ny() > 1 ? 2 : 4; }
 
 FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
     : lattice_(grid),
-      places_(elimination_places(lattice_)),
       cell_area_(grid.cell_area()),
       elastic_(elastic),
-      factors_(std::make_unique<Factors>()) {
-  factors_->lu.setPivotThreshold(pivot_share);
-  factors_->lu.isSymmetric(true);
-}
-FilmSystem::~FilmSystem() = default;
-
-double FilmSystem::fill() const {
-  return static_cast<double>(factors_->lu.nnzL()) + static_cast<double>(factors_->lu.nnzU());
-}
+      matrix_(lattice_, coupled(lattice_)),
+      factors_(lattice_, coupled(lattice_)) {}
 
 void FilmSystem::classify(const Linearised& system) {
   const std::size_t n = size();
@@ -102,80 +76,57 @@ Field FilmSystem::nearest_pressure(const Field& displacement) const {
   return pressure;
 }
 
-bool FilmSystem::needs_decomposition() const {
-  if (is_old_ || decomposed_.size() != size()) return true;
-  std::size_t changed = 0;
-  for (std::size_t i = 0; i < size(); ++i) changed += full_[i] != decomposed_[i] ? 1 : 0;
-  return static_cast<double>(changed) > changed_share * static_cast<double>(size());
-}
-
 bool FilmSystem::decompose(const Linearised& system) {
   const auto& [by_pressure, by_film, by_void] = system.slopes;
-  decomposed_ = full_;
-  const std::size_t n = size();
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(n * 40);
-  const auto add = [&](std::size_t row, std::ptrdiff_t column, double value) {
-    if (value != 0) entries.emplace_back(places_[row], places_[column], value);
+  row_scale_.assign(size(), 0.0);
+  std::vector<double> values(matrix_.width());
+  const auto add = [&](int along_x, int along_y, double value) {
+    const int slot = matrix_.slot(along_x, along_y);
+    if (slot >= 0) values[slot] += value;
   };
   for (int i = 0; i < lattice_.nx(); ++i) {
     for (int j = 0; j < lattice_.ny(); ++j) {
       const std::ptrdiff_t row = lattice_.at(i, j);
+      std::fill(values.begin(), values.end(), 0.0);
       for (int slot = 0; slot < Star::entries; ++slot) {
         const auto [di, dj] = Star::offset(slot);
         const std::ptrdiff_t at = lattice_.at(i + di, j + dj);
         if (at < 0) continue;
         if (!full_[at]) {
-          add(row, at, by_void.entry(row, slot));
+          add(di, dj, by_void.entry(row, slot));
           continue;
         }
         const double slope = by_pressure.entry(row, slot);
-        add(row, at, column_[at] * (slope * system.stiffness[at] + by_film.entry(row, slot)));
+        add(di, dj, column_[at] * (slope * system.stiffness[at] + by_film.entry(row, slot)));
         if (slope == 0) continue;
         for (const auto& near : elastic_.nearest()) {
-          const std::ptrdiff_t to = lattice_.at(i + di + near.along_x, j + dj + near.along_y);
-          if (to >= 0 && full_[to]) add(row, to, slope * near.stiffness * column_[to]);
+          const int a = di + near.along_x, b = dj + near.along_y;
+          const std::ptrdiff_t to = lattice_.at(i + a, j + b);
+          if (to >= 0 && full_[to]) add(a, b, slope * near.stiffness * column_[to]);
         }
       }
+      const double scale = 1 / std::max(largest(values.data(), values.size()), least_scale);
+      row_scale_[row] = scale;
+      std::transform(values.begin(), values.end(), matrix_.row(row),
+                     [&](double value) { return static_cast<float>(scale * value); });
     }
   }
-  Sparse matrix(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(n));
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  row_scale_.assign(n, 0.0);
-  const auto each = [&](const auto& act) {
-    for (int k = 0; k < matrix.outerSize(); ++k) {
-      for (Sparse::InnerIterator it(matrix, k); it; ++it) act(it);
-    }
-  };
-  each([&](auto& it) {
-    row_scale_[it.row()] = std::max(row_scale_[it.row()], std::fabs(it.value()));
-  });
-  for (double& scale : row_scale_) scale = 1 / std::max(scale, least_scale);
-  each([&](auto& it) { it.valueRef() *= row_scale_[it.row()]; });
-  matrix.prune([](Eigen::Index row, Eigen::Index column, double value) {
-    return row == column || std::fabs(value) > negligible_entry;
-  });
-  const ShortSparse rounded = matrix.cast<float>();
-  factors_->lu.analyzePattern(rounded);
-  factors_->lu.factorize(rounded);
-  return factors_->lu.info() == Eigen::Success;
+  // Cavitated cells are filled from upstream, and need no other pivots; their coefficients, of
+  // another unknown, do not compare.
+  return factors_.decompose(matrix_, full_);
 }
 
-Field FilmSystem::flow_solution(const Field& residual) const {
+Field FilmSystem::flow_solution(const Field& residual) {
   const std::size_t n = size();
-  Field right(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    right[places_[i]] = row_scale_[places_[i]] * residual[i];
-  }
+  Field scaled(n);
+  for (std::size_t i = 0; i < n; ++i) scaled[i] = row_scale_[i] * residual[i];
   // Single precision has a short range.
-  const double unit = std::max(largest(right.data(), n), least_scale);
-  ShortVector scaled(static_cast<Eigen::Index>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    scaled[static_cast<Eigen::Index>(i)] = static_cast<float>(right[i] / unit);
-  }
-  const ShortVector found = factors_->lu.solve(scaled);
-  for (std::size_t i = 0; i < n; ++i) right[i] = unit * found[places_[i]];
-  return right;
+  const double unit = std::max(largest(scaled.data(), n), least_scale);
+  std::vector<float> found(n);
+  for (std::size_t i = 0; i < n; ++i) found[i] = static_cast<float>(scaled[i] / unit);
+  factors_.solve(found);
+  for (std::size_t i = 0; i < n; ++i) scaled[i] = unit * found[i];
+  return scaled;
 }
 
 Field FilmSystem::target(const Linearised& system, const Field& flow, double approach,
@@ -291,11 +242,7 @@ FilmChange FilmSystem::unpack(const Linearised& system, const Field& solution) {
 FilmChange FilmSystem::solve(const Linearised& system, double share, int max_steps) {
   const std::size_t n = size();
   classify(system);
-  const bool is_new = share > share_when_close || needs_decomposition();
-  if (is_new && !decompose(system)) {
-    is_old_ = true;
-    return {};
-  }
+  if (!decompose(system)) return {};
   find_response(system);
   Field lag(n), right(2 * n + 1, 0.0), flow(n, 0.0);
   for (std::size_t i = 0; i < n; ++i) lag[i] = full_[i] ? system.lag[i] : 0.0;
@@ -335,8 +282,6 @@ FilmChange FilmSystem::solve(const Linearised& system, double share, int max_ste
       right, share, max_steps, solution);
   change = unpack(system, solution);
   change.steps = steps;
-  if (is_new) steps_when_new_ = steps;
-  is_old_ = steps > slower * steps_when_new_ + few_steps;
   return change;
 }
 

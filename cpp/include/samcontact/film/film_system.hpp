@@ -5,9 +5,9 @@
 // LU decomposition; the pressure of this film follows from conjugate gradients.
 #pragma once
 
-#include <memory>
 #include <vector>
 
+#include "samcontact/film/block_lu.hpp"
 #include "samcontact/film/elastic_film.hpp"
 #include "samcontact/film/reynolds.hpp"
 
@@ -37,28 +37,17 @@ struct FilmChange {
 class FilmSystem {
  public:
   FilmSystem(const Grid& grid, ElasticFilm& elastic);
-  ~FilmSystem();
-  FilmSystem(const FilmSystem&) = delete;
-  FilmSystem& operator=(const FilmSystem&) = delete;
-  FilmSystem(FilmSystem&&) = delete;
-  FilmSystem& operator=(FilmSystem&&) = delete;
 
   /// Solves until the weighted residual is a share of the first, or after max_steps. The change is
   /// empty if the flow has no unique solution.
   FilmChange solve(const Linearised& system, double share, int max_steps);
 
-  /// Discards the last decomposition, so that solutions do not depend on earlier ones.
-  void forget() { is_old_ = true; }
-
   /// Numbers in the factors of the last decomposition.
-  double fill() const;
+  double fill() const { return factors_.fill(); }
 
  private:
-  struct Factors;
-
   /// Kinds of cells at the present state.
   void classify(const Linearised& system);
-  bool needs_decomposition() const;
   /// Whether the matrix can be decomposed.
   bool decompose(const Linearised& system);
   /// Response of the preconditioner to a unit approach.
@@ -71,24 +60,21 @@ class FilmSystem {
   FilmChange unpack(const Linearised& system, const Field& solution);
   /// Pressure that a change implies in each cell.
   Field pressure_of(const Field& change) const;
-  Field flow_solution(const Field& residual) const;
+  Field flow_solution(const Field& residual);
   /// Pressure of the nearest coefficients for a displacement.
   Field nearest_pressure(const Field& displacement) const;
 
   std::size_t size() const { return lattice_.size(); }
 
   Lattice lattice_;
-  std::vector<int> places_;  // of the cells in the elimination
   double cell_area_;
   ElasticFilm& elastic_;
   std::vector<char> full_, touched_, stiff_, pressed_;
   Field damping_, column_, contact_weight_, row_scale_;
   Field flow_response_, pressure_response_;
   double load_response_ = 1.0;
-  std::vector<char> decomposed_;  // full cells at the decomposition
-  int steps_when_new_ = 0;
-  bool is_old_ = true;
-  std::unique_ptr<Factors> factors_;
+  NearMatrix matrix_;
+  BlockLu factors_;
 };
 
 }  // namespace samcontact::film

@@ -33,10 +33,6 @@ class Lattice {
   bool wraps_;
 };
 
-/// Place of each cell in the order of elimination by nested dissection: strips of two cells divide
-/// the grid, and are eliminated after the two halves (George, SIAM J. Numer. Anal. 10, 1973).
-std::vector<int> elimination_places(const Lattice& lattice);
-
 /// Matrix with entries for a cell and two neighbours on each side along x and y.
 class Star {
  public:
