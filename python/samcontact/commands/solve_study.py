@@ -206,7 +206,8 @@ def _solve(
     """Solve a study of some kind, write results, table and figures, and return the files."""
 
     def write(result: Any, stopped_by: str = "") -> list[Path]:
-        attributes = {"title": case.title, "case": case.text, **completeness(stopped_by)}
+        words = {"title": case.title, "description": case.description, "case": case.text}
+        attributes = {**words, **completeness(stopped_by)}
         dataset = kind.dataset(result).assign_attrs(attributes)
         written = [publish(dataset, directory / f"{kind.file}.nc"), directory / f"{kind.file}.csv"]
         console.print(kind.sheet(dataset))

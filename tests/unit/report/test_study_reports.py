@@ -28,6 +28,7 @@ def run_and_report(text, folder):
 @pytest.fixture(scope="module")
 def collision(tmp_path_factory):
     text = ASPERITIES.replace("increments = 8", "increments = 12")
+    text = 'description = "Steel, as ground."\n' + text
     return run_and_report(text, tmp_path_factory.mktemp("asperities"))
 
 
@@ -51,6 +52,10 @@ def rows(text, table):
 
 def captions(text):
     return re.findall(r"<figcaption>(.*?)</figcaption>", text)
+
+
+def test_description(collision):
+    assert '<p class="description">Steel, as ground.</p>' in page(collision[0])
 
 
 def test_passes(collision):
