@@ -78,12 +78,12 @@ class Contact:
             body1 = body1.with_relaxation(times=[1e-4, 1e-2], shares=[0.2, 0.1])
         if self.ends:
             body1 = body1.with_free_faces(high=4 * SIZE)
+        if coating is not None:
+            body2 = sc.Layered([(coating, SIZE)], body2)
         if self.inclusion is not None:
             sphere = sc.Inclusion.sphere((0.0, 0.0, 5 * SIZE), 4 * SIZE, self.inclusion)
             body2 = sc.Heterogeneous(body2, [sphere])
-        if coating is None:
-            return body1, body2
-        return body1, sc.Layered([(coating, SIZE)], body2)
+        return body1, body2
 
     def simulation(self) -> sc.Simulation:
         """Return the simulation before the first increment."""

@@ -20,11 +20,14 @@ _BYTES_PER_CELL = 400.0  # of the box of all inclusions, while its cells are mix
 
 def mixed_cells(
     grid: VolumeGrid,
-    matrix: Material,
+    around: Sequence[Material],
     inclusions: Sequence[Inclusion],
     measured: VoxelBlock | None,
 ) -> InclusionCells:
-    """Return the cells of the smallest box of a grid that contains all inclusions."""
+    """Return the cells of the smallest box of a grid that contains all inclusions.
+
+    around: material of the matrix around each inclusion, then around each material of the voxels.
+    """
     box = box_of(grid, inclusions, measured)
     memory.require(
         f"a box of {' x '.join(map(str, box.shape))} cells around the inclusions",
@@ -36,11 +39,12 @@ def mixed_cells(
     if measured is not None:
         phases += measured.materials
         for number, where, share in voxels_on(grid, box, measured):
-            phase = relative_phase(matrix, measured.materials[number], NO_MISFIT)
-            mixture.add(len(inclusions) + number, where, share, phase)
+            at = len(inclusions) + number
+            phase = relative_phase(around[at], measured.materials[number], NO_MISFIT)
+            mixture.add(at, where, share, phase)
     for number, where, share in blocks_on(grid, box, inclusions):
         inclusion = inclusions[number]
-        phase = relative_phase(matrix, inclusion.material, inclusion.misfit)
+        phase = relative_phase(around[number], inclusion.material, inclusion.misfit)
         mixture.add(number, where, share, phase)
     return _cells(box.first, mixture, phases)
 

@@ -100,17 +100,16 @@ class _Body(Solid):
     def build(self) -> Body:
         """Create the `Material`, a `Layered` body or a `Heterogeneous` one."""
         from ..bodies.heterogeneous import Heterogeneous
-        from ..bodies.layered import Layered
+        from ..bodies.layers import Layered
 
         layers = tuple((part.solid, part.thickness) for part in self.coating)
+        matrix = Layered(layers, self.solid) if layers else self.solid
         if not self.has_inclusions:
-            return Layered(layers, self.solid) if layers else self.solid
-        if layers:
-            raise ValueError("inclusions cannot be combined with layers: omit one of them")
+            return matrix
         inclusions = [one.build() for one in self.inclusions or []]
         if self.random_inclusions is not None:
             inclusions += self.random_inclusions.build()
-        return Heterogeneous(self.solid, inclusions)
+        return Heterogeneous(matrix, inclusions)
 
 
 class _ElasticBody(ElasticSolid, _Body):

@@ -10,6 +10,7 @@ import numpy as np
 from .._util.checks import BoolArray, FloatArray
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion_cells import InclusionCells
+from ..bodies.layered import backstresses_of
 from ..bodies.phase_mixing import relative_phase
 from .grid import Grid
 
@@ -27,13 +28,13 @@ def set_two_phases(
     and the normal of its surface: partly filled cells, unless nothing yields, the matrix has
     backstresses, or the moduli differ by a large factor, as in a void.
     """
-    if not body.is_plastic or body.matrix.kinematic:
+    if not body.is_plastic or backstresses_of(body):
         return
     misfits = [inclusion.misfit for inclusion in body.inclusions]
     misfits += [(0.0,) * 6] * (len(body.phases) - len(misfits))
     cut = np.nonzero(cells.is_cut)
     numbers, of_cell = np.unique(cells.phase[cut], return_inverse=True)
-    phases = [relative_phase(body.matrix, body.phases[n], misfits[n]) for n in numbers]
+    phases = [relative_phase(body.material_around(n), body.phases[n], misfits[n]) for n in numbers]
     constants = np.array([(*phase[:2], *phase.misfit) for phase in phases]).reshape(-1, 8)
     ratios = constants[:, :2]
     moderate: BoolArray = (ratios.min(axis=1) >= 1 / _MAX_MODULUS_RATIO) & (
