@@ -97,7 +97,8 @@ def materials_of(body: Body) -> list[Material]:
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
     """Return thermal constants of all materials from the surface down; None if any has none."""
-    body = matrix_of(body)
+    if isinstance(body, Heterogeneous):
+        body = body.matrix
     if isinstance(body, Material):
         return None if body.thermal is None else (body.thermal,)
     return body.thermal

@@ -12,7 +12,6 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
 from .._util.short_text import in_short
-from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import Body, materials_at, materials_of, matrix_of, thermal_of
 from ..bodies.layers import Layered
 from ..heat import Heat
@@ -67,7 +66,6 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
             _require_in_layers(n, body, grid)
-            _require_equal_expansion(n, body)
             _require_transient(name, heat, grid, n, factor)
             lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
@@ -107,21 +105,6 @@ def _required_constants(
             f"{factor!r}: set them with with_thermal()"
         )
     return thermal
-
-
-def _require_equal_expansion(n: int, body: Body) -> None:
-    """Raise ValueError for inclusions that expand differently from a heated matrix."""
-    if not isinstance(body, Heterogeneous) or body.thermal is None:
-        return
-    expansion = body.thermal[1]
-    for number, material in enumerate(body.phases):
-        if material is None or material.thermal is None or material.thermal[1] == expansion:
-            continue
-        raise ValueError(
-            f"the thermal expansion of body{n}.phases[{number}] must be that of the heated matrix, "
-            f"{expansion!r}, got {material.thermal[1]!r}: the misfit due to frictional heat is not "
-            "computed; give it as misfit, or omit the thermal constants of the inclusion"
-        )
 
 
 def _of_missing(body: Body) -> str:

@@ -21,8 +21,9 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
 
     The result is a tuple of the first cell of a box, the index of each of its cells among the mixed
     cells [k][i][j] (-1 in the matrix), the constants of these cells by row (bulk and shear modulus,
-    share, misfit, material, normal of two phases), and the materials of the core; None for a body
-    without such cells. Raises ValueError for materials of inclusions that are not supported.
+    share, misfit, material, normal of two phases, expansion), and the materials of the core; None
+    for a body without such cells. Raises ValueError for materials of inclusions that are not
+    supported.
     """
     if not isinstance(body, Heterogeneous):
         return None
@@ -43,7 +44,8 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
     index = np.full(in_core.shape, -1, dtype=np.int32)
     index[in_core] = np.arange(np.count_nonzero(in_core), dtype=np.int32)
     fields = [cells.bulk, cells.shear, cells.share, *cells.misfit, of_law[cells.law]]
-    fields = [np.array(field, dtype=float) for field in (*fields, *np.zeros((3, *differs.shape)))]
+    fields += [*np.zeros((3, *differs.shape)), cells.expansion]
+    fields = [np.array(field, dtype=float) for field in fields]
     set_two_phases(body, cells, grid, fields)
     rows = np.stack([field[used].transpose(2, 0, 1)[in_core] for field in fields], axis=1)
     cores = [material._core for material in materials]

@@ -77,7 +77,14 @@ plasticity::MixedReturn MixedCells::step(std::uint32_t cell, const plasticity::T
   before.matrix_plastic = strain(matrix_plastic_);
   if (!inclusion_equivalent_.empty()) before.inclusion_equivalent = inclusion_equivalent_[cell];
   const plasticity::MixedCell& mixed = *cells_[cell];
-  return law_of(cell).step(mixed, inclusions_->material(mixed), stress, eigenstrain, before);
+  const plasticity::Material* const material = inclusions_->material(mixed);
+  if (rise_.values.empty() || mixed.expansion == 0) {
+    return law_of(cell).step(mixed, material, stress, eigenstrain, before);
+  }
+  const auto [i, j, k] = zones_.cell(cell);
+  plasticity::MixedCell warm = mixed;
+  for (int c = 0; c < 3; ++c) warm.misfit[c] += mixed.expansion * rise_.at(i, j, k);
+  return law_of(cell).step(warm, material, stress, eigenstrain, before);
 }
 
 const plasticity::MixedLaw& MixedCells::law_of(std::uint32_t cell) const {

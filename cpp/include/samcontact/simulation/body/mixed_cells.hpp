@@ -5,9 +5,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "samcontact/plasticity/mixed_cell.hpp"
+#include "samcontact/simulation/cells/box_field.hpp"
 #include "samcontact/simulation/cells/inclusions.hpp"
 #include "samcontact/simulation/cells/zone_choice.hpp"
 #include "samcontact/simulation/setup/setup.hpp"
@@ -40,6 +42,10 @@ class MixedCells {
   Box box() const;
   /// Columns down to the mixed cells that are solved for, of the whole grid.
   Columns columns() const;
+  /// Whether their misfit depends on the temperature.
+  bool expand() const { return inclusions_ && inclusions_->expand(); }
+  /// Sets the temperature rise [K] in a box that contains `box()`.
+  void warm(BoxField rise) { rise_ = std::move(rise); }
   /// Sets the zones in which they are numbered.
   void take(const Zones& zones);
 
@@ -76,6 +82,7 @@ class MixedCells {
   // Strain of Flows, [component][cell] with five components, and equivalent strain of the
   // inclusion in cells of two phases; empty: none.
   Field plastic_, matrix_plastic_, inclusion_equivalent_;
+  BoxField rise_;  // empty: none
   bool flowed_ = false, matrix_flowed_ = false;
 };
 
