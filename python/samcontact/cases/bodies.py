@@ -67,6 +67,16 @@ class _Body(Solid):
         return [*self.coating, self]
 
     @property
+    def phases(self) -> list[tuple[str, Solid]]:
+        """Names and sections of all inclusions."""
+        found: list[tuple[str, Solid]] = [
+            (f"inclusions[{number}]", one) for number, one in enumerate(self.inclusions or [])
+        ]
+        if self.random_inclusions is not None:
+            found.append(("random_inclusions", self.random_inclusions))
+        return found
+
+    @property
     def inelastic_laws(self) -> list[str]:
         """Hardening laws of all elastic-plastic materials of the body, inclusions last."""
         inner = [*(self.inclusions or []), *filter(None, [self.random_inclusions])]
