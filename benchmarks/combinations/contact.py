@@ -71,19 +71,21 @@ class Contact:
     def bodies(self) -> tuple[Body, Body]:
         """Return both bodies, with thermal properties and coating."""
         body1, body2, coating = self.body1, self.body2, self.coating
+        inclusion = self.inclusion
         if self.has_thermal_properties:
             body1, body2 = (body.with_thermal(50.2, 11.7e-6, 1.39e-5) for body in (body1, body2))
             coating = None if coating is None else coating.with_thermal(5.0, 8e-6, 2e-6)
+            inclusion = None if inclusion is None else inclusion.with_thermal(30.0, 8e-6, 1e-5)
         if self.relaxes:
             body1 = body1.with_relaxation(times=[1e-4, 1e-2], shares=[0.2, 0.1])
         if self.ends:
             body1 = body1.with_free_faces(high=4 * SIZE)
-        if self.inclusion is not None:
-            sphere = sc.Inclusion.sphere((0.0, 0.0, 5 * SIZE), 4 * SIZE, self.inclusion)
+        if coating is not None:
+            body2 = sc.Layered([(coating, SIZE)], body2)
+        if inclusion is not None:
+            sphere = sc.Inclusion.sphere((0.0, 0.0, 5 * SIZE), 4 * SIZE, inclusion)
             body2 = sc.Heterogeneous(body2, [sphere])
-        if coating is None:
-            return body1, body2
-        return body1, sc.Layered([(coating, SIZE)], body2)
+        return body1, body2
 
     def simulation(self) -> sc.Simulation:
         """Return the simulation before the first increment."""

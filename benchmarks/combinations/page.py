@@ -114,7 +114,7 @@ REASONS = (
     ),
     Reason(
         "inclusions",
-        "Inclusions in layered bodies, in a body that a particle dents, and with the method "
+        "Inclusions in a body that a particle dents, and with the method "
         '"exact", whose stress at the centres of cells makes soft inclusions unstable.',
     ),
 )

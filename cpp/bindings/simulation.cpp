@@ -45,8 +45,8 @@ simulation::Reliefs to_reliefs(const std::array<std::optional<ReliefTuple>, 2>& 
 }
 
 /// Each None or (first cell, index of each cell among the mixed cells [k][i][j] or -1, constants of
-/// the mixed cells by row: bulk, shear, share, six misfit strains, index of the material;
-/// materials).
+/// the mixed cells by row: bulk, shear, share, six misfit strains, index of the material, normal,
+/// misfit strain per kelvin; materials).
 using InclusionsTuple =
     std::tuple<std::array<int, 3>, py::array_t<std::int32_t, py::array::c_style>, Array,
                std::vector<plasticity::Material>>;
@@ -62,8 +62,8 @@ simulation::InclusionsPair to_inclusions(
     std::vector<plasticity::MixedCell> cells(constants.shape(0));
     for (std::size_t n = 0; n < cells.size(); ++n) {
       const double* row = constants.data(static_cast<py::ssize_t>(n), 0);
-      cells[n] = {
-          row[0], row[1], row[2], {}, static_cast<int>(row[9]), {row[10], row[11], row[12]}};
+      cells[n] = {row[0], row[1], row[2], {}, static_cast<int>(row[9]), {row[10], row[11], row[12]},
+                  row[13]};
       std::copy_n(row + 3, 6, cells[n].misfit.begin());
     }
     inclusions[b] = std::make_shared<const simulation::Inclusions>(

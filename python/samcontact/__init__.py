@@ -151,7 +151,7 @@ _PLACES = {
     "accuracy.load_search": ("FoundLoad", "find_load"),
     "bodies.heterogeneous": ("Heterogeneous",),
     "bodies.inclusion": ("Inclusion",),
-    "bodies.layered": ("Layered",),
+    "bodies.layers": ("Layered",),
     "bodies.material": ("Material",),
     "contact.solver": ("ContactSolver",),
     "heat": ("Heat",),
@@ -216,7 +216,7 @@ if TYPE_CHECKING:
     from .accuracy.load_search import FoundLoad, find_load
     from .bodies.heterogeneous import Heterogeneous
     from .bodies.inclusion import Inclusion
-    from .bodies.layered import Layered
+    from .bodies.layers import Layered
     from .bodies.material import Material
     from .contact.solver import ContactSolver
     from .heat import Heat

@@ -54,7 +54,7 @@ CORE_USERS = {
     "_util.version",
     "accuracy.load_search",
     "bodies.hardening_laws",
-    "bodies.layered",
+    "bodies.layers",
     "commands.errors",
     "contact.creeping_rolling",
     "contact.enlargement",

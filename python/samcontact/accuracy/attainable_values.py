@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from .._util.display import quantity
 from ..bodies.heterogeneous import Heterogeneous
-from ..bodies.layered import Layered
+from ..bodies.layers import Layered
 from ..bodies.material import Material
 from ..problem.friction import friction_law
 from .load_search_cases import PERMANENT_DEFORMATION, YIELD, label_and_unit

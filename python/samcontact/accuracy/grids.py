@@ -12,7 +12,7 @@ import numpy as np
 from .. import hertz
 from .._util.cached_property import cached_property
 from .._util.display import quantity
-from ..bodies.layered import Body, Layered, softest
+from ..bodies.layered import Body, interfaces_on_cells, softest
 from ..simulation import coarsening
 from .estimate import REFINEMENT_RATIO
 
@@ -198,8 +198,7 @@ class Depths:
         self._first = first
         self._part: float | None = None
         depths = [
-            float(depth) for body in bodies if isinstance(body, Layered) and body.is_plastic
-            for depth in body.interfaces
+            float(depth) for body in bodies for depth in interfaces_on_cells(body)
         ]  # fmt: skip
         if not depths:
             return

@@ -12,7 +12,7 @@ from .._util.quantities import CONTACT, described
 from .._util.short_text import in_short
 from .._util.tensors import von_mises
 from .._util.wear_quantities import WEAR
-from ..bodies.layered import Layered
+from ..bodies.layers import Layered
 from ..bodies.material import Material
 from ..simulation import error_controlled_quantities
 from ..simulation.repeated import rebuilt

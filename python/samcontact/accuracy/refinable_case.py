@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._util.checks import FloatArray
-from ..bodies.layered import Layered
+from ..bodies.layers import Layered
 from ..restart.identity import Identity, identity
 from .fatigue_quantities import depends_on_increments
 from .grid_solution import GridSolution

@@ -11,7 +11,8 @@ import numpy as np
 
 from .._util.checks import FloatArray
 from .._util.quantities import Quantity, described
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body
+from ..bodies.layers import Layered
 from ..simulation import error_controlled_quantities
 from . import fatigue_quantities
 from .grid_errors import of_outline

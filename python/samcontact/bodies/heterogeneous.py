@@ -15,7 +15,9 @@ from .._util.display import HtmlTable, Rows
 from .display import material_in_short
 from .inclusion import Inclusion
 from .inclusion_cells import InclusionCells, VolumeGrid, require_volume
+from .inclusion_layers import require_within_layers
 from .inclusion_resolution import cells_per_radius, check_resolution
+from .layers import Layered
 from .material import Material
 from .matrix_properties import LikeMatrix
 from .microstructure import checked_box, random_inclusions
@@ -25,7 +27,9 @@ from .voxels import VoxelBlock
 _MAX_SHOWN = 4  # inclusions in a repr
 
 
-def _checked_matrix(matrix: Any) -> Material:
+def _checked_matrix(matrix: Any) -> Material | Layered:
+    if isinstance(matrix, Layered):
+        return matrix
     require_type("matrix", matrix, Material)
     if matrix.is_rigid:
         raise ValueError("matrix must not be rigid: inclusions in a rigid body have no effect")
@@ -37,14 +41,21 @@ def _checked_matrix(matrix: Any) -> Material:
     return matrix  # type: ignore[no-any-return]
 
 
+def _matrix_in_short(matrix: Material | Layered) -> str:
+    if isinstance(matrix, Layered):
+        return f"{len(matrix.layers)} layer(s) on {material_in_short(matrix.substrate)}"
+    return material_in_short(matrix)
+
+
 @dataclass(frozen=True, repr=False, init=False)
 class Heterogeneous(LikeMatrix, HtmlTable):
     """Matrix with inclusions and voids: a heterogeneous body, used like a `Material`.
 
     Parameters
     ----------
-    matrix : Material
-        Material of the body outside of the inclusions.
+    matrix : Material or Layered
+        Body outside of the inclusions. Each inclusion must lie within one of its layers or within
+        its substrate.
     inclusions : sequence of Inclusion
         Inclusions and voids, in the frame of the grid. Where two of them overlap, the later one
         replaces the earlier one.
@@ -54,9 +65,10 @@ class Heterogeneous(LikeMatrix, HtmlTable):
     Raises
     ------
     ValueError
-        There is neither an inclusion nor a voxel, or the matrix is rigid or has free faces.
+        There is neither an inclusion nor a voxel, the matrix is rigid or has free faces, or an
+        inclusion or the block of voxels crosses an interface between layers.
     TypeError
-        An argument is not a material or not a list of inclusions.
+        An argument is not a body or not a list of inclusions.
 
     Notes
     -----
@@ -67,14 +79,14 @@ class Heterogeneous(LikeMatrix, HtmlTable):
     of the stress near an inclusion.
     """
 
-    matrix: Material
+    matrix: Material | Layered
     inclusions: tuple[Inclusion, ...]
     measured: VoxelBlock | None
     law: ClassVar[str] = "heterogeneous"
 
     def __init__(
         self,
-        matrix: Material,
+        matrix: Material | Layered,
         inclusions: Sequence[Inclusion] = (),
         measured: VoxelBlock | None = None,
     ) -> None:
@@ -91,11 +103,13 @@ class Heterogeneous(LikeMatrix, HtmlTable):
                 "inclusions must contain at least one Inclusion, or measured must be given, got "
                 "none: for a homogeneous body use its Material"
             )
+        if isinstance(self.matrix, Layered):
+            require_within_layers(self.matrix.interfaces, self.inclusions, measured)
 
     @classmethod
     def random(
         cls,
-        matrix: Material,
+        matrix: Material | Layered,
         material: Material | None,
         fraction: float,
         radius: float | tuple[float, float],
@@ -118,8 +132,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
         Parameters
         ----------
-        matrix : Material
-            Material of the body outside of the spheres.
+        matrix : Material or Layered
+            Body outside of the spheres. No sphere may cross an interface between layers: choose
+            the box accordingly.
         material : Material or None
             Material of the spheres; None for voids.
         fraction : float
@@ -164,7 +179,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
     @classmethod
     def voxels(
         cls,
-        matrix: Material,
+        matrix: Material | Layered,
         materials: Material | Sequence[Material | None],
         labels: ArrayLike,
         dx: float | tuple[float, float, float],
@@ -177,8 +192,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
         Parameters
         ----------
-        matrix : Material
-            Material of the voxels with label 0, and outside of the voxels.
+        matrix : Material or Layered
+            Body at the voxels with label 0, and outside of the voxels. The block must lie within
+            one layer.
         materials : sequence of Material or None
             Materials of the voxels with labels 1, 2, ...; None for voids.
         labels : array_like of int or float, shape (n, m, l)
@@ -257,10 +273,20 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         key = (grid.nx, grid.ny, grid.nz, grid.dx, grid.dy, grid.dz, grid.periodic)
         known: dict[Any, InclusionCells] = self.__dict__.setdefault("_known", {})
         if key not in known:
-            found = mixed_cells(grid, self.matrix, self.inclusions, self.measured)
+            around = [self.material_around(number) for number in range(len(self.phases))]
+            found = mixed_cells(grid, around, self.inclusions, self.measured)
             known.clear()  # the cells of one grid are enough
             known[key] = found
         return known[key]
+
+    def material_around(self, number: int) -> Material:
+        """Material of the matrix around a phase, see `phases`."""
+        if not isinstance(self.matrix, Layered):
+            return self.matrix
+        if number < len(self.inclusions):
+            return self.matrix.material_at(max(self.inclusions[number].center[2], 0.0))
+        assert self.measured is not None
+        return self.matrix.material_at(self.measured.mid_depth)
 
     def fraction_on(self, grid: VolumeGrid) -> FloatArray:
         """Fraction of each cell of the grid that is filled by inclusions [-].
@@ -304,7 +330,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return math.fsum(inside)
 
     def _rows(self) -> Rows:
-        shown = [("law", self.law), ("matrix", material_in_short(self.matrix))]
+        shown = [("law", self.law), ("matrix", _matrix_in_short(self.matrix))]
         if self.inclusions:
             shown.append(("inclusions", str(len(self.inclusions))))
         if self.measured is not None:

@@ -56,6 +56,8 @@ class InclusionCells(ShortRepr):
         Misfit strain, weighted by the mixing rule.
     law : ndarray of int, shape (n, m, l)
         Index of the material of `phase` in `laws`; -1 in the matrix.
+    expansion : ndarray, shape (n, m, l)
+        Thermal expansion minus that of the matrix [1/K], weighted like the misfit strain.
     """
 
     first: Counts
@@ -66,6 +68,7 @@ class InclusionCells(ShortRepr):
     shear: FloatArray
     misfit: FloatArray
     law: NDArray[np.int32]
+    expansion: FloatArray
 
     @property
     def is_cut(self) -> BoolArray:
@@ -76,7 +79,7 @@ class InclusionCells(ShortRepr):
     def is_deformed(self) -> BoolArray:
         """Whether a cell differs from the matrix in its moduli or misfit, shape (n, m, l)."""
         differs = (self.bulk != 1.0) | (self.shear != 1.0) | self.misfit.any(axis=0)
-        return np.asarray(differs)
+        return np.asarray(differs | (self.expansion != 0.0))
 
     def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
         """Return a field (n, m, l) of the box on the cells of a grid of this shape."""

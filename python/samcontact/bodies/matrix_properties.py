@@ -3,30 +3,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from .._util.checks import FloatArray
 from .depth_profiles import Profile
+from .layers import Layered
 from .material import Material
 
 
 class LikeMatrix:
     """Base class of `Heterogeneous` with the constants of the matrix."""
 
-    matrix: Material
+    matrix: Material | Layered
+
+    def _only_material(self, name: str) -> Material:
+        """Material of the matrix; raises AttributeError for one that has layers."""
+        if isinstance(self.matrix, Layered):
+            raise AttributeError(
+                f"a layered matrix has no single {name}: use matrix.materials or "
+                "matrix.material_at(z)"
+            )
+        return self.matrix
 
     @property
     def E(self) -> float:
         """Young's modulus of the matrix [Pa]."""
-        return self.matrix.E
+        return self._only_material("E").E
 
     @property
     def nu(self) -> float:
         """Poisson's ratio of the matrix [-]."""
-        return self.matrix.nu
+        return self._only_material("nu").nu
 
     @property
     def parameters(self) -> Mapping[str, Any]:
@@ -34,19 +44,19 @@ class LikeMatrix:
         return self.matrix.parameters
 
     @property
-    def thermal(self) -> tuple[float, float, float] | None:
-        """Thermal constants of the matrix, see `Material.with_thermal`."""
+    def thermal(self) -> Any:
+        """Thermal constants of the matrix, see `Material.with_thermal` and `Layered.thermal`."""
         return self.matrix.thermal
 
     @property
-    def softening(self) -> Callable[[FloatArray], ArrayLike] | None:
-        """Softening law of the matrix."""
+    def softening(self) -> Any:
+        """Softening law of the matrix; of a layered matrix those of all materials."""
         return self.matrix.softening
 
     @property
     def kinematic(self) -> tuple[tuple[float, float], ...]:
         """Backstresses of the matrix, see `Material.with_kinematic_hardening`."""
-        return self.matrix.kinematic
+        return self._only_material("kinematic").kinematic
 
     @property
     def _core(self) -> Any:
@@ -60,12 +70,12 @@ class LikeMatrix:
     @property
     def yield_profile(self) -> Profile | None:
         """Profile of the yield stress of the matrix, see `Material.with_yield_profile`."""
-        return self.matrix.yield_profile
+        return self._only_material("yield_profile").yield_profile
 
     @property
     def residual_stress(self) -> Profile | None:
         """Initial stress of the matrix, see `Material.with_residual_stress`."""
-        return self.matrix.residual_stress
+        return self._only_material("residual_stress").residual_stress
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
         """Initial yield stress of the matrix [Pa], see `Material.yield_stress_at`."""

@@ -20,28 +20,33 @@ _BYTES_PER_CELL = 400.0  # of the box of all inclusions, while its cells are mix
 
 def mixed_cells(
     grid: VolumeGrid,
-    matrix: Material,
+    around: Sequence[Material],
     inclusions: Sequence[Inclusion],
     measured: VoxelBlock | None,
 ) -> InclusionCells:
-    """Return the cells of the smallest box of a grid that contains all inclusions."""
+    """Return the cells of the smallest box of a grid that contains all inclusions.
+
+    around: material of the matrix around each inclusion, then around each material of the voxels.
+    """
     box = box_of(grid, inclusions, measured)
     memory.require(
         f"a box of {' x '.join(map(str, box.shape))} cells around the inclusions",
         _BYTES_PER_CELL * math.prod(box.shape),
         "use larger cells or fewer inclusions",
     )
-    mixture = Mixture(box.shape)
     phases = [inclusion.material for inclusion in inclusions]
+    misfits = [inclusion.misfit for inclusion in inclusions]
     if measured is not None:
         phases += measured.materials
+        misfits += [NO_MISFIT] * len(measured.materials)
+    relative = [relative_phase(*each) for each in zip(around, phases, misfits, strict=True)]
+    mixture = Mixture(box.shape, expands=any(phase.expansion for phase in relative))
+    if measured is not None:
         for number, where, share in voxels_on(grid, box, measured):
-            phase = relative_phase(matrix, measured.materials[number], NO_MISFIT)
-            mixture.add(len(inclusions) + number, where, share, phase)
+            at = len(inclusions) + number
+            mixture.add(at, where, share, relative[at])
     for number, where, share in blocks_on(grid, box, inclusions):
-        inclusion = inclusions[number]
-        phase = relative_phase(matrix, inclusion.material, inclusion.misfit)
-        mixture.add(number, where, share, phase)
+        mixture.add(number, where, share, relative[number])
     return _cells(box.first, mixture, phases)
 
 
@@ -53,6 +58,7 @@ def _cells(
     of_phase = np.array([*(laws.index(material) for material in phases), -1], dtype=np.int32)
     law = of_phase[mixture.phase]  # phase -1 is the last entry
     fields = (mixture.bulk.mixed(), mixture.shear.mixed(), mixture.misfit())
-    for field in (mixture.share, mixture.phase, *fields, law):
+    expansion = mixture.expansion()
+    for field in (mixture.share, mixture.phase, *fields, law, expansion):
         field.flags.writeable = False
-    return InclusionCells(first, laws, mixture.share, mixture.phase, *fields, law)
+    return InclusionCells(first, laws, mixture.share, mixture.phase, *fields, law, expansion)

@@ -32,20 +32,28 @@ class Phase(NamedTuple):
     """Shear modulus, relative to the matrix."""
     misfit: tuple[float, ...]
     """Misfit strain, six components."""
+    expansion: float = 0.0
+    """Thermal expansion minus that of the matrix [1/K]."""
 
 
 def relative_phase(matrix: Material, material: Material | None, misfit: tuple[float, ...]) -> Phase:
-    """Return a material relative to the matrix: 0 for a void (None)."""
+    """Return a material relative to the matrix: 0 for a void (None).
+
+    Without thermal constants of both, the material expands like the matrix.
+    """
     if material is None:
         return Phase(0.0, 0.0, misfit)
+    expansion = 0.0
+    if material.thermal is not None and matrix.thermal is not None:
+        expansion = material.thermal[1] - matrix.thermal[1]
     if material.is_rigid:
-        return Phase(RIGID_RATIO, RIGID_RATIO, misfit)
+        return Phase(RIGID_RATIO, RIGID_RATIO, misfit, expansion)
     if material.E == matrix.E and material.nu == matrix.nu:
-        return Phase(1.0, 1.0, misfit)
+        return Phase(1.0, 1.0, misfit, expansion)
     bulk, shear = (material.E / matrix.E * ratio for ratio in (
         (1 - 2 * matrix.nu) / (1 - 2 * material.nu), (1 + matrix.nu) / (1 + material.nu)
     ))  # fmt: skip
-    return Phase(bulk, shear, misfit)
+    return Phase(bulk, shear, misfit, expansion)
 
 
 def _components_at(where: Index) -> tuple[Any, ...]:
@@ -94,10 +102,10 @@ class Modulus:
 class Mixture:
     """Shares, moduli and misfit of the cells of a box, to which inclusions are added in order."""
 
-    def __init__(self, shape: tuple[int, int, int]) -> None:
+    def __init__(self, shape: tuple[int, int, int], *, expands: bool) -> None:
         self.share, self.largest = np.zeros(shape), np.zeros(shape)
         self.phase = np.full(shape, -1, dtype=np.int32)
-        self.bulk, self.shear = Modulus(shape, 1), Modulus(shape, 6)
+        self.bulk, self.shear = Modulus(shape, 2 if expands else 1), Modulus(shape, 6)
         self.has_misfit = False
 
     def add(self, number: int, where: Index, share: FloatArray, phase: Phase) -> None:
@@ -118,7 +126,8 @@ class Mixture:
         self.has_misfit |= bool(six.any())
         mean = six[:3].mean()
         deviator = six - mean * np.array([1, 1, 1, 0, 0, 0])
-        self.bulk.add(where, share, phase.bulk, np.array([mean]))
+        isotropic = np.array([mean, phase.expansion])[: len(self.bulk.soft_misfit)]
+        self.bulk.add(where, share, phase.bulk, isotropic)
         self.shear.add(where, share, phase.shear, deviator)
 
     def misfit(self) -> FloatArray:
@@ -126,5 +135,10 @@ class Mixture:
         if not self.has_misfit:
             return np.zeros((6, *self.share.shape))
         total = self.shear.mixed_misfit()
-        total[:3] += self.bulk.mixed_misfit()
+        total[:3] += self.bulk.mixed_misfit()[:1]
         return total
+
+    def expansion(self) -> FloatArray:
+        """Weighted misfit strain per temperature rise [1/K]."""
+        isotropic = self.bulk.mixed_misfit()
+        return isotropic[1] if len(isotropic) > 1 else np.zeros(self.share.shape)

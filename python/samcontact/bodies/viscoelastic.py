@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from .layered import Body, Layered, materials_of
+from .layered import Body, materials_of
+from .layers import Layered
 from .material import Material
 from .relaxation import RelaxationTerms, creep_terms, long_time_share
 

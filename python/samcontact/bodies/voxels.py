@@ -80,6 +80,17 @@ class VoxelBlock:
                     f"{top}: a void that cuts the surface is a dent; give it as a part of the gap"
                 )
 
+    @property
+    def depths(self) -> tuple[float, float]:
+        """Depths of the top and the bottom of the block [m]; the part above the surface is cut."""
+        top = self.origin[2]
+        return max(top, 0.0), top + self.size[2] * self.labels.shape[2]
+
+    @property
+    def mid_depth(self) -> float:
+        """Depth of the middle of the block below the surface [m]."""
+        return 0.5 * sum(self.depths)
+
     def _share(self, index: int) -> FloatArray:
         """Share of a material in each voxel."""
         if self.labels.dtype.kind == "f":

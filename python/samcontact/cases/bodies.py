@@ -67,6 +67,16 @@ class _Body(Solid):
         return [*self.coating, self]
 
     @property
+    def phases(self) -> list[tuple[str, Solid]]:
+        """Names and sections of all inclusions."""
+        found: list[tuple[str, Solid]] = [
+            (f"inclusions[{number}]", one) for number, one in enumerate(self.inclusions or [])
+        ]
+        if self.random_inclusions is not None:
+            found.append(("random_inclusions", self.random_inclusions))
+        return found
+
+    @property
     def inelastic_laws(self) -> list[str]:
         """Hardening laws of all elastic-plastic materials of the body, inclusions last."""
         inner = [*(self.inclusions or []), *filter(None, [self.random_inclusions])]
@@ -100,17 +110,16 @@ class _Body(Solid):
     def build(self) -> Body:
         """Create the `Material`, a `Layered` body or a `Heterogeneous` one."""
         from ..bodies.heterogeneous import Heterogeneous
-        from ..bodies.layered import Layered
+        from ..bodies.layers import Layered
 
         layers = tuple((part.solid, part.thickness) for part in self.coating)
+        matrix = Layered(layers, self.solid) if layers else self.solid
         if not self.has_inclusions:
-            return Layered(layers, self.solid) if layers else self.solid
-        if layers:
-            raise ValueError("inclusions cannot be combined with layers: omit one of them")
+            return matrix
         inclusions = [one.build() for one in self.inclusions or []]
         if self.random_inclusions is not None:
             inclusions += self.random_inclusions.build()
-        return Heterogeneous(self.solid, inclusions)
+        return Heterogeneous(matrix, inclusions)
 
 
 class _ElasticBody(ElasticSolid, _Body):

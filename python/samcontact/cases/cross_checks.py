@@ -344,6 +344,7 @@ def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None
         for name, body in bodies
         for number, part in enumerate(body.parts)
     ]
+    named += [(f"{name}.{place}", part) for name, body in bodies for place, part in body.phases]
     for name, part in named:
         softening: Any = getattr(part, "softening", None)
         if getattr(part, "thermal", None) is not None:
@@ -357,10 +358,11 @@ def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None
 
 def _require_zones(case: Any) -> None:
     bodies = case.body1, case.body2
-    if any(b.coating and b.is_plastic for b in bodies) and changed(case.contact, ["zones"]):
+    layered = any(b.coating and (b.is_plastic or b.has_inclusions) for b in bodies)
+    if layered and changed(case.contact, ["zones"]):
         raise ValueError(
-            "contact.zones is not supported for elastic-plastic layered bodies, which always use a "
-            "single plastic subdomain: omit zones"
+            "contact.zones is not supported for elastic-plastic layered bodies and layers with "
+            "inclusions, which always use a single plastic subdomain: omit zones"
         )
 
 

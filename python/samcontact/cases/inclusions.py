@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from ..bodies.hardening_laws import LAWS
 from .base import Finite, Length, NonNegative, Positive, Section, in_unit
-from .solids import LibrarySolid, Solid, models
+from .solids import LibrarySolid, Solid, ThermalConstants, models
 
 if TYPE_CHECKING:
     from ..bodies.inclusion import Inclusion
@@ -27,6 +27,13 @@ class _Phase(Solid):
     """Material of inclusions and their misfit strain."""
 
     misfit: Strain = 0.0
+    thermal: ThermalConstants | None = None
+
+    @model_validator(mode="after")
+    def _of_a_material(self) -> _Phase:
+        if self.law == "void" and self.thermal is not None:
+            raise ValueError('thermal must not be given with law = "void": omit it')
+        return self
 
     @property
     def phase(self) -> Material | None:

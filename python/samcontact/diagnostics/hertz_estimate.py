@@ -14,7 +14,8 @@ from .. import hertz
 from .._core import ConvergenceError, GridTooSmallError
 from .._util.cached_property import cached_property
 from .._util.display import lengths
-from ..bodies.layered import Layered, materials_of, softest
+from ..bodies.layered import materials_of, softest
+from ..bodies.layers import Layered
 from ..solutions.outline import may_have_steps
 from . import plausibility
 from .expected_contact import ExpectedContact

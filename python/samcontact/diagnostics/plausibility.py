@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from .._util.check import Check
 from .._util.display import quantity
 from .._util.errors import UnitWarning, is_ignored
-from ..bodies.layered import Layered, materials_of, matrix_of, softest
+from ..bodies.layered import materials_of, matrix_of, softest
+from ..bodies.layers import Layered
 from ..hertz import EllipticContact
 
 if TYPE_CHECKING:

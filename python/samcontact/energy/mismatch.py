@@ -52,6 +52,16 @@ def not_balanced(bodies: Sequence[Body], states: Sequence[State]) -> str:
             )
         if any(state.has_eigenstrain(number) for state in states):
             return f"body{number} must not have an added eigenstrain if it has inclusions"
+        expands = any(
+            body.cells_on(state.grid, check=False).expansion.any()
+            and np.any(state.surface_temperature(number))
+            for state in states
+        )
+        if expands:
+            return (
+                f"body{number} must not be heated if its inclusions expand differently: the work "
+                "of their thermal misfit is not included in the balance"
+            )
         if any(any(state.travel) for state in states):
             return f"body{number} must not move if it has inclusions"
     return ""

@@ -14,7 +14,8 @@ from .._util.checks import FloatArray, choice, non_negative, positive, require_t
 from .._util.frozen import FrozenDict, read_only
 from .._util.short_text import in_short
 from .._util.tensors import von_mises
-from ..bodies.layered import Layered
+from ..bodies.layered import matrix_of
+from ..bodies.layers import Layered
 from ..bodies.material import Material
 from ..diagnostics.plausibility import strength, warn_if_implausible
 from ..solutions.state import State
@@ -348,6 +349,7 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
     body = material if material is not None else given.body
     if body is None:
         raise TypeError("material is required with a stress array, to compute the strain from it")
+    body = matrix_of(body)
     if isinstance(body, Layered):
         layer = np.searchsorted(body.interfaces, given.coordinates["z"], side="right")
         E, nu = (np.asarray(body.parameters[name])[layer] for name in ("E", "nu"))

@@ -103,7 +103,9 @@ class FineBox(ShortRepr, HtmlTable):
             inner = self.stress[:, full].mean(axis=1)
             total = self.eigenstrain[:, mine].sum(axis=1) / self.share[mine].sum()
             inclusion = self.body.inclusions[n]
-            found.append(interface_of(number_, inclusion, inner, total, self.body.matrix))
+            found.append(
+                interface_of(number_, inclusion, inner, total, self.body.material_around(0))
+            )
         return found
 
     def eigenstrain_on(self, grid: Grid) -> FloatArray:

@@ -20,6 +20,7 @@ from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
 from ..bodies.inclusion_cells import InclusionCells
 from ..bodies.inclusion_resolution import ADVISED_CELLS, MIN_CELLS
+from ..bodies.layered import matrix_of
 from ..bodies.material import Material
 from ..problem.grid import Grid
 from ..solutions.state import State
@@ -144,13 +145,13 @@ def _are_close(a: Inclusion, b: Inclusion) -> bool:
 def _matrix_of(state: State, which: int) -> Material:
     """Return the material of the body of a state, or of its matrix."""
     described = state.setup.bodies[which - 1]
-    if not isinstance(described, Material | Heterogeneous):
+    matrix = matrix_of(described)
+    if not isinstance(matrix, Material):
         raise ValueError(
             f"body{which} must be a Material or a Heterogeneous body for fine boxes, got "
             f"{in_short(described)}: the stress that a layer reflects to its inclusions is not "
             "included"
         )
-    matrix = described.matrix if isinstance(described, Heterogeneous) else described
     if matrix.is_rigid:
         raise ValueError(f"body{which} must not be rigid: it has no stress")
     if matrix.free_faces is not None:

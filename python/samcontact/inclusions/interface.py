@@ -194,7 +194,8 @@ def interfaces(
             if numbers is None:
                 continue
             raise ValueError(f"numbers must be inclusions inside the fields, got {at}")
-        found.append(interface_of(at, described.inclusions[at], *means.of(at), described.matrix))
+        around = described.material_around(at)
+        found.append(interface_of(at, described.inclusions[at], *means.of(at), around))
     return found
 
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, choice, finite_array
 from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
-from ..bodies.layered import Layered
+from ..bodies.layered import interfaces_of
 from ..hertz import EllipticContact, PointContact
 from .adhesion import adhesion_curve, is_adhesive
 from .parts import (
@@ -335,8 +335,9 @@ def axis_profile(
 def _add_strength(ax: Axes, body: Body, depths: FloatArray) -> None:
     """Draw initial yield stress and initial stress of a body versus depth."""
     z, factor = np.append(0.0, depths), CONTACT["stress"].factor
-    if isinstance(body, Layered):  # points on both sides of interfaces
-        between = body.interfaces[body.interfaces < depths[-1]]
+    interfaces = interfaces_of(body)
+    if interfaces.size:  # points on both sides of them
+        between = interfaces[interfaces < depths[-1]]
         z = np.sort(np.concatenate([z, np.nextafter(between, 0.0), between]))
     if body.is_plastic:
         limit = factor * body.yield_stress_at(z)

@@ -3,28 +3,33 @@
 
 from __future__ import annotations
 
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body, interfaces_on_cells, matrix_of
+from ..bodies.layers import Layered
 from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Return whether any layered body can yield; raise ValueError if such a body is unsupported."""
+    """Return whether any layered body can yield or has inclusions.
+
+    Raises ValueError if such a body is not supported.
+    """
     flows = False
-    for n, body in enumerate(bodies, 1):
-        if not isinstance(body, Layered) or not body.is_plastic:
+    for n, given in enumerate(bodies, 1):
+        body, interfaces = matrix_of(given), interfaces_on_cells(given)
+        if not isinstance(body, Layered) or not interfaces.size:
             continue
         flows = True
         if body.substrate.is_rigid:
             raise ValueError(
-                f"layers of body{n} must be elastic on a rigid substrate, got {body!r}: use an "
-                "elastic substrate, a few times stiffer than the layers"
+                f"layers of body{n} must be elastic on a rigid substrate, and without inclusions, "
+                f"got {given!r}: use an elastic substrate, a few times stiffer than the layers"
             )
         if residual_stress == "exact":
             raise ValueError(
                 f'residual_stress must be "fast" because body{n} has layers, got "exact": there '
                 "are no closed-form kernels for layered bodies"
             )
-        for place, depth in enumerate(body.interfaces if grid.dz is not None else ()):
+        for place, depth in enumerate(interfaces if grid.dz is not None else ()):
             cells = depth / grid.dz
             if abs(cells - round(cells)) > 1e-6:
                 raise ValueError(

@@ -12,8 +12,8 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite_array, require_type
 from .._util.short_text import in_short
-from ..bodies.heterogeneous import Heterogeneous
-from ..bodies.layered import Body, Layered, materials_at, materials_of, thermal_of
+from ..bodies.layered import Body, materials_at, materials_of, matrix_of, thermal_of
+from ..bodies.layers import Layered
 from ..heat import Heat
 from .friction import FrictionLaw
 from .grid import Grid
@@ -62,11 +62,10 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         thermal = thermal_of(body)
         if thermal is not None and (factor > 0 or heat.history is not None):
             constants = thermal  # of a body that is heated, or may no longer be heated
-            thickness = [h for _, h in body.layers] if isinstance(body, Layered) else []
+            thickness = _thicknesses(body)
         if factor > 0:
             constants = _required_constants(name, n, body, factor)
             _require_in_layers(n, body, grid)
-            _require_equal_expansion(n, body)
             _require_transient(name, heat, grid, n, factor)
             lowest, highest = _diffusivities(constants)
             _require_speed(grid, n, lowest, highest, math.hypot(*v))
@@ -80,6 +79,12 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
             _core.Heating(factor, constants, thickness, *v, age, reference, of_slip, period)
         )
     return entries
+
+
+def _thicknesses(body: Body) -> list[float]:
+    """Thickness of each layer of a body [m]; empty without layers."""
+    matrix = matrix_of(body)
+    return [h for _, h in matrix.layers] if isinstance(matrix, Layered) else []
 
 
 def _required_constants(
@@ -102,23 +107,9 @@ def _required_constants(
     return thermal
 
 
-def _require_equal_expansion(n: int, body: Body) -> None:
-    """Raise ValueError for inclusions that expand differently from a heated matrix."""
-    if not isinstance(body, Heterogeneous) or body.thermal is None:
-        return
-    expansion = body.thermal[1]
-    for number, material in enumerate(body.phases):
-        if material is None or material.thermal is None or material.thermal[1] == expansion:
-            continue
-        raise ValueError(
-            f"the thermal expansion of body{n}.phases[{number}] must be that of the heated matrix, "
-            f"{expansion!r}, got {material.thermal[1]!r}: the misfit due to frictional heat is not "
-            "computed; give it as misfit, or omit the thermal constants of the inclusion"
-        )
-
-
 def _of_missing(body: Body) -> str:
     """Part of a message: which materials of a layered body have no thermal constants."""
+    body = matrix_of(body)
     if not isinstance(body, Layered):
         return ""
     names = [*(f"layers[{n}]" for n in range(len(body.layers))), "substrate"]
@@ -128,10 +119,8 @@ def _of_missing(body: Body) -> str:
 
 def _require_in_layers(n: int, body: Body, grid: Grid) -> None:
     """Raise ValueError for heat in layers that is not supported."""
-    if not isinstance(body, Layered):
-        return
     cell = max(grid.dx, grid.dy)
-    for k, (_, thickness) in enumerate(body.layers):
+    for k, thickness in enumerate(_thicknesses(body)):
         if thickness < MIN_THICKNESS * cell:
             raise ValueError(
                 f"thickness of layers[{k}] of heated body{n} must be >= {MIN_THICKNESS * cell:.4g} "

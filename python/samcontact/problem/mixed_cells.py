@@ -10,7 +10,7 @@ import numpy as np
 from .._util.checks import BoolArray
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion_cells import InclusionCells
-from ..bodies.layered import Body
+from ..bodies.layered import Body, backstresses_of, materials_of
 from ..bodies.material import Material
 from .grid import Grid
 from .two_phase_cells import set_two_phases
@@ -21,14 +21,15 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
 
     The result is a tuple of the first cell of a box, the index of each of its cells among the mixed
     cells [k][i][j] (-1 in the matrix), the constants of these cells by row (bulk and shear modulus,
-    share, misfit, material, normal of two phases), and the materials of the core; None for a body
-    without such cells. Raises ValueError for materials of inclusions that are not supported.
+    share, misfit, material, normal of two phases, expansion), and the materials of the core; None
+    for a body without such cells. Raises ValueError for materials of inclusions that are not
+    supported.
     """
     if not isinstance(body, Heterogeneous):
         return None
     _require_supported(number, body)
     cells = body.cells_on(grid)
-    differs = _differs(cells, body.matrix)
+    differs = _differs(cells, body)
     if not differs.any():
         return None
     materials = [material for material in cells.laws if material is not None]
@@ -43,19 +44,22 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
     index = np.full(in_core.shape, -1, dtype=np.int32)
     index[in_core] = np.arange(np.count_nonzero(in_core), dtype=np.int32)
     fields = [cells.bulk, cells.shear, cells.share, *cells.misfit, of_law[cells.law]]
-    fields = [np.array(field, dtype=float) for field in (*fields, *np.zeros((3, *differs.shape)))]
+    fields += [*np.zeros((3, *differs.shape)), cells.expansion]
+    fields = [np.array(field, dtype=float) for field in fields]
     set_two_phases(body, cells, grid, fields)
     rows = np.stack([field[used].transpose(2, 0, 1)[in_core] for field in fields], axis=1)
     cores = [material._core for material in materials]
     return first, index, np.ascontiguousarray(rows, dtype=float), cores
 
 
-def _differs(cells: InclusionCells, matrix: Material) -> BoolArray:
+def _differs(cells: InclusionCells, body: Heterogeneous) -> BoolArray:
     """Whether a cell differs from the matrix in its moduli, misfit strain or yield law."""
-    own_law = np.array([material is None or not _flows_like(material, matrix) for material in
-                        cells.laws])  # fmt: skip
+    own_law = np.array([
+        material is None or not _flows_like(material, body.material_around(number))
+        for number, material in enumerate(body.phases)
+    ])  # fmt: skip
     filled = cells.share > 0.0
-    return np.asarray(filled & (cells.is_deformed | own_law[cells.law]))
+    return np.asarray(filled & (cells.is_deformed | own_law[cells.phase]))
 
 
 def _flows_like(material: Material, matrix: Material) -> bool:
@@ -65,13 +69,14 @@ def _flows_like(material: Material, matrix: Material) -> bool:
 
 def _require_supported(number: int, body: Heterogeneous) -> None:
     """Raise ValueError for properties of matrix or inclusions that are not supported."""
-    if body.matrix.relaxation_terms is not None:
+    materials = materials_of(body)
+    if any(material.relaxation_terms is not None for material in materials):
         raise ValueError(
             f"body{number}.matrix must not relax, got {body.matrix!r}: inclusions in viscoelastic "
             "bodies are not supported"
         )
     yields = any(m is not None and m.is_plastic for m in body.phases)
-    if body.matrix.kinematic and yields:
+    if backstresses_of(body) and yields:
         raise ValueError(
             f"body{number}.matrix must not have kinematic hardening if an inclusion can yield, got "
             f"{body.matrix!r}: use elastic inclusions, or a matrix without kinematic hardening"

@@ -10,6 +10,7 @@ import numpy as np
 from .._util.checks import BoolArray, FloatArray
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion_cells import InclusionCells
+from ..bodies.layered import backstresses_of
 from ..bodies.phase_mixing import relative_phase
 from .grid import Grid
 
@@ -22,19 +23,20 @@ def set_two_phases(
 ) -> None:
     """Set the constants of cells of two phases in place.
 
-    fields: bulk and shear modulus, share, six misfit strains, index of the material, and three
-    components of the normal of each cell. Cells of two phases get the constants of the inclusion
-    and the normal of its surface: partly filled cells, unless nothing yields, the matrix has
-    backstresses, or the moduli differ by a large factor, as in a void.
+    fields: bulk and shear modulus, share, six misfit strains, index of the material, three
+    components of the normal, and thermal expansion of each cell. Cells of two phases get the
+    constants of the inclusion and the normal of its surface: partly filled cells, unless nothing
+    yields, the matrix has backstresses, or the moduli differ by a large factor, as in a void.
     """
-    if not body.is_plastic or body.matrix.kinematic:
+    if not body.is_plastic or backstresses_of(body):
         return
     misfits = [inclusion.misfit for inclusion in body.inclusions]
     misfits += [(0.0,) * 6] * (len(body.phases) - len(misfits))
     cut = np.nonzero(cells.is_cut)
     numbers, of_cell = np.unique(cells.phase[cut], return_inverse=True)
-    phases = [relative_phase(body.matrix, body.phases[n], misfits[n]) for n in numbers]
-    constants = np.array([(*phase[:2], *phase.misfit) for phase in phases]).reshape(-1, 8)
+    phases = [relative_phase(body.material_around(n), body.phases[n], misfits[n]) for n in numbers]
+    constants = np.array([(*phase[:2], *phase.misfit, phase.expansion) for phase in phases])
+    constants = constants.reshape(-1, 9)
     ratios = constants[:, :2]
     moderate: BoolArray = (ratios.min(axis=1) >= 1 / _MAX_MODULUS_RATIO) & (
         ratios.max(axis=1) <= _MAX_MODULUS_RATIO
@@ -44,9 +46,10 @@ def set_two_phases(
     normal = normals(cells, grid)
     own = moderate[of_cell] & np.asarray(normal.any(axis=0))[cut]
     places = tuple(index[own] for index in cut)
-    for field, value in zip((*fields[:2], *fields[3:9]), constants[of_cell[own]].T, strict=True):
+    of_phase = (*fields[:2], *fields[3:9], fields[13])
+    for field, value in zip(of_phase, constants[of_cell[own]].T, strict=True):
         field[places] = value
-    for field, component in zip(fields[-3:], normal, strict=True):
+    for field, component in zip(fields[10:13], normal, strict=True):
         field[places] = component[places]
 
 

@@ -35,6 +35,7 @@ from ..plotting.parts import (
 from ..results.contact import repulsion_of
 from ..solutions.peak import peak_of_dataset
 from . import slipping
+from .quality_checks import flow_tol
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -295,9 +296,7 @@ def _convergence(results: ContactResults) -> Iterator[Made]:
             shown = np.where(values > 0, values, np.nan)
             upper.plot(number, shown, "o", markersize=3, label=CONTACT[name].heading)
         if "tol" in data.attrs:
-            upper.axhline(
-                data.attrs["tol"], color="k", linestyle="--", linewidth=1, label="tolerance"
-            )
+            upper.axhline(flow_tol(data), color="k", linestyle="--", linewidth=1, label="tolerance")
         upper.set_yscale("log")
         upper.set_ylabel("relative residual [-]")
         upper.legend(**_LEGEND_ABOVE)

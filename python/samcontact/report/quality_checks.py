@@ -47,7 +47,7 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
         _load_balance(dataset, case, tol),
         *_complementarity(dataset, tol),
         *slipping.checks(dataset, case, tol),
-        *_yield_condition(dataset, tol),
+        *_yield_condition(dataset),
         *_borders(dataset),
         *_adhesion(dataset),
         *_resolution(dataset, case),
@@ -111,7 +111,7 @@ def _complementarity(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
         yield Check(name, float(both.max()), tol)
 
 
-def _yield_condition(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
+def _yield_condition(dataset: xr.Dataset) -> Iterator[Check]:
     for variable, name in (
         ("yield_violation", "maximum relative violation of the yield condition"),
         (
@@ -121,10 +121,13 @@ def _yield_condition(dataset: xr.Dataset, tol: float) -> Iterator[Check]:
     ):
         if variable not in dataset:
             continue
-        limit = tol
-        if variable == "plastic_strain_residual" and _has_inclusions(dataset):
-            limit = max(tol, INCLUSION_TOL)
-        yield Check(name, float(dataset[variable].max()), limit)
+        yield Check(name, float(dataset[variable].max()), flow_tol(dataset))
+
+
+def flow_tol(dataset: xr.Dataset) -> float:
+    """Tolerance of plastic strain, yield condition and strain of inclusions [-]."""
+    tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
+    return max(tol, INCLUSION_TOL) if _has_inclusions(dataset) else tol
 
 
 def _has_inclusions(dataset: xr.Dataset) -> bool:

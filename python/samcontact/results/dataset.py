@@ -15,7 +15,8 @@ from .._util.quantities import CONTACT
 from .._util.tensors import COMPONENTS
 from .._util.version import version
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
-from ..bodies.layered import Body, Layered, materials_of, matrix_of, names_of_materials
+from ..bodies.layered import Body, materials_of, matrix_of, names_of_materials
+from ..bodies.layers import Layered
 from ..problem.friction import attributes_of, friction_law
 from ..solutions.interface_stress import SIDES
 from ..solutions.peak import peak_of_dataset
@@ -283,7 +284,7 @@ def _add_volume(
 
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
     """Add interface stresses of a layered body, unless its fields are offset from the grid."""
-    layered = stored[0].setup.bodies[body - 1]
+    layered = matrix_of(stored[0].setup.bodies[body - 1])
     if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):
         return
     fields = np.stack([state.interface_stress(body=body) for state in stored])

@@ -12,7 +12,8 @@ import numpy as np
 from .._util.checks import choice
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..bodies.hardening_laws import LAWS
-from ..bodies.layered import Body, Layered, names_of_materials
+from ..bodies.layered import Body, names_of_materials
+from ..bodies.layers import Layered
 from ..bodies.material import Material
 from ..problem.grid import Grid
 

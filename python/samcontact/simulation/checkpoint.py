@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from .._util.short_text import in_short
 from ..bodies.heterogeneous import Heterogeneous
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body
+from ..bodies.layers import Layered
 from ..bodies.material import Material
 from ..heat import Heat
 from ..problem import adhesion_laws
@@ -127,8 +128,12 @@ def _arguments(setup: Tree, *laws: Any) -> dict[str, Any]:
 
 def _body(name: str, part: Tree, law: Any) -> Body:
     if is_heterogeneous(part):
-        matrix = _material(name, part["matrix"], law)
+        matrix = _matrix(name, part["matrix"], law)
         return body_of(part, lambda tree: _material(name, tree, None), matrix)
+    return _matrix(name, part, law)
+
+
+def _matrix(name: str, part: Tree, law: Any) -> Material | Layered:
     if part["law"] == Layered.law:
         parts = [part["layers"][n] for n in sorted(part["layers"], key=int)] + [part["substrate"]]
         laws = [None] * len(parts) if law is None else list(law)

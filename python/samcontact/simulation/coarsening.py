@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from .._util.checks import FloatArray, finite_array
 from .._util.lazy_scipy import scipy
 from .._util.travels import AT_REST, both_axes, plain
-from ..bodies.layered import Layered
+from ..bodies.layered import interfaces_on_cells
 from ..diagnostics.hertz_estimate import ContactSetup
 from ..problem.domain import SurfaceGeometry
 from ..problem.moving_topography import Relief, over_period
@@ -89,8 +89,7 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
     layers is a whole number of coarse cells thick; 1 if there is no such ratio.
     """
     ends = [
-        round(float(depth) / dz) for body in bodies if isinstance(body, Layered) and body.is_plastic
-        for depth in body.interfaces
+        round(float(depth) / dz) for body in bodies for depth in interfaces_on_cells(body)
     ]  # fmt: skip
     part = math.gcd(*ends)
     return part / (part // 2) if part > 1 else 1.0 if ends else 2.0

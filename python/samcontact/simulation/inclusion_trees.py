@@ -10,6 +10,7 @@ import numpy as np
 
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
+from ..bodies.layers import Layered
 from ..bodies.material import Material
 from ..bodies.voxels import VoxelBlock
 from ..restart.tree import Tree, array
@@ -19,8 +20,8 @@ _SIZES = (3, 3, 9, 6)
 _VOID = -1
 
 
-def tree_of(body: Heterogeneous, material_tree: Callable[[Material], Tree]) -> Tree:
-    """Convert a body to a tree; its materials by `material_tree`."""
+def tree_of(body: Heterogeneous, tree_of_part: Callable[[Material | Layered], Tree]) -> Tree:
+    """Convert a body to a tree; its materials by `tree_of_part`."""
     materials = [m for m in dict.fromkeys(body.phases) if m is not None]
 
     def index(material: Material | None) -> int:
@@ -28,8 +29,8 @@ def tree_of(body: Heterogeneous, material_tree: Callable[[Material], Tree]) -> T
 
     tree: Tree = {
         "law": body.law,
-        "matrix": material_tree(body.matrix),
-        "materials": {str(n): material_tree(m) for n, m in enumerate(materials)} or None,
+        "matrix": tree_of_part(body.matrix),
+        "materials": {str(n): tree_of_part(m) for n, m in enumerate(materials)} or None,
     }
     if body.inclusions:
         tree["inclusions"] = np.array(
@@ -50,7 +51,9 @@ def tree_of(body: Heterogeneous, material_tree: Callable[[Material], Tree]) -> T
     return tree
 
 
-def body_of(part: Tree, material: Callable[[Tree], Material], matrix: Material) -> Heterogeneous:
+def body_of(
+    part: Tree, material: Callable[[Tree], Material], matrix: Material | Layered
+) -> Heterogeneous:
     """Convert a tree back to a body with this matrix; its other materials by `material`."""
     known = part.get("materials", {})
     materials = [material(known[n]) for n in sorted(known, key=int)]

@@ -10,7 +10,8 @@ import numpy as np
 from .. import _core
 from .._util import memory
 from .._util.checks import FloatArray
-from ..bodies.layered import Body, Layered
+from ..bodies.layered import Body, matrix_of
+from ..bodies.layers import Layered
 from ..problem.grid import Grid
 
 SIDES = ("above", "below")
@@ -20,7 +21,7 @@ _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
     """Return the body; raise ValueError if it has no layers or is offset from the grid cells."""
-    found = bodies[body - 1]
+    found = matrix_of(bodies[body - 1])
     if not isinstance(found, Layered):
         raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")
     if offset:

@@ -235,9 +235,10 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
 
         The shape is (2, 6, nx, ny, m): above and below each of m interfaces (`Layered.interfaces`).
         The components zz, yz and xz are continuous up to the grid error; xx, yy and xy jump. Stress
-        due to tractions is exact at the interface; stress due to plastic strain is extrapolated
-        from three cells on each side (fewer in thinner layers). Raises ValueError for a body
-        without layers, or with an `offset`.
+        due to tractions is exact at the interface; stress due to plastic strain and inclusions is
+        extrapolated from three cells on each side (fewer in thinner layers), so it is inaccurate
+        next to an inclusion that is closer. Raises ValueError for a body without layers, or with an
+        `offset`.
         """
         return self._field("interface_stress", body, lambda: self._at_interfaces(body))
 
@@ -250,6 +251,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
             return deep.residual_stress(body) - deep.initial_stress(body)
 
         strained = self.max_plastic_strain_magnitude(body) > 0 or self.has_eigenstrain(body)
+        strained = strained or bool(np.any(self.share(body)))
         return stress_at_interfaces(self.grid, layered, tractions, residual if strained else None)
 
     def von_mises(self, body: int = 2) -> FloatArray:

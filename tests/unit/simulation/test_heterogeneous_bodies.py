@@ -191,12 +191,6 @@ def test_refusals():
         simulation(sc.Heterogeneous(STEEL, [sphere(hard)]))
     with pytest.raises(ValueError, match="must not have kinematic hardening if an inclusion"):
         simulation(sc.Heterogeneous(hard, [sphere(YIELDING)]))
-    hot, other = (STEEL.with_thermal(50.0, a, 1.3e-5) for a in (12e-6, 8e-6))
-    heat = sc.Heat((0.0, 0.2), velocity=((0.0, 0.0), (1.0, 0.0)))
-    with pytest.raises(
-        ValueError, match=r"expansion of body2.phases\[0\] must be that of the heated"
-    ):
-        simulation(sc.Heterogeneous(hot, [sphere(other)]), friction=0.2, heat=heat)
     relaxing = STEEL.with_relaxation(times=[1.0], shares=[0.5])
     with pytest.raises(ValueError, match="inclusions in viscoelastic bodies"):
         simulation(sc.Heterogeneous(relaxing, [sphere(STIFF)]))

@@ -19,6 +19,8 @@ struct MixedCell {
   int material = -1;               // index of the material of the inclusion; -1: void
   std::array<double, 3> normal{};  // unit vector of the interface of a cell of two phases; else 0
 
+  double expansion = 0.0;  // misfit strain per temperature rise [1/K]
+
   /// Whether both phases flow separately.
   bool has_two_phases() const { return normal != std::array<double, 3>{}; }
 };

@@ -71,7 +71,7 @@ plasticity::Return CellHistory::return_map(std::uint32_t cell, const plasticity:
                                            const plasticity::Tensor& guess) const {
   plasticity::Tensors place;
   const plasticity::Material& law = material(cell);
-  const double G = mixed_.matrix_part() * law.elastic.shear_modulus();
+  const double G = mixed_.matrix_part(material_number(cell)) * law.elastic.shear_modulus();
   return plasticity::radial_return(deviator, guess, equivalent_[cell], G, law,
                                    backstresses(cell, place), strength_of(cell));
 }

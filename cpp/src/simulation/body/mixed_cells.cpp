@@ -16,9 +16,11 @@ MixedCells::MixedCells(const Setup& setup, int body, int first, fft::Symmetry sy
       inclusions_(setup.inclusions[body]),
       first_(first),
       symmetry_(symmetry),
+      matrix_(setup.bodies[body]),
       before_{unfolded(before.own, setup.grid, symmetry),
               unfolded(before.of_matrix, setup.grid, symmetry)} {
-  if (inclusions_) law_.emplace(setup.bodies[body].material(0), are_strong());
+  if (!inclusions_) return;
+  for (int n = 0; n < matrix_.count(); ++n) laws_.emplace_back(matrix_.material(n), are_strong());
 }
 
 Box MixedCells::box() const {
@@ -75,8 +77,19 @@ plasticity::MixedReturn MixedCells::step(std::uint32_t cell, const plasticity::T
   before.matrix_plastic = strain(matrix_plastic_);
   if (!inclusion_equivalent_.empty()) before.inclusion_equivalent = inclusion_equivalent_[cell];
   const plasticity::MixedCell& mixed = *cells_[cell];
-  // NOLINTNEXTLINE(bugprone-unchecked-optional-access): there are cells only with a law.
-  return law_->step(mixed, inclusions_->material(mixed), stress, eigenstrain, before);
+  const plasticity::Material* const material = inclusions_->material(mixed);
+  if (rise_.values.empty() || mixed.expansion == 0) {
+    return law_of(cell).step(mixed, material, stress, eigenstrain, before);
+  }
+  const auto [i, j, k] = zones_.cell(cell);
+  plasticity::MixedCell warm = mixed;
+  for (int c = 0; c < 3; ++c) warm.misfit[c] += mixed.expansion * rise_.at(i, j, k);
+  return law_of(cell).step(warm, material, stress, eigenstrain, before);
+}
+
+const plasticity::MixedLaw& MixedCells::law_of(std::uint32_t cell) const {
+  if (!matrix_.is_layered()) return laws_.front();
+  return laws_[matrix_.number_at((zones_.cell(cell).k + 0.5) * setup_.grid.dz)];
 }
 
 void MixedCells::flow(std::uint32_t cell, const plasticity::MixedReturn& step) {

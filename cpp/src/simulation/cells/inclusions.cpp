@@ -27,8 +27,9 @@ bool is_image(const MixedCell* a, const MixedCell* b) {
     if (!near(std::fabs(a->normal[c]), std::fabs(b->normal[c]))) return false;
   }
   return near(a->bulk, b->bulk) && near(a->shear, b->shear) && near(a->share, b->share) &&
-         a->material == b->material && near(a->misfit[0], b->misfit[0]) &&
-         near(a->misfit[1], b->misfit[1]) && near(a->misfit[2], b->misfit[2]) &&
+         a->material == b->material && near(a->expansion, b->expansion) &&
+         near(a->misfit[0], b->misfit[0]) && near(a->misfit[1], b->misfit[1]) &&
+         near(a->misfit[2], b->misfit[2]) &&
          std::all_of(a->misfit.begin() + 3, a->misfit.end(), [](double v) { return v == 0; });
 }
 
@@ -47,6 +48,8 @@ Inclusions::Inclusions(const Box& box, int k0, std::vector<std::int32_t> number,
   has_misfit_ = std::any_of(cells_.begin(), cells_.end(), [](const MixedCell& cell) {
     return cell.misfit != plasticity::Tensor{};
   });
+  expand_ = std::any_of(cells_.begin(), cells_.end(),
+                        [](const MixedCell& cell) { return cell.expansion != 0; });
   const auto is_strong = [](double ratio) {
     return ratio < 1 / large_ratio || ratio > large_ratio;
   };

@@ -40,7 +40,8 @@ PlasticIncrement::PlasticIncrement(const IncrementTask& task)
       symmetry_(symmetry_of(task, tractions_, sources_)),
       mirror_images_(bodies_are_mirror_images(task, sources_)),
       guess_(task, symmetry_),
-      zones_(task, symmetry_, guess_, tractions_, sources_, bodies_, active_) {
+      zones_(task, symmetry_, guess_, tractions_, sources_, bodies_, active_),
+      temperature_(task) {
   make_bodies();
   zones_.begin();
 }
@@ -108,6 +109,16 @@ contact::Solution PlasticIncrement::solve_contact(const Field& gap, double tol) 
   }
   for (PlasticBody& body : bodies_) body.set_tractions(tractions_);
   return solution;
+}
+
+void PlasticIncrement::warm(PlasticBody& body) {
+  MixedCells& mixed = body.cells().mixed();
+  if (!mixed.expand() || !temperature_.is_on(body.index())) return;
+  Box box = Box::whole(task_.setup().grid);
+  box.nz = mixed.box().nz;
+  box = box.united(mixed.box().from_surface());
+  if (box.nz == 0) return;
+  mixed.warm({box, temperature_.rise(body.index(), body.tractions().pressure, box)});
 }
 
 void PlasticIncrement::return_map(const Field& guess, Field& mapped, Result& result) {
@@ -210,6 +221,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
   Result result;
   result.contact = solve_contact(gap_, contact_tol);
   zones_.soften();
+  for (PlasticBody& body : bodies_) warm(body);
   if (zones_.fit(result.contact.gap)) {
     result.grown = std::any_of(bodies_.begin(), bodies_.end(),
                                [](const PlasticBody& body) { return body.strained(); });

@@ -6,15 +6,10 @@
 #include <utility>
 
 #include "samcontact/base/errors.hpp"
-#include "samcontact/simulation/cells/traction_window.hpp"
 
 namespace samcontact::simulation {
 
-ThermalSoftening::ThermalSoftening(const IncrementTask& task)
-    : task_(task),
-      given_(given_heat(task.setup(), task.target.heating, task.target.past, task.target.duration,
-                        task.target.slip_power)),
-      offsets_(task.from.placement().offset) {}
+ThermalSoftening::ThermalSoftening(const IncrementTask& task) : task_(task), temperature_(task) {}
 
 void ThermalSoftening::apply(PlasticBody& body, const Box& box) {
   Field& pressure = pressure_[body.index()];
@@ -23,26 +18,18 @@ void ThermalSoftening::apply(PlasticBody& body, const Box& box) {
   soften(body, task_.setup().volume_below(pressure).united(box));
 }
 
-void ThermalSoftening::extend(PlasticBody& body, const Box& box) const {
+void ThermalSoftening::extend(PlasticBody& body, const Box& box) {
   if (body.cells().softening() && !body.cells().softening()->box.contains(box)) soften(body, box);
 }
 
-void ThermalSoftening::soften(PlasticBody& body, const Box& box) const {
+void ThermalSoftening::soften(PlasticBody& body, const Box& box) {
   const auto& known = body.cells().softening();
   body.soften(factor(body.index(), known ? known->box.united(box) : box));
 }
 
-std::shared_ptr<const BoxField> ThermalSoftening::factor(int body, const Box& box) const {
+std::shared_ptr<const BoxField> ThermalSoftening::factor(int body, const Box& box) {
   const Softening& law = task_.settings.softening[body];
-  const Grid& grid = task_.setup().grid;
-  const auto depths = grid.z(box.nz);
-  const auto operators = task_.setup().cache.temperature(task_.target.heating[body], box);
-  Field rise =
-      operators->rise(window({pressure_[body], {}, {}}, grid, box).pressure.data(), depths);
-  if (given_[body].is_on()) {
-    const Field more = below_in(given_[body].temperature(depths, offsets_[body]), 1, grid, box);
-    for (std::size_t n = 0; n < rise.size(); ++n) rise[n] += more[n];
-  }
+  const Field rise = temperature_.rise(body, pressure_[body], box);
   const std::string name = "softening of body " + std::to_string(body + 1);
   Field factor = law(rise, box);
   require(factor.size() == rise.size(), name,

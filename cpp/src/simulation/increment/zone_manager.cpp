@@ -57,6 +57,11 @@ bool moves_steadily(const IncrementTask& task, const PlasticBody& body) {
          !std::ranges::any_of(task.target.heating, hot);
 }
 
+/// Whether a body is warm from earlier heating or from slip.
+bool keeps_heat(const IncrementTask& task, int body) {
+  return task.target.past[body] != nullptr || !task.target.slip_power.empty();
+}
+
 std::invalid_argument unbounded_zone_error(const IncrementTask& task, const PlasticBody& body) {
   return std::invalid_argument(
       "at " + describe(task.target) + " the plastic zone of body " +
@@ -254,7 +259,8 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
   const bool allowed = body.cells().mixed().is_on() && !settings.one_zone &&
                        symmetry_ == fft::Symmetry::none && grid.period.x == 0 &&
                        task_.from.method == operators::ResidualMethod::fast &&
-                       !settings.softening[body.index()];
+                       !settings.softening[body.index()] &&
+                       !(body.cells().mixed().expand() && keeps_heat(task_, body.index()));
   if (!allowed || !moves_steadily(task_, body)) return false;
   Box near = box_near_tractions(task_.from);
   const int width = near.nx;

@@ -205,7 +205,6 @@ void Setup::require_solvable_inclusions(operators::ResidualMethod method) const 
           "residual_stress = \"exact\" is not supported with them, because its stress at the "
           "centres of cells makes soft inclusions unstable: use \"fast\"");
     }
-    if (bodies[b].is_layered()) refuse("they are not supported in layered bodies");
     if (bodies[b].is_viscoelastic()) refuse("they are not supported in viscoelastic bodies");
     if (!reliefs[b].worn.empty()) refuse("wear of this body is not supported");
   }

@@ -5,10 +5,11 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "samcontact/plasticity/mixed_cell.hpp"
+#include "samcontact/simulation/cells/box_field.hpp"
 #include "samcontact/simulation/cells/inclusions.hpp"
 #include "samcontact/simulation/cells/zone_choice.hpp"
 #include "samcontact/simulation/setup/setup.hpp"
@@ -32,13 +33,19 @@ class MixedCells {
   bool is_on() const { return inclusions_ != nullptr; }
   /// Whether moduli differ from those of the matrix by a large factor, as in a void.
   bool are_strong() const { return inclusions_ && inclusions_->are_strong(); }
-  /// Part of the plastic strain of an estimate that a step keeps in cells of the matrix, see
-  /// MixedLaw; 1 without mixed cells.
-  double matrix_part() const { return law_ ? law_->matrix_part() : 1.0; }
+  /// Part of the plastic strain of an estimate that a step keeps in cells of a material of the
+  /// matrix, see MixedLaw; 1 without mixed cells.
+  double matrix_part(int material) const {
+    return laws_.empty() ? 1.0 : laws_[material].matrix_part();
+  }
   /// Whole box of the mixed cells that are solved for; empty: none.
   Box box() const;
   /// Columns down to the mixed cells that are solved for, of the whole grid.
   Columns columns() const;
+  /// Whether their misfit depends on the temperature.
+  bool expand() const { return inclusions_ && inclusions_->expand(); }
+  /// Sets the temperature rise [K] in a box that contains `box()`.
+  void warm(BoxField rise) { rise_ = std::move(rise); }
   /// Sets the zones in which they are numbered.
   void take(const Zones& zones);
 
@@ -59,11 +66,15 @@ class MixedCells {
   Flows finish() const;
 
  private:
+  /// Law of a mixed cell, which lies within one layer of the matrix.
+  const plasticity::MixedLaw& law_of(std::uint32_t cell) const;
+
   const Setup& setup_;
   std::shared_ptr<const Inclusions> inclusions_;
   int first_;
   fft::Symmetry symmetry_;
-  std::optional<plasticity::MixedLaw> law_;
+  const plasticity::Body& matrix_;
+  std::vector<plasticity::MixedLaw> laws_;  // by material of the matrix; empty: no mixed cells
   Flows before_;
   Zones zones_;
   std::vector<const plasticity::MixedCell*> cells_;  // by cell of the zones
@@ -71,6 +82,7 @@ class MixedCells {
   // Strain of Flows, [component][cell] with five components, and equivalent strain of the
   // inclusion in cells of two phases; empty: none.
   Field plastic_, matrix_plastic_, inclusion_equivalent_;
+  BoxField rise_;  // empty: none
   bool flowed_ = false, matrix_flowed_ = false;
 };
 

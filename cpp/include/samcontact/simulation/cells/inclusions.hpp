@@ -46,6 +46,8 @@ class Inclusions {
   /// Mirror planes of the mixed cells of a body that has not moved.
   fft::Symmetry symmetry(const Grid& grid) const;
   bool has_misfit() const { return has_misfit_; }
+  /// Whether the expansion of a cell differs from that of the matrix.
+  bool expand() const { return expand_; }
   /// Whether moduli of a cell differ from those of the matrix by a large factor.
   bool are_strong() const { return strong_; }
   std::size_t bytes() const;
@@ -56,7 +58,7 @@ class Inclusions {
   std::vector<std::int32_t> number_;
   std::vector<plasticity::MixedCell> cells_;
   Materials materials_;
-  bool has_misfit_, strong_;
+  bool has_misfit_, expand_, strong_;
 };
 
 /// By body; null: homogeneous.

@@ -7,6 +7,7 @@
 
 #include "samcontact/simulation/body/active_cells.hpp"
 #include "samcontact/simulation/body/plastic_body.hpp"
+#include "samcontact/simulation/increment/contact_temperature.hpp"
 #include "samcontact/simulation/increment/increment_task.hpp"
 #include "samcontact/simulation/increment/relaxing_bodies.hpp"
 #include "samcontact/simulation/increment/slip_history.hpp"
@@ -74,6 +75,8 @@ class PlasticIncrement {
   void scatter(const Field& guess);
   contact::Solution solve_contact(const Field& gap, double tol);
   void return_map(const Field& guess, Field& mapped, Result& result);
+  /// Sets the temperature of inclusions whose expansion differs from that of the matrix.
+  void warm(PlasticBody& body);
   void step_mixed(const Field& guess, Field& mapped, Result& result);
   /// Stores the state of elastic-plastic body number b.
   void finish(std::size_t b, const Field& mapped, State& state);
@@ -89,6 +92,7 @@ class PlasticIncrement {
   std::vector<PlasticBody> bodies_;  // elastic-plastic bodies
   ActiveCells active_;
   ZoneManager zones_;
+  ContactTemperature temperature_;
   double largest_mismatch_ = 0.0;  // see State
   Field gap_;                      // without the elastic displacement, from the last evaluation
 };

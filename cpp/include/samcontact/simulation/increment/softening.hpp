@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "samcontact/simulation/body/plastic_body.hpp"
+#include "samcontact/simulation/increment/contact_temperature.hpp"
 #include "samcontact/simulation/increment/increment_task.hpp"
 
 namespace samcontact::simulation {
@@ -19,16 +20,15 @@ class ThermalSoftening {
   /// return a factor.
   void apply(PlasticBody& body, const Box& box);
   /// Also softens an already softened body in another box, for the temperature of the same contact.
-  void extend(PlasticBody& body, const Box& box) const;
+  void extend(PlasticBody& body, const Box& box);
 
  private:
-  void soften(PlasticBody& body, const Box& box) const;
+  void soften(PlasticBody& body, const Box& box);
   /// Factor on the yield stress in a box; null: 1 everywhere.
-  std::shared_ptr<const BoxField> factor(int body, const Box& box) const;
+  std::shared_ptr<const BoxField> factor(int body, const Box& box);
 
   IncrementTask task_;
-  std::array<GivenHeat, 2> given_;
-  std::array<double, 2> offsets_;
+  ContactTemperature temperature_;
   std::array<Field, 2> pressure_;  // on each body, from the first contact; empty before
 };
 
