@@ -7,6 +7,9 @@
 namespace samcontact::film {
 namespace {
 
+/// Rows with zeros for whole registers.
+int padded(std::size_t rows) { return (static_cast<int>(rows) + lanes - 1) / lanes * lanes; }
+
 std::size_t square(std::size_t n) { return n * n; }
 
 }  // namespace
@@ -22,15 +25,26 @@ BlockLu::BlockLu(const Lattice& lattice, int reach)
   }
 }
 
-DenseView BlockLu::lower(std::size_t front) const {
+BlockLu::Parts BlockLu::parts(std::size_t front) const {
   const Front& of = order_.fronts[front];
-  return {const_cast<float*>(factors_.data()) + begins_[front], of.size(), of.count, of.size()};
+  const int rest = padded(of.boundary.size());
+  float* begin = const_cast<float*>(factors_.data()) + begins_[front];
+  const DenseView own{begin, of.count, of.count, of.count};
+  const DenseView below{own.column(of.count), rest, of.count, rest};
+  return {own, below, {below.column(of.count), rest, of.count, rest}};
 }
 
-DenseView BlockLu::right(std::size_t front) const {
-  const Front& of = order_.fronts[front];
-  const DenseView below = lower(front);
-  return {below.column(of.count), of.count, of.size() - of.count, of.count};
+void BlockLu::store(const DenseView& dense, const Front& front, const Parts& to) {
+  const int n = front.size();
+  for (int j = 0; j < front.count; ++j) {
+    std::copy_n(dense.column(j), front.count, to.own.column(j));
+    std::copy(dense.column(j) + front.count, dense.column(j) + n, to.below.column(j));
+  }
+  for (int j = front.count; j < n; ++j) {
+    const float* column = dense.column(j);
+    for (int i = 0; i < front.count; ++i) to.right.column(i)[j - front.count] = column[i];
+    stack_.insert(stack_.end(), column + front.count, column + n);
+  }
 }
 
 void BlockLu::assemble(const NearMatrix& matrix, const Front& front, const DenseView& dense) {
@@ -68,19 +82,24 @@ void BlockLu::extend(const Front& child, const float* complement, const DenseVie
 
 bool BlockLu::decompose(const NearMatrix& matrix, const std::vector<char>& free) {
   begins_.clear();
-  std::size_t needed = 0, largest = 0;
+  std::size_t needed = 0, largest = 0, stacked = 0, most_stacked = 0;
   for (const Front& front : order_.fronts) {
     begins_.push_back(needed);
-    needed += static_cast<std::size_t>(front.count) * (2 * front.size() - front.count);
+    needed +=
+        static_cast<std::size_t>(front.count) * (front.count + 2 * padded(front.boundary.size()));
     largest = std::max<std::size_t>(largest, front.size());
+    for (const int child : front.children) stacked -= square(order_.fronts[child].boundary.size());
+    stacked += square(front.boundary.size());
+    most_stacked = std::max(most_stacked, stacked);
   }
   factors_.resize(needed);
   front_.resize(square(largest));
   free_.resize(largest);
   stack_.clear();
+  stack_.reserve(most_stacked);
   for (std::size_t f = 0; f < order_.fronts.size(); ++f) {
     const Front& front = order_.fronts[f];
-    const int n = front.size(), rest = n - front.count;
+    const int n = front.size();
     const DenseView dense{front_.data(), n, n, n};
     std::fill_n(front_.data(), square(n), 0.0F);
     assemble(matrix, front, dense);
@@ -94,37 +113,31 @@ bool BlockLu::decompose(const NearMatrix& matrix, const std::vector<char>& free)
     exchanged_.resize(front.count);
     if (!eliminate(dense, free_.data(), exchanged_, blocks_)) return false;
     std::copy(exchanged_.begin(), exchanged_.end(), pivots_.begin() + front.first);
-    std::copy_n(front_.data(), static_cast<std::size_t>(n) * front.count, lower(f).values);
-    const DenseView across = right(f);
-    for (int j = 0; j < rest; ++j) {
-      const float* column = dense.column(front.count + j);
-      std::copy_n(column, front.count, across.column(j));
-      stack_.insert(stack_.end(), column + front.count, column + n);
-    }
+    store(dense, front, parts(f));
   }
   return true;
 }
 
-void BlockLu::solve(std::vector<float>& x) {
+void BlockLu::solve(Singles& x) {
   for (std::size_t cell = 0; cell < x.size(); ++cell) values_[order_.places[cell]] = x[cell];
   for (std::size_t f = 0; f < order_.fronts.size(); ++f) {
     const Front& front = order_.fronts[f];
     float* own = values_.data() + front.first;
     for (int i = 0; i < front.count; ++i) std::swap(own[i], own[pivots_[front.first + i]]);
-    part_.assign(front.size(), 0.0F);
-    std::copy_n(own, front.count, part_.data());
-    substitute_forward(lower(f), part_.data());
-    std::copy_n(part_.data(), front.count, own);
-    const float* change = part_.data() + front.count;
-    for (std::size_t b = 0; b < front.boundary.size(); ++b) values_[front.boundary[b]] += change[b];
+    const Parts factors = parts(f);
+    substitute_forward(factors.own, own);
+    part_.assign(factors.below.rows, 0.0F);
+    subtract_columns(factors.below, own, part_.data());
+    for (std::size_t b = 0; b < front.boundary.size(); ++b) values_[front.boundary[b]] += part_[b];
   }
   for (std::size_t f = order_.fronts.size(); f-- > 0;) {
     const Front& front = order_.fronts[f];
     float* own = values_.data() + front.first;
-    part_.resize(front.boundary.size());
-    for (std::size_t b = 0; b < part_.size(); ++b) part_[b] = values_[front.boundary[b]];
-    subtract_product(right(f), part_.data(), own);
-    substitute_backward(lower(f).part(0, front.count, 0, front.count), own);
+    const Parts factors = parts(f);
+    part_.assign(factors.right.rows, 0.0F);
+    for (std::size_t b = 0; b < front.boundary.size(); ++b) part_[b] = values_[front.boundary[b]];
+    subtract_dots(factors.right, part_.data(), own);
+    substitute_backward(factors.own, own);
   }
   for (std::size_t cell = 0; cell < x.size(); ++cell) x[cell] = values_[order_.places[cell]];
 }

@@ -12,13 +12,14 @@ namespace samcontact::film {
 namespace {
 
 /// Rows and columns of a tile, whose sums stay in registers of all instruction sets.
-constexpr int tile_rows = 16, tile_columns = 6;
+constexpr int tile_rows = lanes, tile_columns = 6;
 /// Rows and depth of a block that stays in the cache.
 constexpr int block_rows = 192, block_depth = 256;
 /// Columns that are eliminated one by one.
 constexpr int narrow = 8;
-/// Columns of a product with a vector that are read together.
-constexpr int together = 4;
+/// Distance of the numbers that are fetched before they are needed: columns are too short for the
+/// processor to do so.
+constexpr int ahead = 256;
 /// A pivot on the diagonal is taken if it is larger than this share of the column, and replaced if
 /// it is smaller than this share of the rows, whose largest coefficients are near one.
 constexpr float pivot_share = 0.01F, least_pivot = 1e-6F;
@@ -30,7 +31,7 @@ using Loose [[gnu::vector_size(tile_rows * sizeof(float)), gnu::may_alias, gnu::
 int groups(int count, int width) { return (count + width - 1) / width; }
 
 /// Copies a part to strips of `width` rows (of the transposed part: columns), filled up by zeros.
-void pack_rows(const DenseView& from, std::vector<float>& to) {
+void pack_rows(const DenseView& from, Singles& to) {
   to.resize(static_cast<std::size_t>(groups(from.rows, tile_rows)) * tile_rows * from.columns);
   float* next = to.data();
   for (int i = 0; i < from.rows; i += tile_rows) {
@@ -42,7 +43,7 @@ void pack_rows(const DenseView& from, std::vector<float>& to) {
   }
 }
 
-void pack_columns(const DenseView& from, std::vector<float>& to) {
+void pack_columns(const DenseView& from, Singles& to) {
   to.resize(static_cast<std::size_t>(groups(from.columns, tile_columns)) * tile_columns *
             from.rows);
   float* next = to.data();
@@ -211,33 +212,13 @@ bool eliminate(const DenseView& matrix, const char* free, std::vector<int>& pivo
   return true;
 }
 
-SAMCONTACT_MULTIVERSION
-void subtract_product(const DenseView& matrix, const float* y, float* x) {
-  int j = 0;
-  for (; j + together <= matrix.columns; j += together) {
-    const float *a = matrix.column(j), *b = a + matrix.stride, *c = b + matrix.stride,
-                *d = c + matrix.stride;
-    const float ya = y[j], yb = y[j + 1], yc = y[j + 2], yd = y[j + 3];
-#pragma omp simd
-    for (int i = 0; i < matrix.rows; ++i) {
-      x[i] -= (ya * a[i] + yb * b[i]) + (yc * c[i] + yd * d[i]);
-    }
-  }
-  for (; j < matrix.columns; ++j) {
-    const float* a = matrix.column(j);
-    const float factor = y[j];
-#pragma omp simd
-    for (int i = 0; i < matrix.rows; ++i) x[i] -= factor * a[i];
-  }
-}
-
 void substitute_forward(const DenseView& lower, float* x) {
   for (int first = 0; first < lower.columns; first += narrow) {
     const int end = std::min(first + narrow, lower.columns);
     for (int j = first; j < end; ++j) {
       for (int i = j + 1; i < end; ++i) x[i] -= x[j] * lower.column(j)[i];
     }
-    subtract_product(lower.part(end, lower.rows - end, first, end - first), x + first, x + end);
+    subtract_columns(lower.part(end, lower.rows - end, first, end - first), x + first, x + end);
   }
 }
 
@@ -248,7 +229,44 @@ void substitute_backward(const DenseView& upper, float* x) {
       x[j] /= upper.column(j)[j];
       for (int i = first; i < j; ++i) x[i] -= x[j] * upper.column(j)[i];
     }
-    subtract_product(upper.part(0, first, first, end - first), x + first, x);
+    subtract_columns(upper.part(0, first, first, end - first), x + first, x);
+  }
+}
+
+SAMCONTACT_MULTIVERSION
+void subtract_columns(const DenseView& matrix, const float* y, float* x) {
+  for (int j = 0; j < matrix.columns; ++j) {
+    const float* column = matrix.column(j);
+    const float factor = y[j];
+#pragma omp simd
+    for (int i = 0; i < matrix.rows; ++i) {
+      x[i] -= factor * column[i];
+    }
+    for (int i = 0; i < matrix.rows; i += lanes) __builtin_prefetch(column + i + ahead);
+  }
+}
+
+SAMCONTACT_MULTIVERSION
+void subtract_dots(const DenseView& matrix, const float* y, float* x) {
+  for (int j = 0; j < matrix.columns; ++j) {
+    const float* column = matrix.column(j);
+    Lanes sums[2] = {};
+    int i = 0;
+    for (; i + lanes < matrix.rows; i += 2 * lanes) {
+      sums[0] +=
+          *reinterpret_cast<const Loose*>(y + i) * *reinterpret_cast<const Loose*>(column + i);
+      sums[1] += *reinterpret_cast<const Loose*>(y + i + lanes) *
+                 *reinterpret_cast<const Loose*>(column + i + lanes);
+      __builtin_prefetch(column + i + ahead);
+      __builtin_prefetch(column + i + ahead + lanes);
+    }
+    if (i < matrix.rows) {
+      sums[0] +=
+          *reinterpret_cast<const Loose*>(y + i) * *reinterpret_cast<const Loose*>(column + i);
+      __builtin_prefetch(column + i + ahead);
+    }
+    sums[0] += sums[1];
+    for (int r = 0; r < lanes; ++r) x[j] -= sums[0][r];
   }
 }
 

@@ -122,7 +122,7 @@ Field FilmSystem::flow_solution(const Field& residual) {
   for (std::size_t i = 0; i < n; ++i) scaled[i] = row_scale_[i] * residual[i];
   // Single precision has a short range.
   const double unit = std::max(largest(scaled.data(), n), least_scale);
-  std::vector<float> found(n);
+  Singles found(n);
   for (std::size_t i = 0; i < n; ++i) found[i] = static_cast<float>(scaled[i] / unit);
   factors_.solve(found);
   for (std::size_t i = 0; i < n; ++i) scaled[i] = unit * found[i];

@@ -19,17 +19,22 @@ std::array<int, 2> Star::offset(int slot) {
 }
 
 void Star::add_product(const Field& field, Field& sum) const {
+  const int ny = lattice_.ny();
 #pragma omp parallel for schedule(static) if (lattice_.size() > 20'000)
   for (int i = 0; i < lattice_.nx(); ++i) {
     for (int slot = 0; slot < entries; ++slot) {
       const auto [di, dj] = offset(slot);
       if (i + di < 0 || i + di >= lattice_.nx()) continue;
-      for (int j = 0; j < lattice_.ny(); ++j) {
-        const std::ptrdiff_t from = lattice_.at(i + di, j + dj);
-        if (from < 0) continue;
-        const std::ptrdiff_t row = lattice_.at(i, j);
-        sum[row] += values_[slot][row] * field[from];
-      }
+      const std::size_t row = static_cast<std::size_t>(i) * ny;
+      const double* values = values_[slot].data() + row;
+      const double* from = field.data() + static_cast<std::size_t>(i + di) * ny;
+      double* to = sum.data() + row;
+      const int first = std::clamp(-dj, 0, ny), end = std::clamp(ny - dj, first, ny);
+      for (int j = first; j < end; ++j) to[j] += values[j] * from[j + dj];
+      if (!lattice_.wraps()) continue;
+      const auto across = [&](int j) { to[j] += values[j] * from[((j + dj) % ny + ny) % ny]; };
+      for (int j = 0; j < first; ++j) across(j);
+      for (int j = end; j < ny; ++j) across(j);
     }
   }
 }

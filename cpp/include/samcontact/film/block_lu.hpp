@@ -40,7 +40,7 @@ class NearMatrix {
  private:
   Lattice lattice_;
   int reach_, reach_y_;
-  std::vector<float> values_;
+  Singles values_;
 };
 
 class BlockLu {
@@ -51,7 +51,7 @@ class BlockLu {
   /// serve as pivots of each other. Returns whether the pivots of the other cells differ from zero.
   bool decompose(const NearMatrix& matrix, const std::vector<char>& free);
   /// Solves in place; x has a value for each cell.
-  void solve(std::vector<float>& x);
+  void solve(Singles& x);
   /// Numbers in the factors.
   double fill() const { return static_cast<double>(factors_.size()); }
 
@@ -60,19 +60,25 @@ class BlockLu {
   void assemble(const NearMatrix& matrix, const Front& front, const DenseView& dense);
   /// Adds the Schur complement of a child.
   void extend(const Front& child, const float* complement, const DenseView& dense);
-  DenseView lower(std::size_t front) const;
-  DenseView right(std::size_t front) const;
+  /// Factors of a front: both triangles of its own cells, the rows of L below them, and the columns
+  /// of U on their right, transposed.
+  struct Parts {
+    DenseView own, below, right;
+  };
+  Parts parts(std::size_t front) const;
+  /// Stores the factors of a front, and its Schur complement.
+  void store(const DenseView& dense, const Front& front, const Parts& to);
 
   Dissection order_;
   std::vector<int> cells_;           // at each place
   std::vector<std::size_t> begins_;  // of the factors of each front
-  std::vector<float> factors_;
+  Singles factors_;
   std::vector<int> pivots_;     // row of its front that each place is exchanged with
   std::vector<int> exchanged_;  // of the present front
   std::vector<char> free_;
-  std::vector<int> local_;            // row of each place in the present front
-  std::vector<float> front_, stack_;  // present matrix; Schur complements that are not yet used
-  std::vector<float> values_, part_;  // of the solution; of a front
+  std::vector<int> local_;  // row of each place in the present front
+  Singles front_, stack_;   // present matrix; Schur complements that are not yet used
+  Singles values_, part_;   // of the solution; of a front
   PackedBlocks blocks_;
 };
 

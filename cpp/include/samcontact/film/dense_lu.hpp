@@ -6,11 +6,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "samcontact/base/aligned.hpp"
+
 namespace samcontact::film {
+
+using Singles = std::vector<float, AlignedAllocator<float>>;
+
+/// Numbers in the widest register.
+constexpr int lanes = 16;
 
 /// Memory that products of matrices reuse.
 struct PackedBlocks {
-  std::vector<float> left, right;
+  Singles left, right;
 };
 
 /// Part of a matrix, stored by columns.
@@ -36,12 +43,12 @@ void subtract_product(const DenseView& left, const DenseView& right, const Dense
 bool eliminate(const DenseView& matrix, const char* free, std::vector<int>& pivots,
                PackedBlocks& blocks);
 
-/// Forward substitution with the unit lower triangle of the first columns, all rows: x[0..columns)
-/// becomes the solution, and the rest is reduced by its product.
+/// Substitution with the unit lower, and the upper triangle of a square matrix.
 void substitute_forward(const DenseView& lower, float* x);
-/// x -= matrix y
-void subtract_product(const DenseView& matrix, const float* y, float* x);
-/// Backward substitution with the upper triangle of a square matrix.
 void substitute_backward(const DenseView& upper, float* x);
+/// x -= matrix y
+void subtract_columns(const DenseView& matrix, const float* y, float* x);
+/// x -= y matrix; the rows are a multiple of `lanes`.
+void subtract_dots(const DenseView& matrix, const float* y, float* x);
 
 }  // namespace samcontact::film
