@@ -110,7 +110,7 @@ REASONS = (
     ),
     Reason(
         "adhesion|attraction",
-        "Adhesion with heat, moments, free faces, or motion through the grid under partial slip.",
+        "Adhesion with heat, free faces, or motion through the grid under partial slip.",
     ),
     Reason(
         "inclusions",

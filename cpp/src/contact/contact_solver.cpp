@@ -73,10 +73,6 @@ void require_deformable(bool any) {
 void require_possible(const Grid& grid, const ContactLaw& law, const Field& gap,
                       const Drive& drive) {
   require_valid(drive, law, grid);
-  if (law.varies() && drive.tilts_freely()) {
-    throw std::invalid_argument(
-        "moment cannot be combined with an adhesion that depends on the gap: prescribe the tilt");
-  }
   require_below_mean(grid, gap, drive.normal);
 }
 

@@ -299,7 +299,6 @@ def test_friction_acts_on_the_repulsion_only():
     ("change", "message"),
     [
         ({"law": sc.Adhesion.exponential(W, 1e-11)}, "adhesion must be resolved by the grid"),
-        ({"solve": {"load": 1e-7, "moment": (1e-15, 0.0)}}, "moment cannot be combined"),
         ({"heat": sc.Heat(1e-3)}, "heat is not supported with adhesion"),
     ],
 )
@@ -311,7 +310,7 @@ def test_impossible_scenes_are_refused(change, message):
             grid, TIP, SOFT.with_thermal(50.0, 1e-5, 1e-5), change.get("friction", 0.0),
             adhesion=change.get("law", sc.Adhesion.jkr(W)), **more,
         ).solve(
-            sc.surfaces.paraboloid(grid, R), **change.get("solve", {"approach": 0.0})
+            sc.surfaces.paraboloid(grid, R), approach=0.0
         )  # fmt: skip
 
 

@@ -9,6 +9,7 @@
 #include "samcontact/base/reduce.hpp"
 #include "samcontact/contact/normal/drive.hpp"
 #include "samcontact/contact/normal/gap_descent.hpp"
+#include "samcontact/contact/normal/tilt_search.hpp"
 
 namespace samcontact::contact {
 namespace {
@@ -22,6 +23,9 @@ constexpr int max_steps = 200;
 constexpr double smallest_step = 1e-3;
 /// Iterations of a descent under a load, beyond which its approach is searched.
 constexpr int most_under_load = 200;
+/// First and largest change of a tilt in the search for moments: displacement at the edge of the
+/// contact, relative to the range of the attraction.
+constexpr double first_tilt = 0.01, largest_tilt = 3.0;
 /// Jumps of the load from branch to branch that a search follows.
 constexpr int max_jumps = 5;
 
@@ -196,6 +200,34 @@ AdhesiveContact::AdhesiveContact(const Grid& grid, const operators::SurfaceInflu
 
 Solution AdhesiveContact::solve(const Field& gap, const Drive& drive, const Field& initial_pressure,
                                 double tol, int max_iterations) const {
+  const auto held = [&](const Drive& by, const Field& from) {
+    return solve_held(gap, by, from, tol, max_iterations);
+  };
+  if (!drive.tilts_freely()) return held(drive, initial_pressure);
+  const double range = law_->largest_attraction() / law_->steepest_fall();
+  return find_tilts(surface_.grid(), drive, first_tilts(gap, drive, initial_pressure),
+                    initial_pressure, {first_tilt * range, largest_tilt * range}, tol, held);
+}
+
+AboutAxes AdhesiveContact::first_tilts(const Field& gap, const Drive& drive,
+                                       const Field& initial_pressure) const {
+  AboutAxes first = drive.held().tilt;
+  if (is_zero(initial_pressure)) return first;
+  Field displacement(surface_.size());
+  ComplexField work;
+  surface_.displace(surface_.padded(initial_pressure), displacement, work);
+  Field separation = surface_.over_grid(displacement);
+  for (std::size_t i = 0; i < gap.size(); ++i) separation[i] += gap[i];
+  const AboutAxes fitted = tilts_of(surface_.grid(), separation, initial_pressure);
+  for (int k = 0; k < 2; ++k) {
+    if (drive.tilt[k].is_force()) first[k] = fitted[k];
+  }
+  return first;
+}
+
+Solution AdhesiveContact::solve_held(const Field& gap, const Drive& drive,
+                                     const Field& initial_pressure, double tol,
+                                     int max_iterations) const {
   const Grid& grid = surface_.grid();
   Field tilted = gap;
   const RigidMotion held = drive.held();
