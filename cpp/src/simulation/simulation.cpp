@@ -106,6 +106,8 @@ void require_free_to_advance_along_y(const State& state) {
   const char* reason = "";
   if (setup.friction.sticks()) {
     reason = "with partial slip: use full sliding";
+  } else if (setup.inclusions[0] || setup.inclusions[1]) {
+    reason = "of bodies with inclusions, whose strain moves along x only: move along x";
   } else if (setup.is_strained(0) || setup.is_strained(1)) {
     reason = "of elastic-plastic bodies, whose strain moves along x only: use elastic bodies";
   } else if (setup.is_viscoelastic()) {
