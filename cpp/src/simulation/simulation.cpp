@@ -121,7 +121,7 @@ void require_free_to_advance_along_y(const State& state, const Travel& by) {
   if (setup.is_viscoelastic()) {
     reason = "of viscoelastic bodies, whose track is kept along x only: use elastic bodies";
   } else if (setup.inclusions[0] || setup.inclusions[1]) {
-    reason = "of bodies with inclusions, which move along x only: omit the inclusions";
+    reason = "of bodies with inclusions, whose strain moves along x only: move along x";
   } else if (!setup.reliefs[0].heights.empty() || !setup.reliefs[1].heights.empty()) {
     reason = "with relief1 or relief2, which move along x only: omit the relief";
   } else if (setup.grid.period.y > 0 && (strained || given)) {

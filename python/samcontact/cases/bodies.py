@@ -67,14 +67,12 @@ class _Body(Solid):
         return [*self.coating, self]
 
     @property
-    def phases(self) -> list[tuple[str, Solid]]:
-        """Names and sections of all inclusions."""
-        found: list[tuple[str, Solid]] = [
-            (f"inclusions[{number}]", one) for number, one in enumerate(self.inclusions or [])
-        ]
-        if self.random_inclusions is not None:
-            found.append(("random_inclusions", self.random_inclusions))
-        return found
+    def sections(self) -> dict[str, Any]:
+        """Sections of all materials by their place in the body."""
+        found: dict[str, Any] = {f".layers[{n}]": x for n, x in enumerate(self.coating)}
+        found |= {"": self} | {f".inclusions[{n}]": x for n, x in enumerate(self.inclusions or [])}
+        drawn = self.random_inclusions
+        return found if drawn is None else found | {".random_inclusions": drawn}
 
     @property
     def inelastic_laws(self) -> list[str]:

@@ -339,12 +339,7 @@ def require_no_layers(bodies: Iterable[tuple[str, BodySection]], section: str) -
 
 def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None:
     """Raise ValueError for thermal constants or softening that have no effect without heat."""
-    named = [
-        (name if part is body else f"{name}.layers[{number}]", part)
-        for name, body in bodies
-        for number, part in enumerate(body.parts)
-    ]
-    named += [(f"{name}.{place}", part) for name, body in bodies for place, part in body.phases]
+    named = [(name + at, part) for name, body in bodies for at, part in body.sections.items()]
     for name, part in named:
         softening: Any = getattr(part, "softening", None)
         if getattr(part, "thermal", None) is not None:
@@ -361,8 +356,8 @@ def _require_zones(case: Any) -> None:
     layered = any(b.coating and (b.is_plastic or b.has_inclusions) for b in bodies)
     if layered and changed(case.contact, ["zones"]):
         raise ValueError(
-            "contact.zones is not supported for elastic-plastic layered bodies and layers with "
-            "inclusions, which always use a single plastic subdomain: omit zones"
+            "contact.zones is not supported for layers that yield or have inclusions, which always "
+            "use a single plastic subdomain: omit zones"
         )
 
 

@@ -32,6 +32,7 @@ FIRST_CASES = {
     "coating": "c1_coated_contact",
     "coating_wear": "w3_coated_wear",
     "inclusion": "i1_oxide_below_raceway",
+    "microstructure": "i2_random_oxides",
     "rough": "w2_running_in",
     "rubber": "p2_rubber_friction",
     "fretting": "s1_fretting_ball",

@@ -12,6 +12,7 @@ from .._util.display import quantity
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
 from ..bodies.layered import Body
+from ..bodies.layers import Layered
 
 if TYPE_CHECKING:
     from ..problem.grid import Grid
@@ -22,8 +23,12 @@ def require_worn_inclusions(*bodies: Body) -> None:
     for number, body in enumerate(bodies, 1):
         if not isinstance(body, Heterogeneous):
             continue
-        materials = (body.matrix, *(m for m in body.phases if m is not None))
-        if any(material.is_plastic for material in materials):
+        if isinstance(body.matrix, Layered):
+            raise ValueError(
+                f"body{number} must not have layers to wear with inclusions, got {body!r}: "
+                "inclusions come closer to the surface, but interfaces do not"
+            )
+        if body.is_plastic:
             raise ValueError(
                 f"body{number} must be elastic to wear with inclusions, got {body!r}: the plastic "
                 "strain of cells with inclusions cannot be moved up to the worn surface"

@@ -53,7 +53,7 @@ def heated(body, **more):
 
 
 def test_expansion_below_a_sliding_contact():
-    """With equal moduli the eigenstrain is (alpha1 - alpha0) T, with the effect of a given one."""
+    """Eigenstrain (alpha1 - alpha0) T with equal moduli, and the effect of a given one."""
     inside = np.zeros((21, 21, 12), int)
     inside[6:14, 8:13, 2:7] = 1
     corner = (-10.5 * H, -10.5 * H, 0.0)
