@@ -90,8 +90,8 @@ TEST_CASE("blocks are eliminated as in a dense matrix") {
       // Rounding of single precision, relative to the terms of each row.
       const Eigen::VectorXd found =
           Eigen::Map<Eigen::VectorXf>(x.data(), full.rows()).cast<double>();
-      const Eigen::ArrayXd size = full.cwiseAbs() * found.cwiseAbs();
-      const double error = ((full * found - right).array() / size).abs().maxCoeff();
+      const Eigen::VectorXd size = full.cwiseAbs() * found.cwiseAbs();
+      const double error = ((full * found - right).array() / size.array()).abs().maxCoeff();
       CHECK(error < (needs_pivots ? 1e-3 : 1e-5));
     }
   }

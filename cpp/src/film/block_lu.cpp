@@ -25,10 +25,10 @@ BlockLu::BlockLu(const Lattice& lattice, int reach)
   }
 }
 
-BlockLu::Parts BlockLu::parts(std::size_t front) const {
+BlockLu::Parts BlockLu::parts(std::size_t front) {
   const Front& of = order_.fronts[front];
   const int rest = padded(of.boundary.size());
-  float* begin = const_cast<float*>(factors_.data()) + begins_[front];
+  float* begin = factors_.data() + begins_[front];
   const DenseView own{begin, of.count, of.count, of.count};
   const DenseView below{own.column(of.count), rest, of.count, rest};
   return {own, below, {below.column(of.count), rest, of.count, rest}};

@@ -30,7 +30,7 @@ using Loose [[gnu::vector_size(tile_rows * sizeof(float)), gnu::may_alias, gnu::
 
 int groups(int count, int width) { return (count + width - 1) / width; }
 
-/// Copies a part to strips of `width` rows (of the transposed part: columns), filled up by zeros.
+/// Copies a part to strips of as many rows, or columns, as a tile has, filled up by zeros.
 void pack_rows(const DenseView& from, Singles& to) {
   to.resize(static_cast<std::size_t>(groups(from.rows, tile_rows)) * tile_rows * from.columns);
   float* next = to.data();
@@ -239,9 +239,7 @@ void subtract_columns(const DenseView& matrix, const float* y, float* x) {
     const float* column = matrix.column(j);
     const float factor = y[j];
 #pragma omp simd
-    for (int i = 0; i < matrix.rows; ++i) {
-      x[i] -= factor * column[i];
-    }
+    for (int i = 0; i < matrix.rows; ++i) x[i] -= factor * column[i];
     for (int i = 0; i < matrix.rows; i += lanes) __builtin_prefetch(column + i + ahead);
   }
 }
@@ -250,7 +248,7 @@ SAMCONTACT_MULTIVERSION
 void subtract_dots(const DenseView& matrix, const float* y, float* x) {
   for (int j = 0; j < matrix.columns; ++j) {
     const float* column = matrix.column(j);
-    Lanes sums[2] = {};
+    Lanes sums[2] = {};  // so that an addition need not wait for the last one
     int i = 0;
     for (; i + lanes < matrix.rows; i += 2 * lanes) {
       sums[0] +=

@@ -12,6 +12,10 @@ namespace {
 constexpr int max_steps = 12;
 /// Neighbours of a cell on each side: of a plane, and of a line contact.
 constexpr int reach_of_plane = 1, reach_of_line = 2;
+/// Share of the pressure due to a uniform displacement that is taken from the nearest coefficients:
+/// on a plane this pressure tends to zero, but a few coefficients around the cell leave a rest,
+/// which would be too stiff for long waves.
+constexpr double uniform_share = 0.8;
 
 double dot(const Field& a, const Field& b) { return ordered_dot(a.data(), b.data(), a.size()); }
 
@@ -30,6 +34,11 @@ ElasticFilm::ElasticFilm(const Grid& grid, const operators::SurfaceInfluence& in
       if (at < 0 || (grid.ny == 1 && b != 0)) continue;
       nearest_.push_back({a, b, found[at]});
     }
+  }
+  double uniform = 0.0;
+  for (const Neighbour& near : nearest_) uniform += near.stiffness;
+  for (Neighbour& near : nearest_) {
+    if (near.along_x == 0 && near.along_y == 0) near.stiffness -= uniform_share * uniform;
   }
 }
 

@@ -23,7 +23,8 @@ void Star::add_product(const Field& field, Field& sum) const {
 #pragma omp parallel for schedule(static) if (lattice_.size() > 20'000)
   for (int i = 0; i < lattice_.nx(); ++i) {
     for (int slot = 0; slot < entries; ++slot) {
-      const auto [di, dj] = offset(slot);
+      const std::array<int, 2> step = offset(slot);
+      const int di = step[0], dj = step[1];
       if (i + di < 0 || i + di >= lattice_.nx()) continue;
       const std::size_t row = static_cast<std::size_t>(i) * ny;
       const double* values = values_[slot].data() + row;

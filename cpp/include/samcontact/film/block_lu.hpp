@@ -65,7 +65,7 @@ class BlockLu {
   struct Parts {
     DenseView own, below, right;
   };
-  Parts parts(std::size_t front) const;
+  Parts parts(std::size_t front);
   /// Stores the factors of a front, and its Schur complement.
   void store(const DenseView& dense, const Front& front, const Parts& to);
 

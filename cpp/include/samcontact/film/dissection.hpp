@@ -13,7 +13,7 @@ namespace samcontact::film {
 struct Front {
   int first, count;           // places in the order
   std::vector<int> boundary;  // later places that they are coupled with, ascending
-  std::vector<int> children;  // fronts whose boundary begins in this one
+  std::vector<int> children;  // fronts before it, whose boundaries it contains
   int size() const { return count + static_cast<int>(boundary.size()); }
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Linear system of a Newton step of a film: flow, elasticity, boundary layer and load, solved by
 // GMRES. Preconditioner: with the film instead of the pressure as the unknown the flow is nearly
-// local, and is solved with the nearest coefficients of the inverse elastic operator by a sparse
-// LU decomposition; the pressure of this film follows from conjugate gradients.
+// local, and is solved with the nearest coefficients of the inverse elastic operator by an LU
+// decomposition in blocks; the pressure of this film follows from conjugate gradients.
 #pragma once
 
 #include <vector>
