@@ -230,8 +230,8 @@ def jkr_profile(
 ) -> ProfileContact:
     """Return the contact of an axisymmetric profile with adhesion of short range.
 
-    The contact is a circle: the profile rises, or the pressure closes its waves (Guduru 2007,
-    doi:10.1016/j.jmps.2006.09.003).
+    The contact area must be a full circle: either the slope is positive everywhere, or the pressure
+    flattens the waves of the profile (Guduru 2007, doi:10.1016/j.jmps.2006.09.003).
 
     Parameters
     ----------

@@ -278,9 +278,9 @@ class Bearing:
     ) -> float:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
-        The load follows from `element_loads`. If the clearance is unknown, the load is at least the
-        load by Stribeck's rule, which assumes a usual clearance. Under a radial load alone, the
-        load by Stribeck's rule is returned.
+        If the clearance is known, this is the maximum of `element_loads`. If it is unknown, the
+        load by Stribeck's rule, which assumes a usual clearance, is returned for a purely radial
+        load; for other loads, the larger one of this load and the maximum of `element_loads`.
         """
         least = 0.0
         if self.clearance is None:

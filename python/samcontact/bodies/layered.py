@@ -44,7 +44,7 @@ def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
 
 
 def require_homogeneous(reason: str, *bodies: Any) -> None:
-    """Require bodies that are a Material without free faces.
+    """Raise an error unless each body is a Material without free faces.
 
     Raises ValueError with the reason for layers and inclusions, ValueError for free faces, and
     TypeError for anything else.

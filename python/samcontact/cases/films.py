@@ -79,7 +79,7 @@ class FilmCase(FilmDescription):
         return _hertz.line(straight[0], E_star, load_per_length=load / length)
 
     def ellipse(self, load: float) -> _hertz.EllipticContact | None:
-        """Return the dry Hertz contact of surfaces with two finite radii; None for others.
+        """Return the dry Hertz contact of surfaces with two finite radii; None for other surfaces.
 
         load [N], > 0.
         """

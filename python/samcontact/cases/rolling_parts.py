@@ -263,7 +263,7 @@ def _tables(given: Any) -> list[Any]:
 
 
 def with_surface(content: Any) -> Any:
-    """Return the content of a case file with [surface] for [roller] or [bearing]."""
+    """Return the content of a case file, with [roller] or [bearing] rewritten as [surface]."""
     if not isinstance(content, Mapping):
         return content
     found: dict[str, Any] = dict(content)
@@ -281,7 +281,7 @@ def with_surface(content: Any) -> Any:
 
 
 def in_full(content: Any) -> Any:
-    """Return the content of a case file with [surface] for [roller] or [bearing], and with a path.
+    """Return the content of `with_surface`, with a path added for a bearing that has none.
 
     Without [[path]], the contact of a bearing is loaded; elastic-plastic bodies are also unloaded.
     """

@@ -108,7 +108,7 @@ class EshelbySphere(HtmlTable):
 
     @property
     def concentration(self) -> float:
-        """Maximum von Mises stress of the matrix, relative to the remote one; inf without one."""
+        """Maximum von Mises stress of the matrix over the remote one; inf if that is 0."""
         remote = float(von_mises(self.remote_stress))
         return self.max_von_mises / remote if remote > 0.0 else float("inf")
 

@@ -238,8 +238,9 @@ def _warn_unless_soft(found: FilmGroups) -> None:
 def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
     """Return the ratio of the film with inlet heating to the isothermal film, in pure rolling [-].
 
-    speed: (u1, u2) along x [m/s]; lubricant: with thermal constants. With the mean speed u, 3.94/
-    (3.94 + L^0.62) with L = beta eta0 u^2/k: Murch & Wilson (1975), J. Lubr. Technol. 97, 212-216.
+    speed: (u1, u2) along x [m/s]; lubricant: with thermal constants. The ratio is 3.94/(3.94 +
+    L^0.62) with L = beta eta0 u^2/k and the mean speed u (Murch & Wilson 1975, J. Lubr. Technol.
+    97, 212-216).
     Raises ValueError without thermal constants.
     """
     require_type("lubricant", lubricant, Lubricant)

@@ -212,7 +212,7 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
 
 
 def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> dict[str, Any]:
-    """Return the start of a full film: the dry pressure, or a wider one under a light load."""
+    """Return the initial film and pressure: those of dry contact, wider under a light load."""
     pressure = dry.pressure
     peak = int(np.argmax(pressure))
     # half-width of the film at which the gap of the surfaces has grown by itself

@@ -161,7 +161,7 @@ def transient(
 def standing_on(film: FilmSolution, gap: FloatArray) -> FilmSolution:
     """Return a steady film as the start of a history in which the reliefs of its gap move.
 
-    gap: that of the film without the reliefs [m].
+    gap: gap of the film without the reliefs [m].
     """
     peak = float(film.pressure.max())
     return replace(film, past=FilmPast(0.0, np.zeros((2, 2)), film.content, gap, peak))

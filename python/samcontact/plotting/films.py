@@ -194,7 +194,7 @@ def interferogram(
         np.linspace(along[0], along[-1], intensity.shape[0]),
         intensity, cmap="gray", vmin=0.0, vmax=1.0, rasterized=True, shading="nearest",
     )  # fmt: skip
-    add_to_title(ax, f"λ {quantity(wave, 'm')}, n {index:g}")
+    add_to_title(ax, f"wavelength {quantity(wave, 'm')}, refractive index {index:g}")
     return finish(ax)
 
 
@@ -280,8 +280,8 @@ def regime_chart(
     ax.plot([M], [max(L, oils[0])], "ko", markersize=5)
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_xlabel("load M [-]")
-    ax.set_ylabel("lubricant L [-]")
+    ax.set_xlabel("load number M [-]")
+    ax.set_ylabel("lubricant number L [-]")
     ax.set_title(f"{here}, $a_y/a_x$ = {found.k:.3g}", fontsize="medium")
     return finish(ax)
 
