@@ -46,8 +46,9 @@ void pack_rows(const DenseView& from, Singles& to) {
 void pack_columns(const DenseView& from, Singles& to) {
   to.resize(static_cast<std::size_t>(groups(from.columns, tile_columns)) * tile_columns *
             from.rows);
+  const std::ptrdiff_t strip = static_cast<std::ptrdiff_t>(tile_columns) * from.rows;
   float* next = to.data();
-  for (int j = 0; j < from.columns; j += tile_columns, next += tile_columns * from.rows) {
+  for (int j = 0; j < from.columns; j += tile_columns, next += strip) {
     for (int b = 0; b < tile_columns; ++b) {
       const float* column = j + b < from.columns ? from.column(j + b) : nullptr;
       for (int k = 0; k < from.rows; ++k) {

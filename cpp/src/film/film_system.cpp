@@ -22,11 +22,11 @@ double largest(const double* values, std::size_t n) {
   return largest_of(n, [&](std::size_t i) { return std::fabs(values[i]); });
 }
 
-}  // namespace
-
 /// Distance of cells that the preconditioner couples. The few coefficients of a plane that reach
 /// further are small: the pressure changes the density of the film that leaves a cell.
-static int coupled(const Lattice& lattice) { return lattice.ny() > 1 ? 2 : 4; }
+int coupled(const Lattice& lattice) { return lattice.ny() > 1 ? 2 : 4; }
+
+}  // namespace
 
 FilmSystem::FilmSystem(const Grid& grid, ElasticFilm& elastic)
     : lattice_(grid),

@@ -26,8 +26,8 @@ struct DenseView {
   int rows, columns, stride;
 
   float* column(int j) const { return values + static_cast<std::ptrdiff_t>(j) * stride; }
-  DenseView part(int row, int rows_, int first, int columns_) const {
-    return {column(first) + row, rows_, columns_, stride};
+  DenseView part(int row, int row_count, int from_column, int column_count) const {
+    return {column(from_column) + row, row_count, column_count, stride};
   }
 };
 

@@ -81,7 +81,7 @@ class TiltSearch {
     }
     const double mean = force > 0 ? (x * x + y * y) / force : 0.0;
     size_ = force > 0 ? std::sqrt(std::max(second - mean, 0.0) / force) : 0.0;
-    size_ = std::max(size_, std::max(grid_.dx, grid_.dy));
+    size_ = std::max({size_, grid_.dx, grid_.dy});
     double given = 0.0;
     for (const int k : free_) given = std::max(given, std::fabs(drive_.tilt[k].value));
     scale_ = std::max(force * size_, given);
