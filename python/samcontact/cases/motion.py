@@ -33,6 +33,8 @@ from .surface_shape import SelfAffineRoughness
 from .tilting import TILTING_FIELDS, TiltingSection
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from ..problem.grid import Grid
 
 
@@ -83,6 +85,11 @@ class Sliding(_Passes):
     slider: BodyNumber = 1
 
 
+def start_unit(segment: Mapping[str, Any]) -> str:
+    """Return the unit of `start` of a segment: N with `load`, m with `approach`."""
+    return "N" if "load" in segment else "m"
+
+
 class Segment(TiltingSection):
     """[[path]]: ramp of load or approach from the previous value, or passes at a constant value."""
 
@@ -112,7 +119,7 @@ class Segment(TiltingSection):
         if not isinstance(data, dict) or not isinstance(data.get("start"), str):
             return data
         try:
-            return data | {"start": convert(data["start"], "N" if "load" in data else "m")}
+            return data | {"start": convert(data["start"], start_unit(data))}
         except ValueError as error:
             raise ValueError(f"start {error}") from error
 

@@ -17,6 +17,7 @@ from ..accuracy.error_rows import error_rows
 from ..accuracy.grid_errors import increments_note
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..cases.field_units import field_unit
+from ..cases.motion import start_unit
 from ..problem.friction import law_of_attributes
 from ..results.against_hertz import hertz_rows
 from ..results.slipping import balance_of, moved_along
@@ -94,7 +95,9 @@ def _rows(section: str, fields: dict[str, Any]) -> list[Row]:
     for name, value in fields.items():
         parts = value if isinstance(value, list) else [value]
         if not isinstance(parts[0], dict):
-            plain.append(Row(section, name, _value(value, field_unit(f"{top}.{name}"))))
+            is_start = top == "path" and name == "start"
+            unit = start_unit(fields) if is_start else field_unit(f"{top}.{name}")
+            plain.append(Row(section, name, _value(value, unit)))
             continue
         for number, part in enumerate(parts, 1):
             of = f"{name}, part {number}" if parts is value else name

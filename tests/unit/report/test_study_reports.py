@@ -202,3 +202,9 @@ def test_parameters_of_nested_sections():
     rows = parameters(SimpleNamespace(attrs={"case": text}))
     assert ("body2, kinematic", "modulus", "2 GPa, 1 GPa") in rows
     assert ("body2, kinematic", "recovery", "30") in rows
+
+
+def test_start_has_the_unit_of_its_target():
+    text = MINIMAL + "\n[[path]]\napproach = 6e-9\nstart = -14e-9\n[[path]]\nload = 2\nstart = 1\n"
+    rows = parameters(SimpleNamespace(attrs={"case": text}))
+    assert [row[2] for row in rows if row[1] == "start"] == ["-14 nm", "1 N"]
