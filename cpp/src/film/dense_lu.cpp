@@ -133,16 +133,16 @@ class Elimination {
   /// Decomposes the columns [first, end) from row `first` on.
   bool decompose(int first, int end) const {
     if (end - first <= narrow) return decompose_narrow(first, end);
-    const int middle = (first + end) / 2, left = middle - first, right = end - middle;
+    const int middle = (first + end) / 2, done = middle - first, rest = end - middle;
     if (!decompose(first, middle)) return false;
-    exchange_rows(all_rows(middle, right), pivots_, first, middle);
-    const DenseView across = matrix_.part(first, left, middle, right);
+    exchange_rows(all_rows(middle, rest), pivots_, first, middle);
+    const DenseView across = matrix_.part(first, done, middle, rest);
     const int below = matrix_.rows - middle;
-    solve_lower(matrix_.part(first, left, first, left), across, blocks_);
-    subtract_product(matrix_.part(middle, below, first, left), across,
-                     matrix_.part(middle, below, middle, right), blocks_);
+    solve_lower(matrix_.part(first, done, first, done), across, blocks_);
+    subtract_product(matrix_.part(middle, below, first, done), across,
+                     matrix_.part(middle, below, middle, rest), blocks_);
     if (!decompose(middle, end)) return false;
-    exchange_rows(all_rows(first, left), pivots_, middle, end);
+    exchange_rows(all_rows(first, done), pivots_, middle, end);
     return true;
   }
 

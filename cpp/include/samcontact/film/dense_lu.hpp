@@ -26,8 +26,8 @@ struct DenseView {
   int rows, columns, stride;
 
   float* column(int j) const { return values + static_cast<std::ptrdiff_t>(j) * stride; }
-  DenseView part(int row, int row_count, int from_column, int column_count) const {
-    return {column(from_column) + row, row_count, column_count, stride};
+  DenseView part(int top, int height, int side, int width) const {
+    return {column(side) + top, height, width, stride};
   }
 };
 
