@@ -273,20 +273,11 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         key = (grid.nx, grid.ny, grid.nz, grid.dx, grid.dy, grid.dz, grid.periodic)
         known: dict[Any, InclusionCells] = self.__dict__.setdefault("_known", {})
         if key not in known:
-            around = [self.material_around(number) for number in range(len(self.phases))]
+            around = [material_around(self, number) for number in range(len(self.phases))]
             found = mixed_cells(grid, around, self.inclusions, self.measured)
             known.clear()  # the cells of one grid are enough
             known[key] = found
         return known[key]
-
-    def material_around(self, number: int) -> Material:
-        """Material of the matrix around a phase, see `phases`."""
-        if not isinstance(self.matrix, Layered):
-            return self.matrix
-        if number < len(self.inclusions):
-            return self.matrix.material_at(max(self.inclusions[number].center[2], 0.0))
-        assert self.measured is not None
-        return self.matrix.material_at(self.measured.mid_depth)
 
     def fraction_on(self, grid: VolumeGrid) -> FloatArray:
         """Fraction of each cell of the grid that is filled by inclusions [-].
@@ -348,3 +339,13 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         few = len(self.inclusions) <= _MAX_SHOWN
         shown = repr(list(self.inclusions)) if few else f"<{len(self.inclusions)} inclusions>"
         return f"Heterogeneous({self.matrix!r}, {shown}{voxels})"
+
+
+def material_around(body: Heterogeneous, number: int) -> Material:
+    """Material of the matrix around a phase of a body, see `Heterogeneous.phases`."""
+    if not isinstance(body.matrix, Layered):
+        return body.matrix
+    if number < len(body.inclusions):
+        return body.matrix.material_at(max(body.inclusions[number].center[2], 0.0))
+    assert body.measured is not None
+    return body.matrix.material_at(body.measured.mid_depth)

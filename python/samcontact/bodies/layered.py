@@ -14,7 +14,7 @@ from .._util.checks import BoolArray, FloatArray, require_type
 from .._util.short_text import in_short
 from .free_faces import require_endless
 from .heterogeneous import Heterogeneous
-from .layers import Layered
+from .layers import Layered, layers_at
 from .material import Material
 
 Body = Material | Layered | Heterogeneous
@@ -126,7 +126,7 @@ def materials_at(body: Body, depths: FloatArray) -> Iterator[tuple[Material, Boo
     """Iterate over a body's materials, each with a mask of the given depths [m] that lie in it."""
     body = matrix_of(body)
     if isinstance(body, Layered):
-        yield from body.materials_at(depths)
+        yield from layers_at(body, depths)
     else:
         yield body, np.ones(np.shape(depths), dtype=bool)
 

@@ -175,12 +175,6 @@ class Layered(HtmlTable):
         below = int(np.searchsorted(self.interfaces, depth, side="right"))
         return self.materials[below]
 
-    def materials_at(self, depths: FloatArray) -> Iterator[tuple[Material, BoolArray]]:
-        """Iterate over the materials, each with a mask of the given depths [m] that lie in it."""
-        numbers = np.searchsorted(self.interfaces, depths, side="right")
-        for number, material in enumerate(self.materials):
-            yield material, numbers == number
-
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
         """Initial yield stress [Pa] at depths z [m], same shape; infinite in elastic materials.
 
@@ -201,7 +195,7 @@ class Layered(HtmlTable):
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
         """Fill `out` with `of(material, depths)`; its last axes are the axes of `depths` [m]."""
-        for material, there in self.materials_at(depths):
+        for material, there in layers_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out
 
@@ -242,3 +236,10 @@ class Layered(HtmlTable):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state)
+
+
+def layers_at(body: Layered, depths: FloatArray) -> Iterator[tuple[Material, BoolArray]]:
+    """Iterate over the materials of a layered body, each with a mask of the depths [m] in it."""
+    numbers = np.searchsorted(body.interfaces, depths, side="right")
+    for number, material in enumerate(body.materials):
+        yield material, numbers == number

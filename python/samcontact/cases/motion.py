@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from .. import dents, measured, paths
-from ..paths.ramps import fractions
+from ..paths.ramps import fractions, start_unit
 from ..problem.moving_topography import Relief
 from .base import (
     BodyNumber,
@@ -33,8 +33,6 @@ from .surface_shape import SelfAffineRoughness
 from .tilting import TILTING_FIELDS, TiltingSection
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
     from ..problem.grid import Grid
 
 
@@ -83,11 +81,6 @@ class Sliding(_Passes):
     """Sliding of one body over the other, see `paths.sliding`."""
 
     slider: BodyNumber = 1
-
-
-def start_unit(segment: Mapping[str, Any]) -> str:
-    """Return the unit of `start` of a segment: N with `load`, m with `approach`."""
-    return "N" if "load" in segment else "m"
 
 
 class Segment(TiltingSection):

@@ -14,6 +14,7 @@ from typing import Protocol
 import numpy as np
 
 from .._util.checks import FloatArray
+from ..solutions.moving_state import require_path_along_x
 from ..solutions.state import State
 
 
@@ -73,7 +74,7 @@ class StatePaths:
     @classmethod
     def of(cls, states: Sequence[State], body: int) -> StatePaths:
         for state in states:
-            state.require_path_along_x(body)
+            require_path_along_x(state, body)
         firsts = [state._core.first_cell[body - 1] for state in states]
         grid = states[0].grid
         rows = min(firsts) + grid.nx - max(firsts)

@@ -17,7 +17,7 @@ from .._util.display import HtmlTable, Rows, ShortRepr, quantity
 from .._util.frozen import read_only
 from .._util.short_text import in_short
 from .._util.tensors import von_mises
-from ..bodies.heterogeneous import Heterogeneous
+from ..bodies.heterogeneous import Heterogeneous, material_around
 from ..fatigue.field import FatigueField
 from ..problem.grid import Grid
 from .interface import Interface, interface_of
@@ -104,7 +104,7 @@ class FineBox(ShortRepr, HtmlTable):
             total = self.eigenstrain[:, mine].sum(axis=1) / self.share[mine].sum()
             inclusion = self.body.inclusions[n]
             found.append(
-                interface_of(number_, inclusion, inner, total, self.body.material_around(0))
+                interface_of(number_, inclusion, inner, total, material_around(self.body, 0))
             )
         return found
 

@@ -19,7 +19,7 @@ from .._util.checks import FloatArray, choice, finite_array, integer, require_ty
 from .._util.display import HtmlTable, Rows, quantity
 from .._util.short_text import in_short
 from .._util.tensors import von_mises
-from ..bodies.heterogeneous import Heterogeneous
+from ..bodies.heterogeneous import Heterogeneous, material_around
 from ..bodies.inclusion import Inclusion
 from ..bodies.material import Material
 from ..solutions.state import State
@@ -194,7 +194,7 @@ def interfaces(
             if numbers is None:
                 continue
             raise ValueError(f"numbers must be inclusions inside the fields, got {at}")
-        around = described.material_around(at)
+        around = material_around(described, at)
         found.append(interface_of(at, described.inclusions[at], *means.of(at), around))
     return found
 

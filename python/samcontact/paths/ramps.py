@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from typing import Any
 
 import numpy as np
@@ -34,6 +34,11 @@ def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
     if spacing == "power":
         parts = parts ** positive("exponent", exponent)
     return parts
+
+
+def start_unit(targets: Container[str]) -> str:
+    """Return the unit of the start of a ramp with some targets: N for load, m for approach."""
+    return "N" if "load" in targets else "m"
 
 
 def _steps(name: str, start: float, end: float, parts: FloatArray) -> Path:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .._util.checks import BoolArray
-from ..bodies.heterogeneous import Heterogeneous
+from ..bodies.heterogeneous import Heterogeneous, material_around
 from ..bodies.inclusion_cells import InclusionCells
 from ..bodies.layered import Body, backstresses_of, materials_of
 from ..bodies.material import Material
@@ -55,7 +55,7 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
 def _differs(cells: InclusionCells, body: Heterogeneous) -> BoolArray:
     """Whether a cell differs from the matrix in its moduli, misfit strain or yield law."""
     own_law = np.array([
-        material is None or not _flows_like(material, body.material_around(number))
+        material is None or not _flows_like(material, material_around(body, number))
         for number, material in enumerate(body.phases)
     ])  # fmt: skip
     filled = cells.share > 0.0

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from .._util.checks import BoolArray, FloatArray
-from ..bodies.heterogeneous import Heterogeneous
+from ..bodies.heterogeneous import Heterogeneous, material_around
 from ..bodies.inclusion_cells import InclusionCells
 from ..bodies.layered import backstresses_of
 from ..bodies.phase_mixing import relative_phase
@@ -34,7 +34,7 @@ def set_two_phases(
     misfits += [(0.0,) * 6] * (len(body.phases) - len(misfits))
     cut = np.nonzero(cells.is_cut)
     numbers, of_cell = np.unique(cells.phase[cut], return_inverse=True)
-    phases = [relative_phase(body.material_around(n), body.phases[n], misfits[n]) for n in numbers]
+    phases = [relative_phase(material_around(body, n), body.phases[n], misfits[n]) for n in numbers]
     constants = np.array([(*phase[:2], *phase.misfit, phase.expansion) for phase in phases])
     constants = constants.reshape(-1, 9)
     ratios = constants[:, :2]

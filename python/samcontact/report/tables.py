@@ -17,7 +17,7 @@ from ..accuracy.error_rows import error_rows
 from ..accuracy.grid_errors import increments_note
 from ..bodies.depth_profiles import PROFILE_ARGUMENTS
 from ..cases.field_units import field_unit
-from ..cases.motion import start_unit
+from ..paths.ramps import start_unit
 from ..problem.friction import law_of_attributes
 from ..results.against_hertz import hertz_rows
 from ..results.slipping import balance_of, moved_along

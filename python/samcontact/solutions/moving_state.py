@@ -32,15 +32,6 @@ class MovingState:
         """Whether a body is displaced through the contact, along x or y."""
         return any((*self.travel, *self.lateral_travel))
 
-    def require_path_along_x(self, body: int) -> None:
-        """Raise ValueError for fields along the path of a body that is displaced along y."""
-        if self.lateral_travel[body - 1] != 0.0:
-            raise ValueError(
-                "states must not be displaced along y for fields along the path on a body, got "
-                f"{self.lateral_travel[body - 1]:.6g} m for body {body}: use the fields of the "
-                "states, on their grids"
-            )
-
 
 def rows_of_travel(state: MovingState) -> Rows:
     """Return the table rows of the travel of bodies that moved, along x and along y."""
@@ -49,3 +40,13 @@ def rows_of_travel(state: MovingState) -> Rows:
         if any(travels):
             rows += [(f"travel{name}, body {n}", quantity(travels[n - 1], "m")) for n in (1, 2)]
     return rows
+
+
+def require_path_along_x(state: MovingState, body: int) -> None:
+    """Raise ValueError for fields along the path of a body that is displaced along y."""
+    if state.lateral_travel[body - 1] != 0.0:
+        raise ValueError(
+            "states must not be displaced along y for fields along the path on a body, got "
+            f"{state.lateral_travel[body - 1]:.6g} m for body {body}: use the fields of the "
+            "states, on their grids"
+        )

@@ -21,7 +21,7 @@ from ..problem.heating import softening_of
 from ..problem.setup import SimulationSetup
 from .inclusion_state import InclusionState
 from .interface_stress import layered_body, stress_at_interfaces
-from .moving_state import MovingState, rows_of_travel
+from .moving_state import MovingState, require_path_along_x, rows_of_travel
 from .surface_state import SurfaceState, rows_along_surface
 from .track import Track
 from .zone import Zone, ZoneStress
@@ -142,7 +142,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         Track
             Fields are computed on access; MemoryError if the available memory is too small.
         """
-        self.require_path_along_x(choice("body", body, (1, 2)))
+        require_path_along_x(self, choice("body", body, (1, 2)))
         cells = self.grid.nx // 4 if margin is None else integer("margin", margin, 0)
         if cells > MAX_CELLS_ALONG_AXIS // 4:
             raise ValueError(f"margin must be <= {MAX_CELLS_ALONG_AXIS // 4} cells, got {cells}")

@@ -144,10 +144,9 @@ def test_rolling_comes_to_the_steady_state_of_its_creepages():
 
 
 def test_cells_twice_as_large_take_twice_the_motion():
-    grid = sc.Grid(8, 8, 1e-5, 1e-5)
     step = {"load": 1.0, "advance": (1.001e-5, 1e-5), "shift": (None, 2e-8), "twist": 1e-6}
     step["tangential_load"] = (0.1, None)
-    halved, which = coarsening.coarser_path([step] * 4, grid)
+    halved, which = coarsening.coarser_path([step] * 4, (1e-5, 1e-5))
     assert which == [0, 0, 1, 1]
     assert halved[0] == step | {
         "advance": (2.002e-5, 2e-5), "shift": (None, 4e-8), "twist": 2e-6
