@@ -82,8 +82,8 @@ Spare& spare() {
 
 /// Fields placed side by side in regions on huge pages. A solve allocates dozens of fields; the
 /// system would hand out and clear every small page of each, up to a third of the time of a first
-/// solve. One region without fields is kept for the next solve, which adds nothing to the maximum
-/// memory.
+/// solve. Regions without fields are kept for the next solve, and all but one of them are released
+/// before the system is asked for a large field, which adds nothing to the maximum memory.
 class Regions {
  public:
   /// Smaller fields cost little, and larger ones deserve huge pages of their own: few of them would
@@ -129,8 +129,12 @@ class Regions {
         hole = before;
       }
     }
-    if (hole->second == region) release_others(at->first);
+    if (hole->second == region) release_empty(max_empty);
     return true;
+  }
+  void release_all_but_one() {
+    const std::lock_guard lock(mutex_);
+    release_empty(1);
   }
 
   void lock() { mutex_.lock(); }
@@ -141,6 +145,8 @@ class Regions {
 
   static constexpr std::size_t smallest = std::size_t{1} << 16, largest = std::size_t{1} << 24;
   static constexpr std::size_t region = std::size_t{1} << 27;
+  /// A solve with inclusions far from the contact fills two regions.
+  static constexpr int max_empty = 2;
 
   /// Leaves one cache line between fields, so that equal indices do not compete for one cache set.
   static std::size_t rounded(std::size_t bytes) { return (bytes + 2 * line - 1) / line * line; }
@@ -156,11 +162,11 @@ class Regions {
     return nullptr;
   }
 
-  /// Releases all empty regions except `kept`.
-  void release_others(const char* kept) {
+  /// Releases empty regions except the first ones.
+  void release_empty(int kept) {
     for (auto at = regions_.begin(); at != regions_.end();) {
       const bool empty = !at->second.empty() && at->second.begin()->second == region;
-      if (!empty || at->first == kept) {
+      if (!empty || kept-- > 0) {
         ++at;
         continue;
       }
@@ -203,7 +209,10 @@ void* allocate_bytes(std::size_t bytes) {
     if (void* kept = spare().take(bytes)) return kept;
   }
   if (p == nullptr) {
-    if (bytes >= worth_huge_pages) spare().release();
+    if (bytes >= worth_huge_pages) {
+      spare().release();
+      regions().release_all_but_one();
+    }
     p = from_system(bytes);
   }
   touch(static_cast<char*>(p), bytes);

@@ -46,6 +46,13 @@ Matrix isotropic(double bulk, double shear) {
   return m;
 }
 
+/// The product of such a matrix.
+Vector isotropic(double bulk, double shear, const Vector& v) {
+  Vector product = shear * v;
+  product.head<3>().array() += (bulk - shear) / 3 * (v[0] + v[1] + v[2]);
+  return product;
+}
+
 /// Strain sym(a n) of a jump a.
 Jump jumps(const std::array<double, 3>& n) {
   constexpr double h = 1 / std::numbers::sqrt2;
@@ -54,6 +61,33 @@ Jump jumps(const std::array<double, 3>& n) {
       h * n[0], 0;
   return b;
 }
+
+/// Tensors that are isotropic about an axis multiply four parts of a symmetric tensor separately:
+/// that along the axis together with the trace across it, the shear along the axis, and the
+/// deviator across it.
+struct Parts {
+  double along, trace;
+  Eigen::Vector3d shear;
+  Vector rest;
+
+  Parts(const Vector& t, const Eigen::Vector3d& n, const Jump& jumps) {
+    const Eigen::Vector3d on_plane = jumps.transpose() * t;
+    along = on_plane.dot(n);
+    trace = t[0] + t[1] + t[2] - along;
+    shear = on_plane - along * n;
+    rest = t - jumps * (2 * shear + along * n) - across(n, jumps) * (0.5 * trace);
+  }
+  Vector sum(const Eigen::Vector3d& n, const Jump& jumps) const {
+    return rest + jumps * (2 * shear + along * n) + across(n, jumps) * (0.5 * trace);
+  }
+
+ private:
+  static Vector across(const Eigen::Vector3d& n, const Jump& jumps) {
+    Vector one = -(jumps * n);
+    one.head<3>().array() += 1;
+    return one;
+  }
+};
 
 /// Radial return of a phase at a strain, with its derivative.
 struct Response {
@@ -93,6 +127,8 @@ class Laminate {
            const std::array<double, 2>& p, const Tensor& kept)
       : phases_(phases),
         share_(share),
+        p_(p),
+        normal_(normal[0], normal[1], normal[2]),
         jumps_(jumps(normal)),
         mean_weight_(isotropic(1 - p[0], 1 - p[1])),
         slope_weight_(
@@ -130,6 +166,49 @@ class Laminate {
     slope.bottomRightCorner<3, 3>() = jumps_.transpose() * ((1 - f) * b + f * a) * jumps_;
     return slope.partialPivLu().solve(state.residual);
   }
+  /// Unknowns of elastic phases: a single step, in closed form, from any others.
+  Unknowns elastic(const Unknowns& start) const {
+    const Unknowns residual = elastic_residual(start);
+    const double f = share_, both = f * (1 - f), K = phases_[0].bulk, G = phases_[0].shear,
+                 dK = phases_[1].bulk - K, dG = phases_[1].shear - G;
+    // The jump follows from the strain by the acoustic tensor of moduli with exchanged shares.
+    const double k = K + (1 - f) * dK, g = G + (1 - f) * dG;
+    const auto jump_of = [&](const Eigen::Vector3d& traction) -> Eigen::Vector3d {
+      const double along = traction.dot(normal_);
+      return (traction - along * normal_) / g + along / (k + 4 * g / 3) * normal_;
+    };
+    const double bulk = 3 * (K + f * dK), shear = 2 * (G + f * dG), less = dK - 2 * dG / 3;
+    const auto weighted = [&](const Vector& stress) {
+      return isotropic(1 - p_[0], 1 - p_[1], stress);
+    };
+    const Eigen::Vector3d jump = jump_of(residual.tail<3>());
+    const Vector known =
+        residual.head<6>() - both * weighted(isotropic(3 * dK, 2 * dG, Vector(jumps_ * jump)));
+    Parts parts(known, normal_, jumps_);
+    const double q = 1 - p_[1], own = 2 * G * p_[1];
+    parts.rest /= q * shear + own;
+    parts.shear /= q * (shear - 2 * both * dG * dG / g) + own;
+    // Column of the matrix of the other two parts, for a strain along the normal and a trace
+    // across it.
+    const auto column = [&](double along, double trace) -> Eigen::Vector2d {
+      const double sum = along + trace,
+                   opened = -both * (2 * dG * along + less * sum) / (k + 4 * g / 3);
+      const double lame = (bulk - shear) / 3;
+      const double s = shear * along + lame * sum + (2 * dG + less) * opened,
+                   t = shear * trace + 2 * lame * sum + 2 * less * opened;
+      const double mean = ((p_[1] - p_[0]) * (s + t) + (3 * K * p_[0] - own) * sum) / 3;
+      return {q * s + own * along + mean, q * t + own * trace + 2 * mean};
+    };
+    const Eigen::Vector2d a = column(1, 0), b = column(0, 1);
+    const double determinant = a[0] * b[1] - a[1] * b[0], along = parts.along;
+    parts.along = (along * b[1] - parts.trace * b[0]) / determinant;
+    parts.trace = (parts.trace * a[0] - along * a[1]) / determinant;
+    const Vector strain = parts.sum(normal_, jumps_);
+    Unknowns step;
+    step.head<6>() = strain;
+    step.tail<3>() = jump - jump_of(jumps_.transpose() * isotropic(3 * dK, 2 * dG, strain));
+    return start - step;
+  }
   /// Slope of the potential of the residual along a step, which decreases it: the potential is
   /// convex.
   double slope(const State& state, const Unknowns& step) const {
@@ -141,8 +220,26 @@ class Laminate {
 
  private:
   static constexpr double smallest = 1e-300;
+  /// Residual of elastic phases.
+  Unknowns elastic_residual(const Unknowns& x) const {
+    const Vector strain = x.head<6>(), jump = jumps_ * x.tail<3>();
+    const auto stress = [&](const Phase& phase, const Vector& own) {
+      return isotropic(3 * phase.bulk, 2 * phase.shear, own - to_vector(phase.inelastic));
+    };
+    const Vector first = stress(phases_[0], strain - share_ * jump),
+                 second = stress(phases_[1], strain + (1 - share_) * jump);
+    Unknowns residual;
+    residual.head<6>() =
+        isotropic(1 - p_[0], 1 - p_[1], (1 - share_) * first + share_ * second) +
+        isotropic(3 * phases_[0].bulk * p_[0], 2 * phases_[0].shear * p_[1], strain) - kept_;
+    residual.tail<3>() = jumps_.transpose() * (second - first);
+    return residual;
+  }
+
   const std::array<Phase, 2>& phases_;
   double share_;
+  std::array<double, 2> p_;
+  Eigen::Vector3d normal_;
   Jump jumps_;
   Matrix mean_weight_, slope_weight_, strain_weight_;
   Vector kept_;
@@ -156,7 +253,14 @@ TwoPhaseStep two_phase_step(const std::array<Phase, 2>& phases, double share,
   const Laminate laminate(phases, share, normal, p, kept);
   Laminate::Unknowns x = Laminate::Unknowns::Zero();
   x.head<6>() = to_vector(start);
-  Laminate::State state = laminate.at(x);
+  // Most cells are elastic; the others begin with the strain of the estimate.
+  const Laminate::Unknowns elastic = laminate.elastic(x);
+  Laminate::State state = laminate.at(elastic);
+  if (state.first.equivalent == 0 && state.second.equivalent == 0) {
+    x = elastic;
+  } else {
+    state = laminate.at(x);
+  }
   for (int n = 0; n < max_steps; ++n) {
     const double before = state.residual.norm();
     if (before <= residual_tol * laminate.scale()) break;

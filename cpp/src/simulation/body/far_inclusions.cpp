@@ -25,6 +25,10 @@ namespace {
 constexpr double margin_of_width = 0.25, depth_of_width = 0.75;
 /// Cells of the wake are at the yield stress: less than this excess is an error of the single step.
 constexpr double yield_excess = 0.02;
+/// Number of increments of a motion from one renewal of far inclusions to the next.
+constexpr int increments_of_effect = 2;
+/// Largest length of this motion, relative to the box near the contact.
+constexpr double length_of_width = 0.125;
 
 /// Stress of the cells of a box and displacement of its surface.
 struct Response {
@@ -58,28 +62,31 @@ Box layer_of(Box box) {
 /// Stress, strain and history of the cells of a box around all inclusions.
 class FarStep {
  public:
-  FarStep(const State& from, int body, const PlasticState& history, const Box& near,
+  FarStep(const State& from, int body, const PlasticState& history, const FarReach& reach,
           const Sources& sources)
       : from_(from),
         setup_(from.setup()),
         body_(body),
-        near_(near),
-        around_(acting_box(history, Box{0, 0, setup_.grid.nx, 1, 1}.united(near), setup_.reach)),
+        near_(reach.box),
+        surface_(reach.surface),
+        around_(acting_box(history, surface_.united(near_), setup_.reach)),
         zones_({around_}),
         fields_(history.fields(zones_)),
         cells_(setup_.bodies[body],
                MixedCells(setup_, body, from.placement().first[body], fft::Symmetry::none,
                           {from.inclusions_flow[body], from.matrix_flow[body]})) {
     cells_.take(zones_, fields_.equivalent, fields_.backstress, setup_.strength(body, from.travel));
-    const Box seen = near_.united({0, 0, setup_.grid.nx, 1, 1});
+    const Box seen = near_.united({0, near_.j0, setup_.grid.nx, 1, 1});
     Response all = response(around_, seen, fields_.strain);
-    outside_ = outside_of_near(all, history);
+    find_effect(all, history);
     stress_ = std::move(all.stress);
     sources.stress(body, around_, Tensor::full, stress_);
   }
 
   /// Effect of the present strain outside the near box.
-  OutsideStrain take_outside() { return std::move(outside_); }
+  std::shared_ptr<const FarEffect> take_effect() {
+    return std::make_shared<const FarEffect>(std::move(effect_));
+  }
 
   /// Renews the strain of far cells; returns a box around those that flow.
   Box renew() {
@@ -131,20 +138,18 @@ class FarStep {
             fft::runs_of(used)};
   }
   /// What remains of the response to all strain without that in the near box.
-  OutsideStrain outside_of_near(const Response& all, const PlasticState& history) const {
+  void find_effect(const Response& all, const PlasticState& history) {
     const Response own = response(near_, near_, history.strain(near_));
     Field stress = cut(all.stress, around_, near_);
     for (std::size_t i = 0; i < stress.size(); ++i) stress[i] -= own.stress[i];
-    OutsideStrain outside;
-    outside.surface = {0, around_.j0, setup_.grid.nx, around_.ny, 1};
-    Field& lift = outside.displacement[static_cast<int>(operators::Axis::z)];
+    const Box surface{surface_.i0, around_.j0, surface_.nx, around_.ny, 1};
     Field of_near(around_.surface_size(), 0.0), rest = all.displacement;
     copy_common(own.displacement.data(), layer_of(near_), of_near.data(), layer_of(around_));
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= of_near[i];
-    lift.resize(outside.surface.surface_size());
-    extract(rest.data(), layer_of(around_), lift.data(), outside.surface);
-    outside.stress.push_back(std::move(stress));
-    return outside;
+    Field displacement(surface.surface_size());
+    extract(rest.data(), layer_of(around_), displacement.data(), surface);
+    const int first = from_.placement().first[body_];
+    effect_ = {first, 1, near_, surface, std::move(stress), std::move(displacement)};
   }
   bool is_near(const Cell& cell) const {
     return cell.k < near_.nz && cell.i >= near_.i0 && cell.i < near_.i0 + near_.nx &&
@@ -182,11 +187,11 @@ class FarStep {
   const State& from_;
   const Setup& setup_;
   int body_;
-  Box near_, around_;
+  Box near_, surface_, around_;
   Zones zones_;
   PlasticFields fields_;
   CellHistory cells_;
-  OutsideStrain outside_;
+  FarEffect effect_;
   Field stress_;
 };
 
@@ -203,11 +208,48 @@ Box box_near_tractions(const State& from) {
   return {near.i0 - more_x, near.j0 - more_y, near.nx + 2 * more_x, near.ny + 2 * more_y, near.nz};
 }
 
+FarReach reach_of_motion(const State& from, int body, const Box& near) {
+  const double by = from.advance.x[body];
+  const int length = (increments_of_effect - 1) * static_cast<int>(std::lround(std::fabs(by)));
+  const bool pays = by == std::round(by) && length <= length_of_width * near.nx;
+  const int more = pays ? length : 0, before = by > 0 ? more : 0;
+  const auto widened = [&](Box box) {
+    box.i0 -= before;
+    box.nx += more;
+    return box;
+  };
+  return {widened(near), widened({0, 0, from.setup().grid.nx, 1, 1})};
+}
+
+std::shared_ptr<const FarEffect> kept_effect(const State& from, int body, const Box& required) {
+  const auto& last = from.far_effect[body];
+  if (!last || last->increments >= increments_of_effect) return nullptr;
+  const int first = from.placement().first[body], by = last->first - first;
+  const Grid& grid = from.setup().grid;
+  const Box box = last->box.moved(by, 0), surface = last->surface.moved(by, 0);
+  const bool inside = box.i0 >= 0 && box.i0 + box.nx <= grid.nx;
+  if (!inside || !box.contains(required) || surface.i0 > 0 || surface.i0 + surface.nx < grid.nx) {
+    return nullptr;
+  }
+  auto effect = std::make_shared<FarEffect>(*last);
+  effect->first = first;
+  ++effect->increments;
+  effect->box = box;
+  effect->surface = surface;
+  return effect;
+}
+
+OutsideStrain outside_of(const FarEffect& effect) {
+  OutsideStrain outside{.surface = effect.surface, .stress = {effect.stress}};
+  outside.displacement[static_cast<int>(operators::Axis::z)] = effect.displacement;
+  return outside;
+}
+
 FarInclusions renew_far_inclusions(const State& from, int body, const PlasticState& history,
-                                   const Box& near, const Sources& sources) {
-  FarStep step(from, body, history, near, sources);
+                                   const FarReach& reach, const Sources& sources) {
+  FarStep step(from, body, history, reach, sources);
   const Box yielding = step.renew();
-  return {step.history(history), step.take_outside(), yielding};
+  return {step.history(history), step.take_effect(), yielding};
 }
 
 }  // namespace samcontact::simulation

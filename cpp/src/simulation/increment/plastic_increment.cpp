@@ -299,6 +299,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   state.flowed = {};
   state.advance = {};
   state.met = {};
+  state.far_effect = {};
   if (!active_.mixed.empty()) state.largest_mismatch = {largest_mismatch_};
   guess_.remember(bodies_, active_, mapped, state);
   scatter(mapped);
@@ -306,6 +307,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   bool known = !task_.target.is_prescribed();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const bool moves = bodies_[b].surface().known().contains(bodies_[b].surface().seen());
+    state.far_effect[bodies_[b].index()] = zones_.far_effect(bodies_[b]);
     finish(b, mapped, state);
     known = known && (moves || !state.plastic[bodies_[b].index()]);
   }

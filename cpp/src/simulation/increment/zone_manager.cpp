@@ -70,6 +70,24 @@ std::invalid_argument unbounded_zone_error(const IncrementTask& task, const Plas
       "grid");
 }
 
+/// Box around the tractions before an increment of a motion and the last flow of the matrix; empty
+/// if there are no tractions or if they move too far.
+Box box_near_contact(const IncrementTask& task, const PlasticBody& body) {
+  const State& from = task.from;
+  Box near = box_near_tractions(from);
+  const double by = from.advance.x[body.index()];
+  if (near.empty() || std::fabs(by) > 0.25 * near.nx) return {};
+  if (!from.last_flow) return near;
+  const Inclusions& inclusions = *task.setup().inclusions[body.index()];
+  const int first = from.placement().first[body.index()], steps = static_cast<int>(std::lround(by));
+  for (const auto& [i, j, k] : from.last_flow->bodies[body.index()].cells) {
+    // Estimates of inclusions are not flow.
+    if (inclusions.at(i + steps, j, k, first, task.setup().grid.period) != nullptr) continue;
+    near = near.united({i, j, 1, 1, k + 1});
+  }
+  return near;
+}
+
 /// The box without the layers above all inclusions and all strain of a body, if these are many.
 Box below_surface(const IncrementTask& task, const BoxChoice& choice, const PlasticBody& body,
                   Box box) {
@@ -262,31 +280,38 @@ bool ZoneManager::take_up_near_inclusions(PlasticBody& body) {
                        !settings.softening[body.index()] &&
                        !(body.cells().mixed().expand() && keeps_heat(task_, body.index()));
   if (!allowed || !moves_steadily(task_, body)) return false;
-  Box near = box_near_tractions(task_.from);
-  const int width = near.nx;
-  if (near.empty() || std::fabs(task_.from.advance.x[body.index()]) > 0.25 * width) return false;
-  if (task_.from.last_flow) {
-    const Inclusions& inclusions = *task_.setup().inclusions[body.index()];
-    const int first = task_.from.placement().first[body.index()];
-    const int steps = static_cast<int>(std::lround(task_.from.advance.x[body.index()]));
-    for (const auto& [i, j, k] : task_.from.last_flow->bodies[body.index()].cells) {
-      // Estimates of inclusions are not flow.
-      if (inclusions.at(i + steps, j, k, first, grid.period) != nullptr) continue;
-      near = near.united({i, j, 1, 1, k + 1});
-    }
+  const Box required = choice_.in_grid_or({}, box_near_contact(task_, body));
+  if (required.empty()) return false;
+  const int b = body.index();
+  if (const auto kept = kept_effect(task_.from, b, required)) {
+    far_effect_[b] = kept;
+    body.set_zones(Zones({kept->box}), body.history(), outside_of(*kept), sources_, active_);
+    return true;
   }
-  near = choice_.fitted(choice_.in_grid_or({}, choice_.with_margin(near)), {});
-  const auto cost = static_cast<double>(near.volume_size());
-  if (cost >
-      max_near_cells * static_cast<double>(body.cells().mixed().box().from_surface().volume_size()))
-    return false;
-  FarInclusions far =
-      renew_far_inclusions(task_.from, body.index(), *body.history(), near, sources_);
-  body.set_zones(Zones({near}), std::move(far.history), std::move(far.outside), sources_, active_);
+  const double most =
+      max_near_cells * static_cast<double>(body.cells().mixed().box().from_surface().volume_size());
+  FarReach reach = reach_of_motion(task_.from, b, choice_.with_margin(required));
+  const auto fit = [&] { reach.box = choice_.fitted(choice_.in_grid_or({}, reach.box), {}); };
+  fit();
+  if (static_cast<double>(reach.box.volume_size()) > most) {
+    reach = {choice_.with_margin(required), Box::surface(grid)};
+    fit();
+    if (static_cast<double>(reach.box.volume_size()) > most) return false;
+  }
+  const Box near = reach.box;
+  FarInclusions far = renew_far_inclusions(task_.from, b, *body.history(), reach, sources_);
+  far_effect_[b] = far.effect;
+  body.set_zones(Zones({near}), std::move(far.history), outside_of(*far.effect), sources_, active_);
   if (far.yielding.empty()) return true;
   const Box needed = choice_.in_grid_or(near, near.united(choice_.with_margin(far.yielding)));
   if (!near.contains(needed)) set_box(body, choice_.fitted(needed, near));
   return true;
+}
+
+std::shared_ptr<const FarEffect> ZoneManager::far_effect(const PlasticBody& body) const {
+  const auto& effect = far_effect_[body.index()];
+  const bool holds = effect && body.zones().boxes() == std::vector<Box>{effect->box};
+  return holds ? effect : nullptr;
 }
 
 void ZoneManager::take_up_zones(PlasticBody& body) {

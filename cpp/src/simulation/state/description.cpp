@@ -56,6 +56,13 @@ void require_consistent(const PlasticIncrementGuess& flow) {
   require_that(fits, "the plastic strain increment of the last increment is invalid");
 }
 
+bool is_consistent(const FarEffect& effect, const Grid& grid) {
+  const auto& [first, increments, box, surface, stress, displacement] = effect;
+  return is_box(box, grid) && is_box(surface, grid) &&
+         std::abs(static_cast<long>(first)) < largest_index && increments > 0 && surface.nz == 1 &&
+         stress.size() == 6 * box.volume_size() && displacement.size() == surface.surface_size();
+}
+
 void require_consistent(const TractionMemory* memory, const State& state, int body) {
   if (memory == nullptr) return;
   const Grid& grid = state.setup().grid;
@@ -144,6 +151,10 @@ void require_consistent(const State& state) {
   }
   for (int b = 0; b < 2; ++b) require_consistent(state.memory[b].get(), state, b);
   if (state.last_flow) require_consistent(*state.last_flow);
+  for (const auto& effect : state.far_effect) {
+    require_that(!effect || is_consistent(*effect, grid),
+                 "the effect of inclusions far from the contact does not match the grid");
+  }
 }
 
 }  // namespace samcontact::simulation

@@ -38,6 +38,7 @@ State State::widened(std::shared_ptr<const Setup> to) const {
     }
   }
   state.contact_gap.clear();
+  state.far_effect = {};
   for (int b = 0; b < 2; ++b) {
     const bool shared = b == 1 && plastic[0] == plastic[1];
     if (plastic[b]) state.plastic[b] = shared ? state.plastic[0] : plastic[b]->moved(i, j);

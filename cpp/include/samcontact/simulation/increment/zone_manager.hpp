@@ -3,6 +3,8 @@
 // computed, and their growth.
 #pragma once
 
+#include <array>
+#include <memory>
 #include <vector>
 
 #include "samcontact/simulation/body/active_cells.hpp"
@@ -39,6 +41,10 @@ class ZoneManager {
   /// Check for yield outside the zones, once, when the relative change indicates that the pressure
   /// has nearly converged: growing then does not cost an evaluation.
   bool grow_when_settled(double residual);
+
+  /// Effect of the inclusions of a body far from the contact, if only the strain near the contact
+  /// was solved for; else null.
+  std::shared_ptr<const FarEffect> far_effect(const PlasticBody& body) const;
 
  private:
   void set_zones(PlasticBody& body, const Zones& zones, bool split = false);
@@ -82,6 +88,7 @@ class ZoneManager {
   const Sources& sources_;
   std::vector<PlasticBody>& bodies_;
   ActiveCells& active_;
+  std::array<std::shared_ptr<const FarEffect>, 2> far_effect_;
   bool scanned_ = false, checked_outside_ = false;
 };
 

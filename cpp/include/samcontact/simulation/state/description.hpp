@@ -94,6 +94,16 @@ void describe(F& f, Visitor& visit) {
   }
 }
 
+template <Is<FarEffect> E, class Visitor>
+void describe(E& e, Visitor& visit) {
+  visit("first", e.first);
+  visit("increments", e.increments);
+  visit("box", e.box);
+  visit("surface", e.surface);
+  visit("stress", e.stress);
+  visit("displacement", e.displacement);
+}
+
 template <Is<State> S, class Visitor>
 void describe(S& s, Visitor& visit) {
   const auto as_it_is = [](const auto& part) -> const auto& { return part; };
@@ -144,6 +154,7 @@ void describe(S& s, Visitor& visit) {
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
     visit.made("eigenstrain" + number, s.eigenstrain[b], record,
                [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+    visit.made("far_effect" + number, s.far_effect[b], as_it_is, copied);
     visit.made("traction_memory" + number, s.memory[b], as_it_is, copied);
     visit.made(
         "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },

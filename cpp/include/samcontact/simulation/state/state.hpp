@@ -30,6 +30,16 @@ struct PlasticIncrementGuess {
   bool operator==(const PlasticIncrementGuess&) const = default;
 };
 
+/// Effect of the strain of a body outside a box that moves with it, for the increments of a motion
+/// in which this strain stays as it is.
+struct FarEffect {
+  int first = 0;               // first cell of the grid on the body when it was found
+  int increments = 0;          // for which it has been used
+  Box box, surface;            // at that time: cells with known stress and with known displacement
+  Field stress, displacement;  // [component][k][i][j] [Pa] and [i][j] [m]
+  bool operator==(const FarEffect&) const = default;
+};
+
 /// Number of layers of a volume field; empty: the number chosen by the state.
 using Layers = std::optional<int>;
 
@@ -85,6 +95,8 @@ class State {
   /// Disjoint whole boxes in which the plastic strain was last solved for.
   std::array<std::vector<Box>, 2> flow_boxes;
   std::shared_ptr<const PlasticIncrementGuess> last_flow;  // null: no useful estimate
+  /// Of inclusions far from the contact. Null: to be found.
+  std::array<std::shared_ptr<const FarEffect>, 2> far_effect;
 
   bool converged = true;
   int plastic_iterations = 0, contact_iterations = 0, substeps = 0;
