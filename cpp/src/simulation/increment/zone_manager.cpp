@@ -88,6 +88,11 @@ Box box_near_contact(const IncrementTask& task, const PlasticBody& body) {
   return near;
 }
 
+/// Whole box around the zones of a body; empty if there are none.
+Box whole_or_none(const BoxChoice& choice, const PlasticBody& body) {
+  return body.zones().empty() ? Box{} : choice.whole(body.zones().around());
+}
+
 /// The box without the layers above all inclusions and all strain of a body, if these are many.
 Box below_surface(const IncrementTask& task, const BoxChoice& choice, const PlasticBody& body,
                   Box box) {
@@ -123,7 +128,7 @@ void ZoneManager::begin() {
 }
 
 void ZoneManager::soften() {
-  for (PlasticBody& body : bodies_) softening_.apply(body, whole_or_none(body));
+  for (PlasticBody& body : bodies_) softening_.apply(body, whole_or_none(choice_, body));
 }
 
 void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
@@ -134,10 +139,6 @@ void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
 }
 
 /// Whole box around its zones; empty if there are none.
-Box ZoneManager::whole_or_none(const PlasticBody& body) const {
-  return body.zones().empty() ? Box{} : choice_.whole(body.zones().around());
-}
-
 bool ZoneManager::may_touch_outside(const Field& gap) const {
   if (gap.empty()) return false;
   double reach = 0.0;
@@ -155,7 +156,7 @@ bool ZoneManager::fit(const Field& gap) {
     grown = fit_zones(body) || grown;
     if (body.is_split()) continue;
     const Box window = window_of(body.tractions(), grid);
-    const Box now = whole_or_none(body);
+    const Box now = whole_or_none(choice_, body);
     Box needed = now;
     // A body without scan flows in its inclusions only.
     if (!scanned_ && task_.scans[body.index()]) {
@@ -227,7 +228,7 @@ bool ZoneManager::grow_beyond() {
     if (body.search().yields_everywhere(body.tractions(), scan))
       throw unbounded_zone_error(task_, body);
     const Box box = body.zones().around();
-    Box needed = whole_or_none(body);
+    Box needed = whole_or_none(choice_, body);
     if (!box.empty()) {
       double largest = body.cells().strain_at_yield();
       if (body.history()) largest = std::max(largest, body.history()->tiles().max_equivalent());
@@ -250,7 +251,7 @@ bool ZoneManager::grow_beyond() {
 void ZoneManager::take_up_inclusions(PlasticBody& body) {
   const Box mixed = body.cells().mixed().box();
   if (mixed.empty()) return;
-  const Box now = whole_or_none(body),
+  const Box now = whole_or_none(choice_, body),
             needed = below_surface(task_, choice_, body, now.united(choice_.with_margin(mixed)));
   if (body.zones().count() == 1 && now.contains(needed)) return;
   set_box(body, choice_.fitted(needed, body.zones().around()));

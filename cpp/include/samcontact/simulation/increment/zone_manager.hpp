@@ -72,8 +72,6 @@ class ZoneManager {
   std::vector<Box> rims_with_flow(std::size_t b) const;
   /// Grows the zones for cells outside that yield.
   bool grow_for_yield(PlasticBody& body);
-  /// Whole box around the zones of a body; empty if there are none.
-  Box whole_or_none(const PlasticBody& body) const;
   /// Whether a body may be in contact where its residual displacement is not known.
   bool may_touch_outside(const Field& gap) const;
   /// Stored box that elastic-plastic body number b needs because of plastic flow in the outermost
