@@ -8,9 +8,6 @@
 namespace samcontact::film {
 namespace {
 
-/// Rows with zeros for whole registers.
-int padded(std::size_t rows) { return (static_cast<int>(rows) + lanes - 1) / lanes * lanes; }
-
 std::size_t square(std::size_t n) { return n * n; }
 
 }  // namespace
@@ -28,7 +25,7 @@ BlockLu::BlockLu(const Lattice& lattice, int reach)
 
 BlockLu::Parts BlockLu::parts(std::size_t front) {
   const Front& of = order_.fronts[front];
-  const int rest = padded(of.boundary.size());
+  const int rest = static_cast<int>(of.boundary.size());
   float* begin = factors_.data() + begins_[front];
   const DenseView own{begin, of.count, of.count, of.count};
   const DenseView below{own.column(of.count), rest, of.count, rest};
@@ -86,8 +83,7 @@ bool BlockLu::decompose(const NearMatrix& matrix, const std::vector<char>& free)
   std::size_t needed = 0, largest = 0, stacked = 0, most_stacked = 0;
   for (const Front& front : order_.fronts) {
     begins_.push_back(needed);
-    needed +=
-        static_cast<std::size_t>(front.count) * (front.count + 2 * padded(front.boundary.size()));
+    needed += static_cast<std::size_t>(front.count) * (front.count + 2 * front.boundary.size());
     largest = std::max<std::size_t>(largest, front.size());
     for (const int child : front.children) stacked -= square(order_.fronts[child].boundary.size());
     stacked += square(front.boundary.size());
@@ -112,7 +108,7 @@ bool BlockLu::decompose(const NearMatrix& matrix, const std::vector<char>& free)
     }
     for (int i = 0; i < front.count; ++i) free_[i] = free[cells_[front.first + i]];
     exchanged_.resize(front.count);
-    if (!eliminate(dense, free_.data(), exchanged_, blocks_)) return false;
+    if (!eliminate(dense, free_.data(), exchanged_)) return false;
     std::copy(exchanged_.begin(), exchanged_.end(), pivots_.begin() + front.first);
     store(dense, front, parts(f));
   }
@@ -126,9 +122,9 @@ void BlockLu::solve(Singles& x) {
     float* own = values_.data() + front.first;
     for (int i = 0; i < front.count; ++i) std::swap(own[i], own[pivots_[front.first + i]]);
     const Parts factors = parts(f);
-    substitute_forward(factors.own, own);
+    dense_products().substitute_forward(factors.own, own);
     part_.assign(factors.below.rows, 0.0F);
-    subtract_columns(factors.below, own, part_.data());
+    dense_products().subtract_columns(factors.below, own, part_.data());
     for (std::size_t b = 0; b < front.boundary.size(); ++b) values_[front.boundary[b]] += part_[b];
   }
   for (std::size_t f = order_.fronts.size(); f-- > 0;) {
@@ -137,8 +133,8 @@ void BlockLu::solve(Singles& x) {
     const Parts factors = parts(f);
     part_.assign(factors.right.rows, 0.0F);
     for (std::size_t b = 0; b < front.boundary.size(); ++b) part_[b] = values_[front.boundary[b]];
-    subtract_dots(factors.right, part_.data(), own);
-    substitute_backward(factors.own, own);
+    dense_products().subtract_dots(factors.right, part_.data(), own);
+    dense_products().substitute_backward(factors.own, own);
   }
   for (std::size_t cell = 0; cell < x.size(); ++cell) x[cell] = values_[order_.places[cell]];
 }

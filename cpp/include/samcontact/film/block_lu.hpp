@@ -79,7 +79,6 @@ class BlockLu {
   std::vector<int> local_;  // row of each place in the present front
   Singles front_, stack_;   // present matrix; Schur complements that are not yet used
   Singles values_, part_;   // of the solution; of a front
-  PackedBlocks blocks_;
 };
 
 }  // namespace samcontact::film

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "samcontact/film/dense_products.hpp"
+
+#include "dense_products_by_eigen.hpp"
+#include "samcontact/base/multiversion.hpp"
+
+namespace samcontact::film {
+
+#ifdef SAMCONTACT_HAS_VERSIONS
+extern const DenseProducts products_by_avx;
+#endif
+
+const DenseProducts& dense_products() {
+#ifdef SAMCONTACT_HAS_VERSIONS
+  static const bool has_avx = __builtin_cpu_supports("x86-64-v3") != 0;
+  if (has_avx) return products_by_avx;
+#endif
+  return by_eigen;
+}
+
+}  // namespace samcontact::film
