@@ -33,7 +33,7 @@ void Star::add_product(const Field& field, Field& sum) const {
       const int first = std::clamp(-dj, 0, ny), end = std::clamp(ny - dj, first, ny);
       for (int j = first; j < end; ++j) to[j] += values[j] * from[j + dj];
       if (!lattice_.wraps()) continue;
-      const auto across = [&](int j) { to[j] += values[j] * from[((j + dj) % ny + ny) % ny]; };
+      const auto across = [&](int j) { to[j] += values[j] * from[in_period(j + dj, ny)]; };
       for (int j = 0; j < first; ++j) across(j);
       for (int j = end; j < ny; ++j) across(j);
     }

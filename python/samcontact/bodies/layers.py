@@ -107,7 +107,7 @@ class Layered(HtmlTable):
         require_type("substrate", substrate, Material)
         _require_endless("substrate", substrate)
         object.__setattr__(self, "substrate", substrate)
-        self._core  # noqa: B018  (the core checks thicknesses)
+        _ = self._core  # which checks the thicknesses
 
     @cached_property
     def _core(self) -> Any:

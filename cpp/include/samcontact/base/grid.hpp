@@ -7,6 +7,9 @@
 
 namespace samcontact {
 
+/// Index of the cell within one period, [0, period), that repeats a cell.
+constexpr int in_period(int index, int period) { return ((index % period) + period) % period; }
+
 /// Periodic directions, with the period in cells of the grid.
 struct Period {
   int x = 0, y = 0;  // cells; 0: not periodic, the surface extends beyond the grid without traction

@@ -23,7 +23,7 @@ class Lattice {
   bool wraps() const { return wraps_; }
   /// Number of a cell; -1 outside the grid.
   std::ptrdiff_t at(int i, int j) const {
-    if (wraps_) j = (j % ny_ + ny_) % ny_;
+    if (wraps_) j = in_period(j, ny_);
     if (i < 0 || i >= nx_ || j < 0 || j >= ny_) return -1;
     return static_cast<std::ptrdiff_t>(i) * ny_ + j;
   }

@@ -63,8 +63,6 @@ ComplexField waves(const std::vector<double>& x, double dw, int first, int last)
   return out;
 }
 
-int wrapped(int number, int m) { return ((number % m) + m) % m; }
-
 }  // namespace
 
 void HeatModes::add_points(HeatLevel& level) const {
@@ -98,10 +96,11 @@ void HeatModes::project(const double* flux, ComplexField& amplitudes) const {
   transform_.forward(flux, spectrum.data(), mx, fft::PaddedTransform::Threads::many);
   Complex* out = amplitudes.data();
   for (const HeatMode& mode : levels_[0].modes) {
-    const int a = wrapped(mode.a, mx), b = wrapped(mode.b, my);
+    const int a = in_period(mode.a, mx), b = in_period(mode.b, my);
     const Complex value =
-        b < mh ? spectrum[static_cast<std::size_t>(b) * mx + a]
-               : std::conj(spectrum[static_cast<std::size_t>(my - b) * mx + wrapped(-mode.a, mx)]);
+        b < mh
+            ? spectrum[static_cast<std::size_t>(b) * mx + a]
+            : std::conj(spectrum[static_cast<std::size_t>(my - b) * mx + in_period(-mode.a, mx)]);
     *out++ = mode.source * value;
   }
   const RealView q(flux, transform_.nx(), transform_.ny());
@@ -122,10 +121,10 @@ void HeatModes::evaluate(const Complex* amplitudes, double* plane) const {
   ComplexField spectrum(transform_.spectrum_size(), Complex{});
   for (const HeatMode& mode : levels_[0].modes) {
     const Complex value = *amplitudes++;
-    const int b = wrapped(mode.b, my), minus_b = wrapped(-mode.b, my);
-    if (b < mh) spectrum[static_cast<std::size_t>(b) * mx + wrapped(mode.a, mx)] += value;
+    const int b = in_period(mode.b, my), minus_b = in_period(-mode.b, my);
+    if (b < mh) spectrum[static_cast<std::size_t>(b) * mx + in_period(mode.a, mx)] += value;
     if (mode.b > 0 && minus_b < mh) {
-      spectrum[static_cast<std::size_t>(minus_b) * mx + wrapped(-mode.a, mx)] += std::conj(value);
+      spectrum[static_cast<std::size_t>(minus_b) * mx + in_period(-mode.a, mx)] += std::conj(value);
     }
   }
   transform_.inverse(spectrum.data(), plane, mx, fft::PaddedTransform::Threads::one);
