@@ -104,12 +104,42 @@ void describe(E& e, Visitor& visit) {
   visit("displacement", e.displacement);
 }
 
+constexpr auto as_it_is = [](const auto& part) -> const auto& { return part; };
+constexpr auto copy_of = [](const auto& part) {
+  return std::make_shared<const std::decay_t<decltype(part)>>(part);
+};
+
+/// Parts of a state that belong to body b.
+template <Is<State> S, class Visitor>
+void describe_body(S& s, int b, Visitor& visit) {
+  const std::string number = std::to_string(b + 1);
+  visit("heat_factor" + number, s.heating[b].factor);
+  visit("heat_speed" + number, s.heating[b].speed_x);
+  visit("lateral_heat_speed" + number, s.heating[b].speed_y);
+  visit("flow_boxes" + number, s.flow_boxes[b]);
+  visit.made("softening" + number, s.softening[b], as_it_is, copy_of);
+  visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
+    return from_record(plain, s.setup().grid, s.setup().bodies[b].backstresses());
+  });
+  visit.made("inclusions_flow" + number, s.inclusions_flow[b], record,
+             [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+  visit.made("matrix_flow" + number, s.matrix_flow[b], record,
+             [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+  visit.made("eigenstrain" + number, s.eigenstrain[b], record,
+             [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
+  visit.made("far_effect" + number, s.far_effect[b], as_it_is, copy_of);
+  visit.made("traction_memory" + number, s.memory[b], as_it_is, copy_of);
+  visit.made(
+      "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
+      [&](const std::vector<double>& numbers) {
+        auto heat = s.setup().heat_history(b, s.heating[b]);
+        heat.set_state(numbers);
+        return std::make_shared<const operators::HeatHistory>(std::move(heat));
+      });
+}
+
 template <Is<State> S, class Visitor>
 void describe(S& s, Visitor& visit) {
-  const auto as_it_is = [](const auto& part) -> const auto& { return part; };
-  const auto copied = [](const auto& part) {
-    return std::make_shared<const std::decay_t<decltype(part)>>(part);
-  };
   visit("pressure", s.tractions.pressure);
   visit("shear_x", s.tractions.shear_x);
   visit("shear_y", s.tractions.shear_y);
@@ -138,34 +168,9 @@ void describe(S& s, Visitor& visit) {
   visit("plastic_residual", s.plastic_residual);
   visit("yield_excess", s.yield_excess);
   visit("past_symmetry", s.past_symmetry);
-  for (int b = 0; b < 2; ++b) {
-    const std::string number = std::to_string(b + 1);
-    visit("heat_factor" + number, s.heating[b].factor);
-    visit("heat_speed" + number, s.heating[b].speed_x);
-    visit("lateral_heat_speed" + number, s.heating[b].speed_y);
-    visit("flow_boxes" + number, s.flow_boxes[b]);
-    visit.made("softening" + number, s.softening[b], as_it_is, copied);
-    visit.made("history" + number, s.plastic[b], record, [&](const PlasticRecord& plain) {
-      return from_record(plain, s.setup().grid, s.setup().bodies[b].backstresses());
-    });
-    visit.made("inclusions_flow" + number, s.inclusions_flow[b], record,
-               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
-    visit.made("matrix_flow" + number, s.matrix_flow[b], record,
-               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
-    visit.made("eigenstrain" + number, s.eigenstrain[b], record,
-               [&](const PlasticRecord& plain) { return from_record(plain, s.setup().grid, 0); });
-    visit.made("far_effect" + number, s.far_effect[b], as_it_is, copied);
-    visit.made("traction_memory" + number, s.memory[b], as_it_is, copied);
-    visit.made(
-        "past" + number, s.past[b], [](const operators::HeatHistory& heat) { return heat.state(); },
-        [&](const std::vector<double>& numbers) {
-          auto heat = s.setup().heat_history(b, s.heating[b]);
-          heat.set_state(numbers);
-          return std::make_shared<const operators::HeatHistory>(std::move(heat));
-        });
-  }
+  for (int b = 0; b < 2; ++b) describe_body(s, b, visit);
   visit("largest_mismatch", s.largest_mismatch);
-  visit.made("last_flow", s.last_flow, as_it_is, copied);
+  visit.made("last_flow", s.last_flow, as_it_is, copy_of);
 }
 
 }  // namespace samcontact::simulation
