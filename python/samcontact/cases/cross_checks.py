@@ -8,10 +8,11 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from .._util.travels import along_x, both_axes
+from ..problem.friction import has_history
 from ..problem.grid import within_period
 from ..problem.heating import NO_HEAT
 from .base import changed
-from .heat_checks import require_motion_of_heat
+from .heat_checks import require_motion_of_heat, require_steps_of_cells
 from .sections import contact_law_of
 
 if TYPE_CHECKING:
@@ -112,9 +113,8 @@ def _require_hardness(case: Any) -> None:
             f"fatigue.exposure requires the hardness of body{case.output.body}: add "
             f"[body{case.output.body}.hardness]"
         )
-    bodies = {"body1": case.body1, "body2": case.body2}
-    selected = None if judged is None else bodies[f"body{case.output.body}"]
-    require_hardness_used(bodies.items(), selected)
+    bodies = (("body1", case.body1), ("body2", case.body2))
+    require_hardness_used(bodies, None if judged is None else bodies[case.output.body - 1][1])
 
 
 def require_hardness_used(
@@ -179,21 +179,21 @@ def _require_free_along_y(case: Any) -> None:
     moved = (both_axes(step["advance"]) for step in case.steps() if "advance" in step)
     if not any(travels[:, 1].any() for travels in moved):
         return
-    for name in ("body1", "body2"):
-        body = getattr(case, name)
-        if getattr(body, "free_faces", None) is not None:
-            raise ValueError(f"advance along y must be 0 with free_faces in [{name}]")
-    for name in ("relief1", "relief2"):
-        if getattr(case, name) is not None:
-            raise ValueError(f"advance along y must be 0 with [{name}]: omit the relief")
+    for number in (1, 2):
+        if getattr(getattr(case, f"body{number}"), "free_faces", None) is not None:
+            raise ValueError(f"advance along y must be 0 with free_faces in [body{number}]")
+        if getattr(case, f"relief{number}") is not None:
+            raise ValueError(f"advance along y must be 0 with [relief{number}]: omit the relief")
+    if case.grid is not None and has_history(case.friction, (case.body1, case.body2)):
+        require_steps_of_cells(case, 1)
 
 
 def _require_known_faces(case: Any) -> None:
     """Raise ValueError for results and studies that bodies with free faces do not support."""
-    bodies = (("body1", case.body1), ("body2", case.body2))
-    for number, (name, body) in enumerate(bodies, 1):
+    for number, body in enumerate((case.body1, case.body2), 1):
         if getattr(body, "free_faces", None) is None:
             continue
+        name = f"body{number}"
         for section in ("wear", "accuracy"):
             if getattr(case, section) is not None:
                 raise ValueError(f"{name}.free_faces cannot be combined with {section}: omit one")

@@ -10,7 +10,7 @@ from typing import Any
 from .._util.travels import both_axes
 from ..heat import Heat
 from ..problem.heating import NO_HEAT
-from ..simulation.steps import require_whole_cells
+from ..simulation.steps import HEAT_BY_CELLS, HISTORY_BY_CELLS, require_whole_cells
 
 
 def require_motion_of_heat(case: Any) -> None:
@@ -23,7 +23,7 @@ def require_motion_of_heat(case: Any) -> None:
         return
     _require_track(case, heat)
     if case.grid is not None and heat.tracks[1] == 0:
-        _require_steps_of_cells(case, case.grid.dx)
+        require_steps_of_cells(case, 0)
 
 
 def require_velocity_of_motion(
@@ -44,21 +44,22 @@ def require_velocity_of_motion(
             )
 
 
-def _require_steps_of_cells(case: Any, dx: float) -> None:
-    """Raise ValueError for a segment whose steps are not whole cells, naming its fields."""
+def require_steps_of_cells(case: Any, axis: int) -> None:
+    """Raise ValueError for a segment whose steps along x (0) or y (1) are not whole cells."""
+    name, condition = (("dx", HEAT_BY_CELLS), ("dy", HISTORY_BY_CELLS))[axis]
+    size = getattr(case.grid, name)
     for number, steps in enumerate(case.steps_of_segments()):
-        segment = case.path[number]
         field, remedy = "advance", "advance or increments"
-        if segment.passes is not None:
-            kind = "roll" if segment.roll is not None else "slide"
+        if case.path[number].passes is not None:
+            kind = "roll" if case.path[number].roll is not None else "slide"
             field, remedy = f"{kind}.step", f"{kind}.step and {kind}.distance"
         for step in steps:
-            moved = (both_axes(step.get("advance", (0.0, 0.0)))[:, 0] / dx).tolist()
+            moved = (both_axes(step.get("advance", (0.0, 0.0)))[:, axis] / size).tolist()
             try:
-                require_whole_cells(moved, dx)
+                require_whole_cells(moved, size, condition)
             except ValueError as error:
                 raise ValueError(
-                    f"path[{number}].{field}: {error}: change {remedy}, or grid.dx"
+                    f"path[{number}].{field}: {error}: change {remedy}, or grid.{name}"
                 ) from error
 
 

@@ -45,6 +45,10 @@ STEP_ARGUMENTS = (
 """Arguments of `Simulation.step`."""
 
 
+HEAT_BY_CELLS = "if heat.history is given"
+HISTORY_BY_CELLS = "along y with partial slip or plastic strain"
+"""Conditions under which bodies must move by whole cells, because the core stores cells."""
+
 Travels = tuple[tuple[float, float], tuple[float, float]]
 """Distances by which the surfaces of bodies 1 and 2 move along x, and along y [cells]."""
 
@@ -140,6 +144,8 @@ class StepArguments:
         if any(travels[1]):
             _require_endless_along_y(self.bodies)
             _require_no_friction_along_y(friction, travels[1], pressure, shear)
+            if self._has_history:
+                require_whole_cells(travels[1], grid.dy, HISTORY_BY_CELLS)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
@@ -168,7 +174,7 @@ class StepArguments:
         if heat.history is not None:
             _require_motion_of_heat(heat, duration, travels, grid)
             if self._has_history:
-                require_whole_cells(travels[0], grid.dx)
+                require_whole_cells(travels[0], grid.dx, HEAT_BY_CELLS)
             if heat.track is not None and is_loaded:
                 along, across = (
                     [n * size / duration for n in cells]
@@ -342,21 +348,22 @@ def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid:
                     f"{heat.track!r}: set it to the pair of lengths of the path along x and y"
                 )
     if heat.tracks[1] == 0:
-        require_whole_cells(advance[0], grid.dx)
+        require_whole_cells(advance[0], grid.dx, HEAT_BY_CELLS)
     if heat.track is None:
         _require_velocity_of_heat(heat, duration, advance, grid)
 
 
-def require_whole_cells(advance: Sequence[float], dx: float) -> None:
-    """Raise ValueError unless the bodies move by whole cells; the heat history is stored by cell.
+def require_whole_cells(advance: Sequence[float], size: float, condition: str) -> None:
+    """Raise ValueError unless the bodies move by whole cells, where their history is stored.
 
-    advance: motion of each body [cells].
+    advance: motion of each body [cells]; size: length of a cell in the direction of motion [m];
+    condition: condition under which this is required, for the message.
     """
     for n, cells in enumerate(advance, 1):
         if abs(cells - round(cells)) > 1e-6:
             raise ValueError(
-                f"advance of body {n} must be a multiple of the cell size, {dx!r} m, if "
-                f"heat.history is given, got {cells * dx!r} m"
+                f"advance of body {n} must be a multiple of the cell size, {size!r} m, "
+                f"{condition}, got {cells * size!r} m"
             )
 
 

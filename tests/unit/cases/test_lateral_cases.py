@@ -84,6 +84,8 @@ def test_a_heated_path_that_turns(case_of):
         ("friction = 0.0", "friction = 0.1", "advance of both bodies along y must be equal"),
         ("[heat]", '[relief2]\nkind = "dent"\ndepth = 1e-7\nradius = 1e-4\n[heat]',
          r"along y must be 0 with \[relief2\]"),
+        ("friction = 0.0", "friction = {coulomb = 0.1}",
+         r"path\[0\]\.advance: advance of body 2 must be a multiple .* 6e-05 m, along y"),
         ("[0.0, -100e-6]]", "[0.0, -100e-6], [0.0, 0.0]]", r"path\[1\]\.advance: must be a list"),
     ],
 )  # fmt: skip
