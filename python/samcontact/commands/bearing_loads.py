@@ -18,7 +18,7 @@ _IN_DIAMETERS = re.compile(r"(.*[\d.])\s*D\s*")
 
 
 def cases_by_race(case: Case) -> dict[str, Case]:
-    """Return the cases to be solved for a case, by name of the race.
+    """Return the cases that the load search of a case solves, by name of the race.
 
     For a bearing whose `race` is not given, these are the cases of both races. Any other case is
     returned under the name "".
@@ -71,7 +71,7 @@ def diameter_of(target: str, case: Case) -> float | None:
 
 
 def in_metres(target: str, case: Case) -> str:
-    """Return a target with its value in metres if it was in D, otherwise the target unchanged."""
+    """Return a target with its value converted from D to metres, or any other target unchanged."""
     diameter = diameter_of(target, case)
     if diameter is None:
         return target
@@ -108,7 +108,7 @@ def load_on_bearing(case: Case, found: FoundLoad) -> float:
 def table(
     founds: Mapping[str, FoundLoad], cases: Mapping[str, Case], diameter: float | None = None
 ) -> dict[str, dict[str, str]]:
-    """Return the columns of the table of results by heading, each with its values by row label.
+    """Return the table of results as a dictionary: by column heading, then by row label.
 
     founds: result of the search for each race. cases: case of each race. diameter: diameter of the
     rolling element [m], shown if the target was given in this unit.

@@ -27,11 +27,11 @@ class StoppedEarlyError(Exception):
 
 @contextmanager
 def short_errors(*, files: bool = False) -> Iterator[None]:
-    """Context manager that shows errors which a user can cause as one message, without traceback.
+    """Context manager that reports an error due to the user as a message, without traceback.
 
-    The message is printed on stderr, and SystemExit with the exit code is raised. files: whether
-    the command reads or writes results. Such a command loads all libraries, so it is first checked
-    that the address space is large enough for them.
+    The message is printed on stderr, and SystemExit is raised with the exit code. files: whether
+    the command reads or writes results. Such a command loads all libraries, so the available
+    address space is checked first.
     """
     try:
         if files:

@@ -48,11 +48,11 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Return whether the run uses checkpoints from the start: reads and writes them.
+        """Return whether the run reads existing checkpoints and writes one after each increment.
 
-        This is so with `resume`, or if the folder contains checkpoints of the same case. Without
-        `resume`, checkpoints of another case are moved to `FOREIGN_FOLDER`. With `resume`, they
-        are kept, and reading them fails later.
+        The result is True with `resume`, or if the folder contains checkpoints of the same case.
+        Without `resume`, checkpoints of another case are moved to `FOREIGN_FOLDER`. With `resume`,
+        checkpoints of another case are kept, and reading them fails later.
         """
         remove_checkpoints(self.directory / FINISHED_MARK)
         if not self.folder.exists() or resume:
@@ -101,8 +101,8 @@ class Checkpoints:
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
         """Write the checkpoints of all solved increments of a run that was stopped.
 
-        write: function that writes them to a folder. increments: number of solved increments. If
-        the disk is full, for example, a message is printed instead of an error.
+        write: function that writes them to a folder. increments: number of solved increments. An
+        OSError, e.g. due to a full disk, is printed as a message and not raised.
         """
         if increments > MAX_INTERRUPT_DELAY:
             click.echo(f"writing checkpoints of {increments} increments", err=True)
@@ -113,7 +113,7 @@ class Checkpoints:
             click.echo(f"could not write all checkpoints: {error}", err=True)
 
     def forget(self) -> None:
-        """Remove the checkpoints when all results have been written, without interruption."""
+        """Remove the checkpoints of a complete run; termination signals are delayed meanwhile."""
         with undisturbed(), suppress(OSError):
             for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER):
                 if (self.directory / name).exists():

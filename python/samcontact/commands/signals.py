@@ -33,7 +33,10 @@ def exit_code(stop: BaseException) -> int:
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Context manager in which termination signals raise `StopRequested`, unless ignored before."""
+    """Context manager in which termination signals raise `StopRequested`.
+
+    Signals that were ignored before are still ignored.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -46,7 +46,7 @@ _COLUMNS_OF_MAXIMA = {
         for name in ("friction", "contact_area", "contact_share", "max_pressure")
     },
 }
-"""Columns of the studies whose table shows maxima: quantity by variable, by kind of study."""
+"""Columns of the tables that show maxima: for each kind of study, the quantity of each variable."""
 
 
 @dataclass(frozen=True)

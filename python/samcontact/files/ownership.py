@@ -150,7 +150,10 @@ def _digest(file: Path) -> str:
 
 @contextmanager
 def recording(folder: Path) -> Iterator[OwnershipRecord]:
-    """Context manager that records files written to a folder, and refuses to replace others."""
+    """Context manager that records files written to a folder, and protects all other files.
+
+    A file that this package did not write is not replaced; see `OwnershipRecord.require`.
+    """
     if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return

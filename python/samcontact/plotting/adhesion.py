@@ -81,7 +81,10 @@ def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
-    """Return whether the contact has jumped between each two successive loads [N]."""
+    """Return, for each increment after the first, whether the contact has jumped in it.
+
+    load: load of each increment [N]. The criteria are `_JUMP_SHARE` and `_JUMP_RATIO`.
+    """
     change = np.abs(np.diff(load))
     if not change.size:
         return change > 0

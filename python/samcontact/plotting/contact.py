@@ -88,7 +88,7 @@ def draw_pressure(
     position: float,
     label: str = "computed",
 ) -> Axes:
-    """Draw a `pressure_profile` of a field that may be tensile, as prescribed tractions may be."""
+    """Draw a `pressure_profile`; negative values, e.g. of prescribed tractions, are allowed."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)

@@ -76,7 +76,10 @@ class ContactResults:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is known in all cells at an increment number."""
+        """Whether a volume field of the body is known in all cells at an increment.
+
+        number: number of the increment (from 1).
+        """
         stored = self.dataset.get(f"{name}_body{self.body}")
         if stored is None or number not in self.dataset["output_increment"].values:
             return False

@@ -299,7 +299,7 @@ def _middle_row(film: FilmSolution) -> int:
 def _label_place(
     loads: FloatArray, oils: FloatArray, dot: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return the position of a label in a region of the chart, if possible not next to the dot.
+    """Return the position of a label in a region of the chart, if possible away from the dot.
 
     The label is placed in the middle of the region or, if the dot would hide it there, in the
     middle of the part above or below the dot. loads, oils: Moes' numbers M and L of the points of
@@ -317,7 +317,10 @@ def _label_place(
 
 
 class _Plane:
-    """Axes of a map with coordinates in the unit shown; contacts long along y are drawn lying."""
+    """Axes of a map, with the cell coordinates in the unit of the axes.
+
+    If the contact is long along y, the map is rotated: y is horizontal and x is vertical.
+    """
 
     def __init__(self, film: FilmSolution, ax: Axes | None) -> None:
         if min(film.film.shape) < 2:

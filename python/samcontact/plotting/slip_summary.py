@@ -74,9 +74,10 @@ def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
 
 
 def chosen(dataset: xr.Dataset) -> int:
-    """Return the index of the increment shown in the slip map: maximum tangential force, last one.
+    """Return the index of the increment that the slip map shows.
 
-    Without a tangential force, the torque is used; without a torque, the load.
+    This is the last increment with the maximum tangential force. Without a tangential force, it is
+    the last increment with the maximum torque; without a torque, with the maximum load.
     """
     pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
     if not pulls.max() > ROUNDING_ERROR * float(dataset["load"].max()):
@@ -87,10 +88,10 @@ def chosen(dataset: xr.Dataset) -> int:
 
 
 def driven(dataset: xr.Dataset) -> list[str]:
-    """Return the directions "x", "y" in which the bodies are driven, then "z" for a driven twist.
+    """Return the directions, "x", "y" or "z", along which the bodies are loaded and displaced.
 
-    A direction is driven if its force and its displacement exceed rounding errors. Of x and y, the
-    direction with the larger force comes first.
+    In these directions, force and displacement exceed rounding errors. Of x and y, the direction
+    with the larger force comes first; "z", for torque and twist, comes last.
     """
     moved = moved_along(dataset)
     found = [

@@ -32,9 +32,9 @@ def study_figure(
     """Return a figure with one panel for each quantity that varies between the cases.
 
     The horizontal axis shows the first parameter that has several values and whose values are
-    numbers. If there is no such parameter, it shows the first one with several words. All other
-    parameters distinguish the curves. At most `MAX_PANELS` quantities are drawn. Return None if no
-    quantity or no parameter varies. The arguments are the attributes of a `SweepSummary`.
+    numbers. If there is no such parameter, it shows the first parameter with several values. All
+    other parameters distinguish the curves. At most `MAX_PANELS` quantities are drawn. Return None
+    if no quantity or no parameter varies. The arguments are the attributes of a `SweepSummary`.
     """
     shown = [name for name in quantities if _varies(values[name])][:MAX_PANELS]
     varied = [name for name, column in parameters.items() if len(set(map(str, column))) > 1]
@@ -95,7 +95,7 @@ def _panel(
 def _positions(column: Sequence[Any]) -> tuple[np.ndarray[Any, Any], list[str] | None]:
     """Return the axis positions of the values of a column, and the words on the axis.
 
-    Numbers are their own positions; the second result is then None. Words are numbered from 0.
+    A number is its own position, and the second result is None. Words are numbered from 0.
     """
     if _are_numbers(column):
         return np.asarray(column, dtype=np.float64), None

@@ -268,7 +268,7 @@ def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
     """Return the limits along x of the region that figures of a track show [m].
 
     The region in which `sizes` exceed 2 % of their maximum is extended at each end by half its
-    length and two cells, but not beyond the track. sizes: magnitude of a field at each position x.
+    length plus two cells, but not beyond the track. sizes: magnitude of a field at each position x.
     """
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 # Units that take a prefix; others are written as they are.
 _PREFIXED_UNITS = ("m", "Pa", "N", "s", "m/s")
 _MAX_LISTED_VALUES = 8
-"""Maximum number of values up to which a list is shown in full."""
+"""Maximum number of values of a list that is shown in full."""
 
 
 _ROUNDING_ERROR = 1e-13  # relative to the maximum of a column

@@ -192,9 +192,10 @@ def _listed(problems: Mapping[str, str]) -> str:
 
 
 def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
-    """Return a line of the error text of a case, with the full name of an unknown parameter.
+    """Return a line of the error text of a case, rewritten if a parameter is an unknown field.
 
-    A similar field name is suggested. names: names of the parameters.
+    The rewritten line contains the full name of the parameter and suggests a similar field. names:
+    names of the parameters.
     """
     where, _, reason = line.partition(": ")
     if reason.startswith("unknown field;"):
