@@ -96,7 +96,7 @@ def largest_contact_load(case: Case, largest_load: float | None) -> float | None
 
 
 def load_on_bearing(case: Case, found: FoundLoad) -> float:
-    """Return the radial load on the bearing [N] at which the contact has the load found.
+    """Return the radial load on the bearing [N] for which the search has found the contact load.
 
     Without a radial load, return the axial load.
     """

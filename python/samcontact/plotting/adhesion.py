@@ -41,7 +41,7 @@ _RADII = 160
 
 
 def is_adhesive(dataset: xr.Dataset) -> bool:
-    """Whether the results are from a run with a law of adhesion: attraction depends on the gap."""
+    """Whether the results are from a run in which the attraction depends on the gap."""
     return "adhesion_stress" in dataset
 
 

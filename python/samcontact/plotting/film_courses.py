@@ -50,7 +50,8 @@ def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 def film_stress_figure(dataset: xr.Dataset, grid: Grid) -> Figure:
     """Return a figure of stress, plastic strain and residual stress in one body, as sections.
 
-    The body, and the position y of the sections, are those of the maximum plastic strain.
+    The figure shows the body with the larger plastic strain, in sections through the cell with the
+    maximum plastic strain.
     """
     body = 1 + int(np.argmax(dataset["equivalent_plastic_strain"].max(dim=("x", "y", "z")).values))
     strain = dataset["equivalent_plastic_strain"].sel(body=body).values

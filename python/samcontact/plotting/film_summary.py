@@ -72,7 +72,7 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
         text = "Temperature rise of film and surfaces along x through the smallest gap."
         yield FilmFigure("film_temperature", f"Temperature along x, {when}", text, figure)
     if case is not None and (chart := _chart(case, film.load)) is not None:
-        text = "Regimes of lubrication over load and lubricant, with the place of the contact."
+        text = "Lubrication regimes by load number and lubricant number; a dot marks the contact."
         yield FilmFigure("regime_chart", f"Regime of lubrication, {when}", text, chart)
     yield from _courses(dataset, film)
     over_speed = len(films) > 1 and "time" not in dataset and "imprint" not in dataset
@@ -107,7 +107,7 @@ def _courses(dataset: xr.Dataset, film: FilmSolution) -> Iterator[FilmFigure]:
         yield FilmFigure("film_stress", "Stress and plastic strain", text, figure)
         figure = new_figure()
         film_imprint(dataset, figure.subplots())
-        text = "Residual displacement of both surfaces along x, outwards, under each load."
+        text = "Sum of the residual displacements of both surfaces along x, positive outwards."
         yield FilmFigure("film_imprint", "Imprint under the film", text, figure)
 
 

@@ -150,7 +150,7 @@ def section_height(width: float, across: float, depth: float) -> float:
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """Return the figure height [in] of a map; a flat map has its colour bar below the map."""
+    """Return the figure height [in] of a map, including the colour bar below a flat map."""
     return _panel_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )

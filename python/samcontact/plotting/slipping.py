@@ -357,7 +357,7 @@ def require_slip(dataset: xr.Dataset) -> None:
 
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
-    """Return creepage [-] and tangential force [N] of all increments that roll under load.
+    """Return creepage [-] and tangential force [N] of all increments of rolling under load.
 
     The creepage is the change of the rigid-body displacement divided by the distance rolled in the
     increment.

@@ -93,9 +93,10 @@ def _panel(
 
 
 def _positions(column: Sequence[Any]) -> tuple[np.ndarray[Any, Any], list[str] | None]:
-    """Return the axis positions of the values of a column, and the words on the axis.
+    """Return the axis positions of the values of a column, and the tick labels of words.
 
-    A number is its own position, and the second result is None. Words are numbered from 0.
+    Numbers are returned unchanged, without tick labels (None). Different words are placed at 0, 1,
+    2, ...
     """
     if _are_numbers(column):
         return np.asarray(column, dtype=np.float64), None

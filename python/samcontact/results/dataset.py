@@ -227,7 +227,10 @@ def _inelastic(simulation: Simulation) -> list[int]:
 
 
 def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
-    """Return the numbers of the bodies with volume fields; value: whether it is elastic-plastic."""
+    """Return the bodies with volume fields, as a dictionary.
+
+    Keys are the numbers of the bodies; values state whether the body is elastic-plastic.
+    """
     stored = {number: True for number in _inelastic(simulation)}
     if body not in stored and _material(simulation, body).law != "rigid":
         stored[body] = False

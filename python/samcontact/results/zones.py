@@ -37,7 +37,7 @@ _FIELDS = {
 
 
 def is_gathered(states: Sequence[State], body: int) -> bool:
-    """Whether the volume fields of a body are gathered, as for several plastic subdomains."""
+    """Whether the volume fields of a body are stored only for cells with plastic strain."""
     return any(len(state.zones(body)) > 1 for state in states)
 
 
