@@ -32,11 +32,10 @@ def write(
 ) -> Path:
     """Write the report of a run.
 
-    The page shows the main results with their estimated errors, a comparison with Hertz contact
-    where applicable, figures, the `checks` of the results, the parameters, and the values and the
-    convergence of each increment. Reports of asperity collisions contain the values of each pass,
-    reports of wear the values of each cycle, and reports of films and of sliding the values at each
-    speed.
+    The page shows the main results with their estimated errors, figures, the `checks` of the
+    results, and the parameters. For a contact, it also shows the values and the convergence of each
+    increment and, where applicable, a comparison with Hertz contact. For asperity collisions, it
+    shows the values of each pass; for wear, of each cycle; for films and sliding, at each speed.
 
     Parameters
     ----------
