@@ -12,7 +12,7 @@ with uncollected():
 
 
 def start() -> None:
-    """Run the command in a process of its own."""
+    """Run the command; call this only in a process that does nothing else."""
     array_libraries.hide()
     # case files need no plugins, and the search reads the metadata of all installed packages
     os.environ.setdefault("PYDANTIC_DISABLE_PLUGINS", "__all__")

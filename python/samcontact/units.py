@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conversion of values with units to SI numbers; requires pint.
+"""Conversion of values with units to numbers in SI units, by the package pint.
 
 ``sc.units.si("210 GPa", "Pa")`` is 210e9. Case files accept such strings directly.
 """
@@ -40,7 +40,8 @@ def _registry() -> Any:
 def from_text(text: str, unit: str) -> float:
     """Convert a text such as "25 um" to a number in the given unit.
 
-    Raises ValueError with a message that begins with "must be".
+    Raises ValueError for any other text; the message begins with "must be", so that the caller can
+    put the name of the value before it.
     """
     allowed = (
         f"a number and a unit that converts to {unit}" if unit else "a number, or a percentage"

@@ -25,7 +25,7 @@ class FilePath(click.Path):
     def convert(
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> Any:
-        """Refuse names that no system allows, and "", which would otherwise mean "."."""
+        """Convert a name to a path; refuse null characters, and "", which would mean "."."""
         if not str(value):
             self.fail("must be the name of a file or folder, got ''", param, context)
         if "\0" in str(value):
@@ -34,11 +34,11 @@ class FilePath(click.Path):
 
 
 class UnitlessNumber(float):
-    """Number without a unit."""
+    """Number that the user has given without a unit."""
 
 
 class QuantityArgument(Numbers):
-    """Number in the SI unit of the option, or number with a compatible unit, e.g. "7.5 mm"."""
+    """Number in the SI unit of the option, or with another unit of this quantity, e.g. "7.5 mm"."""
 
     name = "quantity"
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Array libraries (Dask, Pint, ...) that xarray would load in each command if they are installed.
+"""Array libraries (Dask, Pint, ...), which xarray would load in each command if installed.
 
-Loading them takes a second, only to find that the values in a command are NumPy arrays.
+Loading them would take a second. The commands do not need them, because all values are NumPy
+arrays.
 """
 
 from __future__ import annotations
@@ -13,9 +14,9 @@ _NAMES = "dask", "pint", "cupy", "sparse"
 
 
 def hide() -> None:
-    """Make imports of the libraries fail in this process, unless they are loaded already.
+    """Make imports of the array libraries fail in this process, unless they are loaded already.
 
-    Only a process that runs nothing but a command may call this function.
+    Call this function only in a process that runs nothing but a command.
     """
     modules: dict[str, Any] = sys.modules
     for name in _NAMES:
@@ -23,7 +24,7 @@ def hide() -> None:
 
 
 def show() -> None:
-    """Undo `hide`, before work that needs one of the libraries."""
+    """Undo `hide`; call this before work that needs one of the libraries."""
     modules: dict[str, Any] = sys.modules
     for name in _NAMES:
         if modules.get(name, modules) is None:

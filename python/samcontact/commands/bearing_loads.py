@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load search of a bearing: cases of both races, and loads on the bearing by ISO 76."""
+"""Load search of a bearing: cases of both races, load on the bearing, static rating by ISO 76."""
 
 from __future__ import annotations
 
@@ -18,7 +18,11 @@ _IN_DIAMETERS = re.compile(r"(.*[\d.])\s*D\s*")
 
 
 def cases_by_race(case: Case) -> dict[str, Case]:
-    """Return the case of each race of a bearing without `race`, by its name; else {"": case}."""
+    """Return the cases that the load search of a case solves, by name of the race.
+
+    For a bearing whose `race` is not given, these are the cases of both races. Any other case is
+    returned under the name "".
+    """
     from ..cases.part_grid import grid_of_part
 
     surface: Any = case.surface
@@ -34,7 +38,7 @@ def cases_by_race(case: Case) -> dict[str, Case]:
 
 
 def unit_of(name: str) -> str:
-    """Return the SI unit of a quantity that a load search knows, "1" for a pure number."""
+    """Return the SI unit of a target quantity of a load search, "1" for a pure number."""
     from .._util.quantities import CONTACT
     from ..accuracy.load_search_cases import PERMANENT_DEFORMATION
 
@@ -43,7 +47,10 @@ def unit_of(name: str) -> str:
 
 
 def diameter_of(target: str, case: Case) -> float | None:
-    """Return the diameter D [m] for a target such as "permanent_deformation=1e-4 D", else None."""
+    """Return the diameter D of the rolling element [m] if the value of a target is in this unit.
+
+    An example is "permanent_deformation=1e-4 D". Return None for a target in another unit.
+    """
     match = _IN_DIAMETERS.fullmatch(target)
     if match is None:
         return None
@@ -64,7 +71,7 @@ def diameter_of(target: str, case: Case) -> float | None:
 
 
 def in_metres(target: str, case: Case) -> str:
-    """Return a target such as "permanent_deformation=1e-4 D" with the diameter D in metres."""
+    """Return a target with its value converted from D to metres, or any other target unchanged."""
     diameter = diameter_of(target, case)
     if diameter is None:
         return target
@@ -73,9 +80,11 @@ def in_metres(target: str, case: Case) -> str:
 
 
 def largest_contact_load(case: Case, largest_load: float | None) -> float | None:
-    """Return the contact load [N] for an upper limit [N] of the load of a case.
+    """Return the contact load [N] that corresponds to `largest_load`, the upper limit of a search.
 
-    For a bearing, the limit is the radial load on it; the axial load if there is no radial load.
+    For a bearing, `largest_load` is the radial load on the bearing or, without a radial load, the
+    axial load [N]. It is converted to the load of the most heavily loaded element. For any other
+    case it is the contact load.
     """
     surface: Any = case.surface
     if largest_load is None or surface.shape != "bearing" or not largest_load > 0.0:
@@ -87,7 +96,10 @@ def largest_contact_load(case: Case, largest_load: float | None) -> float | None
 
 
 def load_on_bearing(case: Case, found: FoundLoad) -> float:
-    """Radial load [N] on the bearing at the load found; axial load if there is no radial load."""
+    """Return the radial load on the bearing [N] for which the search has found the contact load.
+
+    Without a radial load, return the axial load.
+    """
     surface: Any = case.surface
     radial, axial, _ = surface.loads
     return float(surface.bearing.load_factor(found.load, *surface.loads) * (radial or axial))
@@ -96,9 +108,10 @@ def load_on_bearing(case: Case, found: FoundLoad) -> float:
 def table(
     founds: Mapping[str, FoundLoad], cases: Mapping[str, Case], diameter: float | None = None
 ) -> dict[str, dict[str, str]]:
-    """Return the columns of the table of results, each with its values by label.
+    """Return the table of results as a dictionary: by column heading, then by row label.
 
-    diameter: diameter of the rolling element [m] if the target is in this unit.
+    founds: result of the search for each race. cases: case of each race. diameter: diameter of the
+    rolling element [m], shown if the target was given in this unit.
     """
     columns = {}
     for race, found in founds.items():
@@ -115,7 +128,7 @@ def table(
 
 
 def _rows_of_bearing(case: Case, found: FoundLoad) -> dict[str, str]:
-    """Return the loads on the bearing, its static load rating, and the safety factor."""
+    """Return the table rows of a bearing: loads on it, static load rating C0, safety factor s0."""
     surface: Any = case.surface
     factor = surface.bearing.load_factor(found.load, *surface.loads)
     radial, axial = (factor * load for load in surface.loads[:2])

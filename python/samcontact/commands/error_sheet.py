@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Table of estimated errors for a terminal."""
+"""Table of estimated errors for the terminal."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def errors_sheet(dataset: xr.Dataset) -> Sheet | None:
-    """Return the table of maximum values and their errors; None without error estimates."""
+    """Return the table of maximum values and estimated errors, or None without error estimates."""
     rows = error_rows(dataset)
     if not rows:
         return None

@@ -19,18 +19,19 @@ EXIT_FAILED = 1
 
 
 class StoppedEarlyError(Exception):
-    """Error that stopped a run after some increments; the message names the results that exist.
+    """Error for a run that stopped after some increments, of which results were written.
 
-    The attribute `__cause__` is the original error.
+    The message describes these results. The attribute `__cause__` is the original error.
     """
 
 
 @contextmanager
 def short_errors(*, files: bool = False) -> Iterator[None]:
-    """Show errors that a user can cause as one message on stderr, without traceback, and exit.
+    """Context manager that reports an error due to the user as a message, without traceback.
 
-    files: whether the command reads or writes results. If so, all libraries are loaded, which
-    requires enough address space.
+    The message is printed on stderr, and SystemExit is raised with the exit code. files: whether
+    the command reads or writes results. Such a command loads all libraries, so the available
+    address space is checked first.
     """
     try:
         if files:
@@ -69,6 +70,7 @@ def write_partial_results(
         Function that writes results and then figures; its argument is the reason why the results
         are incomplete.
     error : Exception
+        Error that stopped the run.
     what : str
         Description of the results that exist, e.g. "3 of 12 increments".
     directory : Path
@@ -84,12 +86,12 @@ def write_partial_results(
 
 
 def with_resume_hint(text: str, directory: Path) -> str:
-    """Append to a message the command that resumes the run."""
+    """Return a message followed by the command that resumes the run in `directory`."""
     return f"{text}; resume with:\n  samcontact resume {directory}"
 
 
 def _message_and_code(error: Exception) -> tuple[str, int]:
-    """Return the message of an error, "" for an internal error, and the exit code."""
+    """Return the message for an error ("" for an internal error), and the exit code."""
     from .._core import ConvergenceError
 
     if isinstance(error, ConvergenceError):
@@ -117,13 +119,13 @@ _REMEDIES = {
 
 
 def _system_message(error: OSError) -> str:
-    """Message of an operating-system error: file, reason and remedy, without error number."""
+    """Return the message for an operating-system error: file, reason and remedy."""
     parts = [error.filename, error.strerror or str(error), _REMEDIES.get(error.errno or 0)]
     return ": ".join(str(part) for part in parts if part)
 
 
 def _is_short_of_memory(error: Exception) -> bool:
-    """Whether an error, not only a MemoryError, is due to a lack of memory."""
+    """Whether an error of any type was caused by a lack of memory."""
     if isinstance(error, MemoryError) or getattr(error, "errno", None) == errno.ENOMEM:
         return True
     words = ("failed to map segment", "cannot allocate memory", "memory allocation failed")

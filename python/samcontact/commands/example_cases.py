@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files that come with the package, to read and to start from."""
+"""Example case files of the package, which users can copy and change."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ FIRST_CASES = {
     "indentation": "v1_nano_indentation",
     "coated_indentation": "v3_coated_indentation",
 }
-"""Name of the example to start from, by kind of problem."""
+"""Name of the example that `samcontact new` writes, by kind of problem."""
 
 
 def example_names() -> list[str]:
@@ -57,7 +57,7 @@ def example_text(name: str, path: str | None = None) -> str:
     name : str
         Name of the example, e.g. "t1_two_balls".
     path : str, optional
-        Path of the copy, for the commands in the comments.
+        Path to which the text will be written. It appears in the commands quoted in the comments.
 
     Raises
     ------

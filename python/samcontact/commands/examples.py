@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Commands `new` and `cases`: write case files to start from."""
+"""Commands `new` and `cases`, which write example case files."""
 
 from __future__ import annotations
 

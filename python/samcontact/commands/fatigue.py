@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def write_fatigue(
     case: Case, states: list[State], directory: Path, console: Console, *, figures: bool
 ) -> list[Path]:
-    """Print the maximum of each criterion, write fatigue.nc and figures, and return the files."""
+    """Print the maximum of each criterion, write fatigue.nc and figures, and return their paths."""
     assert case.fatigue is not None
     body = case.output.body
     with console.status("fatigue"):
@@ -53,7 +53,7 @@ def write_fatigue(
 
 
 def life_values(life: Life) -> dict[str, float]:
-    """Return the numbers of a life that ratios of lives require."""
+    """Return the two numbers of a life from which the ratio of two lives can be calculated."""
     return {"log_integral": life.log_integral, "weibull": life.constants["weibull"]}
 
 
@@ -101,7 +101,7 @@ def _figures(
     exposed: Exposure | None,
     directory: Path,
 ) -> list[Path]:
-    """Draw depth profiles (one figure for each unit) and a section of the first criterion."""
+    """Draw the figures: depth profiles for each unit, section of the first criterion, exposure."""
     from ..plotting.fatigue import exposure_depth, fatigue_depth, fatigue_section
     from ..plotting.parts import new_figure, save
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command `find`: the load at which a quantity of a case reaches a value."""
+"""Command `find`, which finds the load at which a quantity of a case reaches a value."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def find(
 
 
 def _run_search(case: Case, search: LoadSearch) -> FoundLoad:
-    """Run or continue the search; if the search is interrupted, save the solutions so far."""
+    """Run or continue a load search; if it is interrupted, save the solutions obtained so far."""
     from ..files.atomic import undisturbed
     from ..restart.checkpoint_files import remove_checkpoints
     from ..restart.identity import digest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files in the results folder of a run; outdated files of earlier runs are removed."""
+"""Files in the results folder of a run, and removal of outdated files of earlier runs."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ _OUTPUT_FILES = re.compile(
     r"|results(_\d{5,})?(_track)?(_surface)?\.vt[ru]|results(_surface)?\.pvd"
     rf"|({'|'.join(_FIGURES)})\.(png|pdf|svg)"
 )
-"""Pattern for the names of files that runs, reports and exports write to the run folder."""
+"""Pattern for the names of files that runs, reports and exports write to a results folder."""
 
 
 def is_own(file: Path) -> bool:
-    """Whether the file has a name that runs, reports or exports use for their output."""
+    """Whether a file has a name that runs, reports or exports use for their output."""
     return _OUTPUT_FILES.fullmatch(file.name) is not None
 
 

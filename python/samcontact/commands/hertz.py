@@ -37,8 +37,10 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Plausible bound for a number without a unit, by option: whether the bound is a lower bound, value
-and unit of the bound, and an example of a number with a unit."""
+"""Plausible limit of a number that is given without a unit, by option.
+
+Each entry contains: whether the limit is a lower limit, its value, its unit, and an example of a
+value with a unit."""
 
 
 @click.command(short_help="Print a Hertz solution.")
@@ -106,7 +108,7 @@ def hertz(
 
 
 def _check_of_number(name: str, value: float) -> PlausibilityCheck:
-    """Return the plausibility check of an option given as a number without a unit."""
+    """Return the plausibility check of an option whose value was given without a unit."""
     at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
     option = "--" + name.replace("_", "-")
     remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
@@ -114,7 +116,7 @@ def _check_of_number(name: str, value: float) -> PlausibilityCheck:
 
 
 def _warn_of_unit_errors(contact: HertzContact, given: dict[str, float | None]) -> None:
-    """Warn about implausible numbers without a unit and about an implausible contact size."""
+    """Warn if a number without a unit is implausible, or if the contact size is implausible."""
     for name, value in given.items():
         if isinstance(value, UnitlessNumber):
             warn_if_implausible(_check_of_number(name, value), stacklevel=2)
@@ -143,7 +145,7 @@ def _line(
     approach: float | None,
     p0: float | None,
 ) -> tuple[_hertz.LineContact, Rows]:
-    """Return the line contact for the given load, load per length or p0; and the table rows."""
+    """Return the line contact for a given load, load per length or p0, and its table rows."""
     if approach is not None:
         raise ValueError(
             "approach is not supported for a line contact, because it depends on the shape of the "
@@ -161,7 +163,7 @@ def _line(
 
 
 def _stresses(contact: HertzContact, nu: float, depths: tuple[float, ...]) -> Rows:
-    """Return table rows: maximum von Mises stress, and stresses on the axis at given depths."""
+    """Return the table rows of stresses: maximum von Mises stress, and stresses at given depths."""
     stress, depth = contact.max_von_mises(nu)
     rows = [
         ("maximum von Mises stress [Pa]", stress),

@@ -25,17 +25,19 @@ FOREIGN_FOLDER = "checkpoints.old"
 FINISHED_MARK = ".checkpoints.done"
 REMEDY = "use another --output"
 MAX_INTERRUPT_DELAY = 20
-"""Number of increments above which writing checkpoints is announced, because Ctrl-C has no effect
-while checkpoints are written."""
+"""Number of increments above which a message announces that checkpoints are written, because
+Ctrl-C has no effect during this time."""
 
 
 class Checkpoints:
-    """Checkpoints of a run, stored in the folder of the results.
+    """Checkpoints of a run, stored in a subfolder of the results folder.
 
     Parameters
     ----------
     directory : Path
+        Folder of the results.
     case : CaseFile
+        Case that is solved.
     """
 
     def __init__(self, directory: Path, case: CaseFile) -> None:
@@ -46,9 +48,11 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Return whether to continue from checkpoints; move checkpoints of another run away.
+        """Return whether the run reads existing checkpoints and writes one after each increment.
 
-        With `resume`, no checkpoints are moved; reading them fails if they belong to another run.
+        The result is True with `resume`, or if the folder contains checkpoints of the same case.
+        Without `resume`, checkpoints of another case are moved to `FOREIGN_FOLDER`. With `resume`,
+        checkpoints of another case are kept, and reading them fails later.
         """
         remove_checkpoints(self.directory / FINISHED_MARK)
         if not self.folder.exists() or resume:
@@ -63,7 +67,7 @@ class Checkpoints:
         return self.folder.exists()
 
     def remember(self) -> Path:
-        """Store path and text of the case file in the checkpoint folder, and return the folder."""
+        """Store path and text of the case file in the checkpoint folder; return this folder."""
         self.folder.mkdir(parents=True, exist_ok=True)
         self._write(f"{CASE_MARK}{self.key}\n{self.case.source.resolve()}\n{self.case.text}")
         return self.folder
@@ -74,10 +78,11 @@ class Checkpoints:
 
     @contextmanager
     def used(self) -> Iterator[Path]:
-        """Context manager for a run that writes each solved increment to the checkpoint folder.
+        """Context manager that provides the checkpoint folder to a run, marked with this case.
 
-        The folder is marked as belonging to this case. If the checkpoints turn out to belong to
-        another run, the mark of that run is restored.
+        If the run fails because the checkpoints in the folder belong to another run, the previous
+        mark is restored. If the run fails before it has written a checkpoint, the folder is
+        removed.
         """
         before = _text(self.folder / CASE_FILE)
         folder = self.remember()
@@ -94,7 +99,11 @@ class Checkpoints:
             raise
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
-        """Write the checkpoints of a stopped run at once; report a failure, e.g. a full disk."""
+        """Write the checkpoints of all solved increments of a run that was stopped.
+
+        write: function that writes them to a folder. increments: number of solved increments. An
+        OSError, e.g. due to a full disk, is printed as a message and not raised.
+        """
         if increments > MAX_INTERRUPT_DELAY:
             click.echo(f"writing checkpoints of {increments} increments", err=True)
         try:
@@ -104,7 +113,7 @@ class Checkpoints:
             click.echo(f"could not write all checkpoints: {error}", err=True)
 
     def forget(self) -> None:
-        """Remove the checkpoints, after the results were written; signals are delayed meanwhile."""
+        """Remove the checkpoints of a complete run; termination signals are delayed meanwhile."""
         with undisturbed(), suppress(OSError):
             for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER):
                 if (self.directory / name).exists():
@@ -116,19 +125,23 @@ class Checkpoints:
 def checkpoints_of(
     directory: Path, case: CaseFile, written: re.Pattern[str]
 ) -> Iterator[Checkpoints]:
-    """Lock the folder of a run, and remove the checkpoints when the run is complete.
+    """Context manager that locks the folder of a run, and finally removes its checkpoints.
+
+    After an error, the checkpoints are kept.
 
     Parameters
     ----------
     directory : Path
+        Folder of the results.
     case : CaseFile
+        Case that is solved.
     written : re.Pattern
-        Names of the files that the run may write.
+        Pattern for the names of the files that the run may write.
 
     Raises
     ------
     ValueError
-        The folder contains files that this package did not write, with names that the run needs.
+        The folder contains a file that this package did not write and the run would replace.
     """
     with locked(directory, REMEDY), recording(directory) as record:
         for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER, FINISHED_MARK):
@@ -155,12 +168,12 @@ def _require_own(file: Path, record: OwnershipRecord, case: CaseFile) -> None:
 
 
 def is_interrupted(directory: Path) -> bool:
-    """Whether the folder contains the checkpoint mark (`CASE_FILE`) of an interrupted run."""
+    """Whether a results folder contains the checkpoints of an interrupted run."""
     return (directory / CHECKPOINT_FOLDER / CASE_FILE).is_file()
 
 
 def interrupted_case(directory: Path) -> Path:
-    """Return the case file of the interrupted run whose checkpoints are in a folder.
+    """Return the path of the case file of the interrupted run in a results folder.
 
     Raises ValueError if there is no interrupted run, or if the case file has changed.
     """
@@ -184,7 +197,7 @@ def interrupted_case(directory: Path) -> Path:
 
 
 class _CheckpointMark(NamedTuple):
-    """Content of the file `CASE_FILE`: key of the run, path and text of the case file."""
+    """Content of the file `CASE_FILE` in a checkpoint folder: key, path and text of the case."""
 
     key: str
     source: str

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Loading of modules without garbage collection, which takes a seventh of the time."""
+"""Loading of modules without garbage collection, which would take a seventh of the loading time."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from collections.abc import Iterator
 
 @contextlib.contextmanager
 def uncollected() -> Iterator[None]:
-    """Omit garbage collection, because loaded modules contain almost nothing that is unused.
+    """Context manager for the import of modules, in which garbage is not collected.
 
-    In a process that runs nothing but a command, later collections do not examine them either.
+    Modules create almost no garbage. In a process that runs nothing but a command, later
+    collections do not examine the loaded modules either.
     """
     enabled = gc.isenabled()
     gc.disable()

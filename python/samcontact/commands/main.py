@@ -33,7 +33,10 @@ def _print_version(context: click.Context, _: click.Parameter, value: bool) -> N
 
 
 class _GuardedGroup(click.Group):
-    """Command group with guarded output and signal handling, also for help and usage errors."""
+    """Command group that handles failing output and termination signals in all its commands.
+
+    This includes help texts and usage errors; see `guarded_output` and `stoppable`.
+    """
 
     def main(self, *args: Any, **settings: Any) -> Any:
         os.environ.pop(

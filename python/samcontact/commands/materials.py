@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command `materials`: constants of the library of materials, with their sources."""
+"""Command `materials`, which lists the material library: constants and their sources."""
 
 from __future__ import annotations
 

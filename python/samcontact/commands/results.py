@@ -137,9 +137,11 @@ def report(run: Path, output: Path | None) -> None:
 
 @contextmanager
 def _recorded(target: Path, default: Path) -> Iterator[None]:
-    """Record `target` if it has the default name; refuse to replace a file of another program.
+    """Context manager that protects files of other programs while the report is written.
 
-    A file that the user named with --output is replaced in any case.
+    A report with the default name is recorded as a file of this package, and ValueError is raised
+    if it would replace a file of another program. A report that the user named with --output
+    replaces any file.
     """
     if target != default:
         yield

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Components of this installation, and a self-test of a few seconds."""
+"""Versions of the components of an installation, and a self-test that takes a few seconds."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _core_file() -> str:
 
 
 def _compiler(core: Path) -> str:
-    """Return the version of the compiler, which is stored in the compiled core."""
+    """Return the version of the compiler, found in the file of the compiled core."""
     pattern = rb"GCC: \([^)\0]*\) [\d.]+|clang version [\d.]+"
     found = sorted({text.decode() for text in re.findall(pattern, core.read_bytes())})
     return ", ".join(found) or "unknown"
@@ -88,7 +88,7 @@ def _fftw(library: ctypes.CDLL) -> str:
 
 
 def _simd() -> str:
-    """Return the x86-64 level (SIMD) for which the loader selects the compiled loops."""
+    """Return the x86-64 level (SIMD instructions) of the compiled loops used on this machine."""
     if platform.machine() not in ("x86_64", "AMD64"):
         return "one level only"
     try:
@@ -137,8 +137,8 @@ def self_check() -> Iterator[Check]:
     Yields
     ------
     Check
-        Each check as soon as it is computed. A check that raises an exception fails, and its name
-        contains the error.
+        Each check as soon as it is computed. If a test raises an exception, a failed check is
+        yielded, whose name contains the error.
     """
     for part in (_hertz, _plastic, _checkpoint):
         yield from _guarded(part)

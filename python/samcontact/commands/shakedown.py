@@ -28,10 +28,10 @@ def write_shakedown(
     figures: bool,
     found: ShakedownResult | None = None,
 ) -> list[Path]:
-    """Repeat the path, print a table, write shakedown.nc and a figure, and return the files.
+    """Repeat the path of a case, print a table, write shakedown.nc and a figure, return the paths.
 
-    A checkpoint is written after each cycle, because many cycles take long. If the response has
-    been `found` before, nothing is solved.
+    A checkpoint is written after each cycle, because many cycles take long. found: response if it
+    is already known; the path is then not repeated.
     """
     assert case.shakedown is not None
     if found is None:

@@ -14,8 +14,8 @@ from ..files.atomic import TERMINATION_SIGNALS
 
 EXIT_INTERRUPTED = 130
 _REPEAT_INTERVAL = 1.0
-"""Interval [s] within which repeated signals count as one, because `timeout` signals both a process
-and its group."""
+"""Interval [s] within which repeated signals count as one. The program `timeout` sends its signal
+twice: to the process and to its group."""
 
 
 class StopRequested(KeyboardInterrupt):
@@ -33,7 +33,10 @@ def exit_code(stop: BaseException) -> int:
 
 @contextmanager
 def stoppable() -> Iterator[None]:
-    """Context manager: termination signals raise `StopRequested`; ignored ones stay ignored."""
+    """Context manager in which termination signals raise `StopRequested`.
+
+    Signals that were ignored before are still ignored.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of a case of one contact: tables, results and figures."""
+"""Solution of a case with one contact, and output of its tables, results and figures."""
 
 from __future__ import annotations
 
@@ -53,11 +53,11 @@ MAX_FRAMES = 120  # maximum number of frames of an animation
 def solve_contact(
     case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case of one contact, write results.nc and figures, and return the files.
+    """Solve a case with one contact, write results.nc and figures, and return their paths.
 
     With `resume`, a checkpoint is written after each increment. Otherwise, the checkpoints of all
     solved increments are written only if the run stops before all files are written. If an error
-    stops the run, the solved increments are also written as results.
+    stops the run, results of the solved increments are also written.
     """
     if animate and not (case.sticks or (case.moves and case.has_volume)):
         raise ValueError(
@@ -101,9 +101,10 @@ def solve_contact(
 def solve_to_accuracy(
     case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case to the prescribed accuracy, write results of the finest grid, return the files.
+    """Solve a case to the prescribed accuracy, write results and figures, and return their paths.
 
-    After an error or an interruption, the best values so far are written as results.
+    The results are those of the finest grid. After an error or an interruption, the best results
+    obtained so far are written.
     """
     search = prepare_search(case, progress=not console.quiet)
     written = written_names(case, "results", figures, False)
@@ -141,7 +142,10 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation of a case with the solved increments: all of them, or those before an error."""
+    """Simulation of a case and its solved increments, which end early if an error occurred.
+
+    accurate: result of the search for a prescribed accuracy, if one is prescribed.
+    """
 
     case: Case
     checkpoints: Checkpoints
@@ -155,7 +159,10 @@ class _ContactRun:
         return self.checkpoints.directory
 
     def write(self, *, figures: bool, animate: bool = False, stopped_by: str = "") -> list[Path]:
-        """Write results and figures, print tables, and return the files."""
+        """Write results and figures, print tables, and return the paths of the files.
+
+        stopped_by: error that stopped the run, or "" for a complete run.
+        """
         case, console, states = self.case, self.console, self.states
         if self.accurate is not None:
             dataset = self.accurate.to_dataset().assign_attrs(completeness(stopped_by))
@@ -218,7 +225,10 @@ class _ContactRun:
         return [save_animation(one, self.directory / f"{name}.gif") for name, one in made.items()]
 
     def _errors(self) -> GridErrors | None:
-        """Return grid errors from a run on a coarsened grid; None if not requested or failed."""
+        """Return the grid errors estimated from a run on a coarsened grid.
+
+        Return None if the case does not request them or the estimate fails.
+        """
         if not self.case.estimate_error:
             run = self.simulation
             repeat = repeat_with(type(run), run.engine.preparation)
@@ -234,7 +244,7 @@ class _ContactRun:
             return None
 
     def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
-        """Return the dataset, extended by all volume fields that the figures require."""
+        """Return the dataset with the volume fields of all increments that the figures show."""
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)
@@ -244,7 +254,10 @@ class _ContactRun:
         return results.to_dataset(self.simulation, self.states, self.case, volume=sorted(shown))
 
     def partial(self, error: BaseException, what: str, figures: bool) -> str:
-        """Write the results obtained before an error, and return a message for the user."""
+        """Write the results obtained before an error, and return a message for the user.
+
+        what: description of these results, e.g. "3 of 12 increments".
+        """
         return write_partial_results(
             lambda reason: self.write(figures=figures, stopped_by=reason),
             error,
@@ -254,7 +267,7 @@ class _ContactRun:
 
 
 def _summary(dataset: xr.Dataset, body: int) -> Sheet:
-    """Return the table of the main quantities at all increments, in readable units."""
+    """Return the table of the main quantities at all increments, in the units for display."""
     along = moved_along(dataset)
     names = (*CONTACT_COLUMNS, "imprint_depth", "travel", "lateral_travel", *along, "iterations")
     shown = contact_columns(dataset, names, body)
@@ -274,7 +287,10 @@ def _comparison(
     body: int,
     moduli: str = "",
 ) -> Sheet:
-    """Return the table that compares values at increment index `peak` with Hertz theory."""
+    """Return the table that compares the results at an increment with the Hertz contact.
+
+    peak: index of the increment, from 0. moduli: note on the moduli of the Hertz contact.
+    """
     number = int(dataset["increment"][peak])
     rows = []
     for quantity, exact, here in hertz_rows(dataset, peak, reference, body):

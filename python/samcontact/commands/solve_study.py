@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of a case of a study (collision, film, sliding, wear): tables, results and figures.
+"""Solution of a study (collision, film, sliding or wear), and output of tables, results, figures.
 
 A checkpoint is written after each increment of a collision, cycle of wear or velocity of sliding.
 """
@@ -75,26 +75,26 @@ _VELOCITY_COLUMNS = (
 
 
 class _StudyKind(NamedTuple):
-    """Functions that solve, write and draw one kind of study, e.g. wear."""
+    """Functions that solve a study of one kind, e.g. wear, and present its results."""
 
     file: str
     solve: Callable[[Path], Any]
-    """Solution of the case, given the folder of its checkpoints."""
+    """Function that solves the case; its argument is the folder of the checkpoints."""
     dataset: Callable[[Any], xr.Dataset]
     amount: Callable[[Any], str]
-    """Text that describes the results of a run that stopped early, e.g. "2 of 5 cycles"."""
+    """Function that describes the results of a run that stopped early, e.g. "2 of 5 cycles"."""
     sheet: Callable[[xr.Dataset], Sheet]
     rows: Callable[[xr.Dataset], pd.DataFrame]
-    """Data frame with the rows of the .csv file."""
+    """Function that returns the rows of the .csv file."""
     draw: Callable[[Any, xr.Dataset], dict[str, Figure]]
     animate: Callable[[Any], FuncAnimation] | None = None
-    """Animation of the results, for which `--animate` asks."""
+    """Function that returns the animation for the option `--animate`, or None if there is none."""
 
 
 def solve_study(
     case: AnyCase, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
-    """Solve a case, write its .nc and .csv files, figures and animation, and return the files."""
+    """Solve a study, write .nc and .csv files, figures and animation, and return their paths."""
     kind = _KINDS[case.study](case, not console.quiet)
     if animate and kind.animate is None:
         reason = ", except with film.transient" if case.study == "film" else ""
@@ -104,7 +104,7 @@ def solve_study(
 
 
 def _asperities(case: AsperityCase, progress: bool) -> _StudyKind:
-    """Files series.nc and series.csv, and figures of pass 1."""
+    """Return the functions of an asperity collision: series.nc, series.csv, figures of pass 1."""
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
@@ -122,7 +122,7 @@ def _asperities(case: AsperityCase, progress: bool) -> _StudyKind:
 
 
 def _film(case: FilmCase, progress: bool) -> _StudyKind:
-    """Files film.nc and film.csv, and figures of the film."""
+    """Return the functions of a lubricated contact: film.nc, film.csv and figures."""
     _ = case.standing_gap()  # errors of the case are raised before its folder is written
     return _StudyKind(
         "film",
@@ -141,7 +141,7 @@ def _film_animation(films: Sequence[FilmSolution]) -> FuncAnimation:
 
 
 def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
-    """Files sliding.nc and sliding.csv, and figures versus velocity."""
+    """Return the functions of steady sliding: sliding.nc, sliding.csv, figures versus velocity."""
 
     def amount(result: FrictionCurve) -> str:
         return f"{len(result.solutions)} of {len(case.sliding.speeds())} velocities"
@@ -158,9 +158,10 @@ def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
 
 
 def _wear(case: Case, progress: bool) -> _StudyKind:
-    """Files wear.nc and wear.csv, and figures.
+    """Return the functions of a wear study: wear.nc, wear.csv and figures.
 
-    A case with an accuracy is solved on finer and finer grids; the files describe the finest one.
+    A case with a prescribed accuracy is solved on successively finer grids; the files contain the
+    results of the finest grid.
     """
     settings = case.wear
     assert settings is not None
@@ -203,7 +204,7 @@ def _solve(
     figures: bool,
     resume: bool,
 ) -> list[Path]:
-    """Solve a study of some kind, write results, table and figures, and return the files."""
+    """Solve a study by the functions of its kind, write all files, and return their paths."""
 
     def write(result: Any, stopped_by: str = "") -> list[Path]:
         words = {"title": case.title, "description": case.description, "case": case.text}
@@ -286,7 +287,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """Return the table of cycles: the sum of the worn volumes, and maxima over both bodies."""
+    """Return the table of cycles; worn volumes are summed over both bodies, others are maxima."""
     columns = []
     for name in (name for name in _CYCLE_COLUMNS if name in dataset):
         values = dataset[name]

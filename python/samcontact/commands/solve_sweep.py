@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parameter study of ``samcontact sweep``: parse lists of values, solve, print a table."""
+"""Parameter study of ``samcontact sweep``: parse the values, solve the cases, print a table."""
 
 from __future__ import annotations
 
@@ -108,7 +108,11 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
 
 
 def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
-    """Convert texts FIELD=VALUE,VALUE,... to a list of values (TOML, or plain words) by field."""
+    """Convert texts FIELD=VALUE,VALUE,... to a dictionary of fields and their lists of values.
+
+    Values are written as in TOML; texts may omit the quotes. A range "0..199" stands for all its
+    whole numbers.
+    """
     parameters: dict[str, list[Any]] = {}
     for setting in settings:
         name, equals, text = setting.partition("=")
@@ -133,7 +137,7 @@ def _values(text: str) -> list[Any]:
 
 
 def _in_range(word: str) -> list[Any]:
-    """Return the whole numbers of a range such as "0..199"; none if the text is no range."""
+    """Return the whole numbers of a range such as "0..199", or [] if the text is not a range."""
     found = _RANGE.fullmatch(word)
     if found is None:
         return []
@@ -146,7 +150,7 @@ def _in_range(word: str) -> list[Any]:
 
 
 def _value(word: str) -> Any:
-    """Convert text to a TOML value or a number (e.g. "1."); return any other text unchanged."""
+    """Convert text to a TOML value or to a number such as "1."; return any other text unchanged."""
     try:
         return tomllib.loads(f"v = {word}")["v"]
     except tomllib.TOMLDecodeError:
@@ -157,7 +161,7 @@ def _value(word: str) -> Any:
 
 
 def _errors(dataset: xr.Dataset) -> list[str]:
-    """Return each different error message once; sweep.nc contains the error of each case."""
+    """Return each different error message of the cases once, and at most `MAX_PRINTED_ERRORS`."""
     texts = [text for text in dict.fromkeys(dataset["error"].values.flat) if text]
     if len(texts) > MAX_PRINTED_ERRORS:
         texts[MAX_PRINTED_ERRORS:] = [

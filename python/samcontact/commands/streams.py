@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Output streams of the command: a failing terminal or pipe does not stop a run."""
+"""Output streams of the command, which do not stop a run if the terminal or pipe fails."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _ASCII_SUBSTITUTES = {
 
 
 def _nearest(error: UnicodeError) -> tuple[str, int]:
-    """Return ASCII replacements for characters that the terminal cannot show."""
+    """Return ASCII text for characters that the terminal cannot show, and their end position."""
     assert isinstance(error, UnicodeEncodeError)
     shown = []
     for character in error.object[error.start : error.end]:
@@ -35,7 +35,7 @@ codecs.register_error("samcontact.nearest", _nearest)
 
 
 class _GuardedStream:
-    """Text stream that discards output that cannot be written, instead of raising an error."""
+    """Text stream that discards output if writing fails, instead of raising an error."""
 
     def __init__(self, stream: Any) -> None:
         self._stream = stream
@@ -79,7 +79,7 @@ class _GuardedStream:
 def guarded_output() -> Iterator[None]:
     """Context manager in which output never raises errors and each warning is printed on one line.
 
-    At the end, raise SystemExit with code 1 if output was lost.
+    If text for the standard output was lost, SystemExit with code 1 is raised at the end.
     """
     streams, form = (sys.stdout, sys.stderr), warnings.formatwarning
     with open(os.devnull, "w", encoding="utf-8") as null_device:

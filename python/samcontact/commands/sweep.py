@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Command `sweep`: parameter study of a case file."""
+"""Command `sweep`, which runs a parameter study of a case file."""
 
 from __future__ import annotations
 

@@ -20,14 +20,14 @@ _COLUMNS = ("mean", "standard\ndeviation", "standard error\nof the mean", "minim
 
 
 def are_realisations(parameters: Mapping[str, Sequence[Any]]) -> bool:
-    """Whether the cases of a sweep differ in seeds only, and enough of them."""
+    """Whether the cases of a sweep differ in seeds only, with at least `MIN_REALISATIONS` cases."""
     varied = [name for name, column in parameters.items() if len(set(map(str, column))) > 1]
     seeds = bool(varied) and all(name.rpartition(".")[2] == "seed" for name in varied)
     return seeds and len(parameters[varied[0]]) >= MIN_REALISATIONS
 
 
 def known_numbers(column: Sequence[Any]) -> FloatArray:
-    """Return the finite numbers among the values of a quantity; none if it has words."""
+    """Return the finite values of a quantity, or an empty array if its values are words."""
     if any(isinstance(value, str) for value in column):
         return np.array([])
     values = np.asarray(column, dtype=np.float64)
@@ -35,9 +35,9 @@ def known_numbers(column: Sequence[Any]) -> FloatArray:
 
 
 def statistics_of(values: FloatArray) -> list[float]:
-    """Return mean, deviations and quantiles of a sample, in the order of the table.
+    """Return mean, standard deviation, standard error and quantiles, in the order of `_COLUMNS`.
 
-    The standard deviation is that of the population, estimated from the sample.
+    The standard deviation is an estimate for the population, with the divisor n - 1.
     """
     deviation = float(np.std(values, ddof=1))
     low, five, median, most, high = np.quantile(values, (0.0, 0.05, 0.5, 0.95, 1.0)).tolist()
@@ -48,7 +48,10 @@ def statistics_of(values: FloatArray) -> list[float]:
 def statistics_sheet(
     title: str, quantities: Mapping[str, Quantity], values: Mapping[str, Sequence[Any]]
 ) -> Sheet | None:
-    """Return the table of statistics, one row per quantity; None if no quantity has numbers."""
+    """Return the table of statistics, with one row for each quantity that has enough numbers.
+
+    Return None if no quantity has at least `MIN_REALISATIONS` numbers.
+    """
     found = {name: known_numbers(values[name]) for name in quantities}
     shown = [name for name, sample in found.items() if sample.size >= MIN_REALISATIONS]
     if not shown:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One value of each quantity for each case of a sweep: table, CSV file and figure."""
+"""Summary of a sweep, with one value of each quantity for each case: table, CSV file, figure."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ _COLUMNS_OF_MAXIMA = {
         for name in ("friction", "contact_area", "contact_share", "max_pressure")
     },
 }
-"""Columns of studies whose maxima are shown."""
+"""Columns of the tables that show maxima: for each kind of study, the quantity of each variable."""
 
 
 @dataclass(frozen=True)
@@ -54,14 +54,14 @@ class SweepSummary:
     """Parameters, quantities and status of all cases of a sweep, in the order of the cases."""
 
     title: str
-    """Which value of each quantity is meant, e.g. the one at maximum von Mises stress."""
+    """Title, which says which value of each quantity is shown: "At maximum von Mises stress"."""
     parameters: dict[str, list[Any]]
-    """Values of each parameter in SI units, or text."""
+    """Values of each parameter, one for each case: numbers in SI units, or texts."""
     units: dict[str, str]
     """SI unit of each parameter; "" without a unit."""
     quantities: dict[str, Quantity]
     values: dict[str, list[Any]]
-    """Values of each quantity in SI units (NaN: none), or words."""
+    """Values of each quantity, one for each case: SI numbers (NaN if missing), or words."""
     status: list[str]
     errors: list[str]
 
@@ -82,13 +82,13 @@ class SweepSummary:
         return sheet
 
     def statistics(self) -> Sheet | None:
-        """Return the table of statistics of a sweep over seeds; None for other sweeps."""
+        """Return the table of statistics of a sweep over seeds, or None for any other sweep."""
         if not are_realisations(self.parameters):
             return None
         return statistics_sheet(self.title, self.quantities, self.values)
 
     def write_csv(self, file: Path) -> Path:
-        """Write one row for each case, with units in the first line; values are in SI units."""
+        """Write a CSV file with one row for each case; values are in SI units."""
         heads = [_headed(name, self.units[name]) for name in self.parameters]
         heads += [_headed(name, quantity.unit) for name, quantity in self.quantities.items()]
         columns = [*self.parameters.values(), *self.values.values(), self.status, self.errors]
@@ -104,9 +104,10 @@ class SweepSummary:
         return file
 
     def write_figure(self, file: Path) -> Path | None:
-        """Draw the quantities that vary over the parameters; None if there is nothing to draw.
+        """Draw the quantities versus the parameters, and return the path of the figure.
 
-        For realisations, which differ in seeds only, draw the distributions.
+        For realisations, which differ in seeds only, histograms are drawn instead. Return None if
+        nothing varies.
         """
         from ..plotting.parts import save
         from ..plotting.realisations import realisations_figure
@@ -141,8 +142,10 @@ def _are_words(column: Sequence[Any]) -> bool:
 def summary_of(dataset: xr.Dataset, names: Sequence[str], case: AnyCase) -> SweepSummary:
     """Return the summary of a sweep over the parameters `names`.
 
-    It has the values at the increment of maximum von Mises stress; for asperity collisions and
-    sliding, the maxima of all increments or velocities; for wear, the values of the last cycle.
+    The values of a contact are those at the increment of maximum von Mises stress. For asperity
+    collisions and sliding, they are the maxima over all increments or velocities. For wear, they
+    are the values of the last cycle. For films, they are the values at the last load or speed, or
+    at the largest pressure over time.
     """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
@@ -161,7 +164,7 @@ def summary_of(dataset: xr.Dataset, names: Sequence[str], case: AnyCase) -> Swee
 
 
 class _Contents(NamedTuple):
-    """Title and columns of the table of a sweep, and the choice among the values of a case."""
+    """Title and columns of the table of a sweep, and function that selects one value of a case."""
 
     title: str
     columns: dict[str, Quantity]

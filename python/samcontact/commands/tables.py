@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables on the terminal; numbers are never truncated or wrapped."""
+"""Tables for the terminal, in which numbers are never truncated or wrapped."""
 
 from __future__ import annotations
 
@@ -20,25 +20,26 @@ if TYPE_CHECKING:
     import xarray as xr
 
 UNLIMITED_WIDTH = 10_000
-"""Width for output to a file or a pipe, in characters."""
+"""Width of tables that are written to a file or a pipe, in characters."""
 MIN_WIDTH = 40
-"""Minimum width of a table, in characters; a narrower terminal wraps the lines itself."""
+"""Minimum width of a table, in characters. A narrower terminal wraps the lines of the table."""
 _MAX_WORD_WIDTH = 24  # width of a float with all digits; longer words are folded
 _FRAME_WIDTH = 3  # width of a cell's frame: a line, and a space on either side
 
 
 def new_console(quiet: bool = False) -> Console:
-    """Return the output console: as wide as the terminal; unlimited width for files and pipes."""
+    """Return a console as wide as the terminal, or of unlimited width for a file or pipe."""
     console = Console(quiet=quiet)
     console.width = max(console.width, MIN_WIDTH) if console.is_terminal else UNLIMITED_WIDTH
     return console
 
 
 def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
-    """Format the numbers of a column with the same number of decimals.
+    """Format the numbers of a column with a common number of decimals.
 
-    The largest value has `digits` significant digits. A value that would be shown with fewer than
-    two significant digits has its own format. Values that are not finite are shown as "-".
+    The decimals are chosen so that the largest value has `digits` significant digits. A value with
+    fewer than two significant digits at this number of decimals is formatted separately. Values
+    that are not finite are shown as "-".
     """
     values = np.asarray(column, dtype=np.float64).tolist()
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
@@ -59,9 +60,10 @@ def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
 
 @dataclass
 class Sheet:
-    """Table that fits the terminal: headings wrap, and columns that do not fit follow below.
+    """Table that fits the width of the terminal.
 
-    The first column contains the names of the rows and is repeated in each part of the table.
+    Long headings wrap. Columns that do not fit are printed in further parts of the table below. The
+    first column contains the names of the rows and is repeated in each part.
     """
 
     title: str
@@ -79,7 +81,7 @@ class Sheet:
             yield self._part(part, available)
 
     def _parts(self, available: int) -> list[list[int]]:
-        """Return the columns of each part: as few parts as possible, of similar width."""
+        """Return the column indices of each part: as few parts as possible, of similar width."""
         narrow = [_FRAME_WIDTH + _narrowest(*column) for column in self.columns]
 
         def filled(limit: int) -> list[list[int]]:
@@ -129,7 +131,7 @@ CONTACT_COLUMNS = (
     "load", "approach", "max_pressure", "max_von_mises", "max_equivalent_plastic_strain",
     "max_temperature",
 )  # fmt: skip
-"""Quantities shown in the tables of a contact, by name in results files."""
+"""Names of the quantities shown in the tables of a contact, as in results files."""
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
@@ -146,7 +148,11 @@ def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dic
 def values_sheet(
     title: str, rows: ArrayLike, columns: Iterable[tuple[Quantity, ArrayLike, int | None]]
 ) -> Sheet:
-    """Return a table with a column for each quantity; `rows` are the numbers of the rows."""
+    """Return a table with one column for each quantity.
+
+    rows: numbers of the rows, e.g. of the increments. columns: for each column the quantity, its
+    values in SI units, and the number of the body (or None), which is added to the heading.
+    """
     sheet = Sheet(title)
     sheet.add("", [str(number) for number in np.asarray(rows)])
     for quantity, values, body in columns:

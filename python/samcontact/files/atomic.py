@@ -20,16 +20,16 @@ from .checksum import seal
 from .ownership import is_regular, record_of, remove_leftovers, require_marked
 
 TERMINATION_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-"""Signals of Ctrl-C, of batch systems and shutdown, and of a closed terminal."""
+"""Signals that are sent by Ctrl-C, by batch systems or at shutdown, and by a closed terminal."""
 
 
 @contextmanager
 def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
     """Provide a temporary file, which replaces the file at `path` at the end of the context.
 
-    The temporary file is in the folder of `path`. On failure, it is removed and an existing file is
-    kept. If `path` is a symbolic link, the target of the link is replaced. In a folder under
-    `recording`, only files of this package are replaced.
+    The temporary file is in the folder of `path`. After an error, the temporary file is removed and
+    an existing file at `path` is kept. If `path` is a symbolic link, the target of the link is
+    replaced. In a folder under `recording`, only files of this package are replaced.
 
     Parameters
     ----------
@@ -74,7 +74,10 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
 
 
 def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
-    """Return the path, with the suffix added if missing; raise ValueError without a file name."""
+    """Return a path with a suffix such as ".vtr", which is added if missing.
+
+    Raises ValueError if the path has no file name.
+    """
     target = Path(path)
     if target.name in ("", ".."):
         raise ValueError(f"path must be the name of a file, got {in_short(str(path))}, a folder")
@@ -82,7 +85,10 @@ def with_ending(path: str | os.PathLike[str], ending: str) -> Path:
 
 
 def _checked(path: Path) -> Path:
-    """Resolve a symbolic link; raise OSError if the folder is missing or no file can be written."""
+    """Return the file to replace: `path`, or the target if `path` is a symbolic link.
+
+    Raises OSError if the folder is missing, or if `path` is a folder, device or pipe.
+    """
     target = Path(os.path.realpath(path)) if path.is_symlink() else path
     if not target.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "the folder does not exist", str(path))
@@ -93,7 +99,10 @@ def _checked(path: Path) -> Path:
 
 
 def _part(target: Path, ending: str) -> tuple[int, Path]:
-    """Create a temporary file next to the target, locked to show that it is being written."""
+    """Create a temporary file next to the target; return its open handle and its path.
+
+    The file is locked, which shows other processes that it is being written.
+    """
     prefix = f".{target.name}.samcontact-"
     while True:
         handle, name = tempfile.mkstemp(f".part{ending}", prefix, target.parent)
@@ -163,7 +172,7 @@ class _ErrorHoldingFile:
 
 @contextmanager
 def undisturbed() -> Iterator[None]:
-    """Context manager that delays Ctrl-C and other termination signals, to lose no results."""
+    """Context manager that delays Ctrl-C and other termination signals until its end."""
     if threading.current_thread() is not threading.main_thread():
         yield  # signals are handled by the main thread
         return
@@ -183,5 +192,5 @@ def undisturbed() -> Iterator[None]:
 
 
 def _about(path: Path, error: OSError) -> OSError:
-    """Return a copy of an OSError with the file name that the user specified."""
+    """Return a copy of an OSError, with the file name `path`, which the user has specified."""
     return OSError(error.errno, error.strerror or str(error), str(path))

@@ -14,12 +14,12 @@ from typing import BinaryIO
 _MARK = b"\nsamcontact sha256 "
 _DIGEST_CHARACTERS = 64
 SEAL_BYTES = len(_MARK) + _DIGEST_CHARACTERS + 1
-"""Length of the mark and the digest at the end of a file [bytes]."""
+"""Total length of the mark and the digest that are appended to a file [bytes]."""
 _BLOCK = 1 << 20
 
 
 def seal(path: str | os.PathLike[str]) -> None:
-    """Append the digest to a complete file; later changes of the file by HDF5 remove the digest."""
+    """Append the digest to a complete file; if HDF5 later changes the file, the digest is lost."""
     with open(path, "r+b") as file:
         digest = _digest(file, os.fstat(file.fileno()).st_size)
         file.write(_MARK + digest + b"\n")

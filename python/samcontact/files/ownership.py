@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Identification of files written by this package, so that no other files are replaced.
 
-HDF5 files contain a mark. All other files whose names are chosen by this package are listed, with
-digests, in a record in the same folder. If the user chose the name, a file without a mark is
-replaced without a check.
+HDF5 files of this package contain a mark. Other files are listed, with digests, in a record in
+their folder if the package has chosen their names. If the user has chosen the name of such a file,
+an existing file is replaced without a check.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ RECORD_FILE = ".samcontact-files"
 _HEAD = "files that samcontact has written here, with their SHA-256\n"
 _MARK = b"samcontact"
 SEALED_SUFFIXES = (".h5", ".nc", ".before")
-"""Suffixes of HDF5 files, which contain the mark of this package."""
+"""Suffixes of the HDF5 files of this package, which contain its mark."""
 PARTIAL_FILE_NAME = re.compile(r"\.(.+)\.samcontact-\w{8}\.part(\.\w+)?")
-"""Pattern for the names of temporary files, in use or left by a killed process."""
+"""Pattern for the names of temporary files, which are in use or were left by a killed process."""
 
 _recording: ContextVar[OwnershipRecord | None] = ContextVar("recording", default=None)
 
@@ -58,7 +58,7 @@ def is_marked(file: Path) -> bool:
 
 
 def require_marked(file: Path, remedy: str = "move this file, or use another name") -> None:
-    """Raise ValueError if a file exists that was not written by this package."""
+    """Raise ValueError if a file exists that has no mark of this package."""
     if os.path.lexists(file) and not is_marked(file):
         raise ValueError(f"{file} {_kind(file)}: {remedy}")
 
@@ -74,7 +74,8 @@ def _kind(file: Path) -> str:
 class OwnershipRecord:
     """Record of the files without a mark that this package has written to a folder.
 
-    A file is recorded before it appears, so that it is recognised even if the process is killed.
+    A file is recorded before it gets its final name, so that it is recognised even if the process
+    is killed.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -124,9 +125,10 @@ class OwnershipRecord:
         self._known.add(entry)
 
     def clear(self, *but: Path, marked: re.Pattern[str]) -> None:
-        """Remove recorded files and files whose names match `marked`, except `but`.
+        """Remove all recorded files, and HDF5 files of this package whose names match `marked`.
 
-        Files that have changed, and files that this package did not write, are kept.
+        Files in `but`, recorded files that have changed since, and files that this package did not
+        write are kept. The record is removed too.
         """
         names = {name for _, name in self._known}
         for file in list(self.folder.iterdir()):
@@ -148,7 +150,10 @@ def _digest(file: Path) -> str:
 
 @contextmanager
 def recording(folder: Path) -> Iterator[OwnershipRecord]:
-    """Context manager that records files written to a folder, and refuses to replace others."""
+    """Context manager that records files written to a folder, and protects all other files.
+
+    A file that this package did not write is not replaced; see `OwnershipRecord.require`.
+    """
     if (record := record_of(folder)) is not None:  # one shared list per folder
         yield record
         return
@@ -161,16 +166,16 @@ def recording(folder: Path) -> Iterator[OwnershipRecord]:
 
 
 def record_of(folder: Path) -> OwnershipRecord | None:
-    """Return the record of a folder under `recording`; None for any other folder."""
+    """Return the record of a folder under `recording`, or None for any other folder."""
     record = _recording.get()
     return record if record is not None and record.folder.resolve() == folder.resolve() else None
 
 
 def remove_leftovers(folder: Path, name: str | None = None) -> None:
-    """Remove temporary files that killed processes have left in a folder.
+    """Remove the temporary files that killed processes have left in a folder.
 
-    With `name`, only temporary files for the file of this name are removed. Files that another
-    process is writing are locked and are not removed.
+    With `name`, only the temporary files of the file with this name are removed. Temporary files
+    that another process is writing are locked, and are kept.
     """
     for entry in os.listdir(folder):
         found = PARTIAL_FILE_NAME.fullmatch(entry) if entry.startswith(".") else None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of adhering surfaces: load–approach curve, cohesive zone, pull-off force."""
+"""Figures of a contact with adhesion: load–approach curve, cohesive zone, pull-off force."""
 
 from __future__ import annotations
 
@@ -29,28 +29,28 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _JUMP_SHARE, _JUMP_RATIO = 0.2, 4.0
-"""A jump changes the load by more than this share of the largest tension, and by more than this
-multiple of the median change of an increment."""
+"""Criteria of a jump between two increments: the change of the load exceeds this fraction of the
+largest tension, and this multiple of the median change of the load between increments."""
 _LAWS: tuple[dict[str, Any], ...] = (
     {"color": "0.35", "linewidth": 1.0, "linestyle": "-", "label": "JKR"},
     {"color": "0.35", "linewidth": 1.0, "linestyle": ":", "label": "Maugis, equal peak"},
     {"color": "0.6", "linewidth": 1.0, "linestyle": "-.", "label": "DMT"},
 )
 _RADII = 160
-"""Contact radii of the curves of closed forms."""
+"""Number of contact radii at which the theoretical curves are evaluated."""
 
 
 def is_adhesive(dataset: xr.Dataset) -> bool:
-    """Whether results are those of surfaces whose attraction depends on the gap."""
+    """Whether the results are from a run in which the attraction depends on the gap."""
     return "adhesion_stress" in dataset
 
 
 def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw a `load_approach` curve of adhering surfaces.
+    """Draw the load–approach curve of a contact with adhesion, as described in `load_approach`.
 
-    Approach and retraction have their own colours, and jumps are dashed. For a sphere, the curves
-    of Johnson, Kendall & Roberts, of Maugis at the same largest attraction, and of Derjaguin,
-    Muller & Toporov are added.
+    Approach and retraction have different colours, and jumps (`jumps_of`) are dashed. For a sphere,
+    three theoretical curves are added: Johnson, Kendall & Roberts; Maugis, with the maximum
+    attraction of the law; Derjaguin, Muller & Toporov.
     """
     ax = axes_or_new(ax)
     load, approach = dataset["load"].values, dataset["approach"].values
@@ -81,7 +81,10 @@ def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
-    """Return, for each pair of successive loads [N], whether the contact has jumped."""
+    """Return, for each increment after the first, whether the contact has jumped in it.
+
+    load: load of each increment [N]. The criteria are `_JUMP_SHARE` and `_JUMP_RATIO`.
+    """
     change = np.abs(np.diff(load))
     if not change.size:
         return change > 0
@@ -93,7 +96,10 @@ def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
 
 
 def _closed_forms(dataset: xr.Dataset) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Iterate over approaches and loads of JKR, Maugis and DMT; none if there is no sphere."""
+    """Iterate over the JKR, Maugis and DMT curves as pairs of approach [m] and load [N].
+
+    Nothing is yielded for a body that is not a sphere, or on a periodic grid.
+    """
     attrs = dataset.attrs
     if "radius_used" not in attrs or attrs.get("periodic"):
         return
@@ -110,7 +116,10 @@ def _closed_forms(dataset: xr.Dataset) -> Iterator[tuple[FloatArray, FloatArray]
 
 
 def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | None = None) -> Axes:
-    """Draw pressure, repulsion and attraction along x, through the row with the largest attraction.
+    """Draw pressure, repulsion and attraction along x.
+
+    The profile is in the middle row of cells, or in the row with the maximum attraction if the
+    attraction in the middle row is below 90 % of the maximum.
 
     Parameters
     ----------
@@ -128,7 +137,7 @@ def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | N
     Raises
     ------
     ValueError
-        The results are those of surfaces without such a law.
+        The results are from a run without a law of adhesion.
     """
     if not is_adhesive(dataset):
         raise ValueError(
@@ -160,12 +169,15 @@ def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | N
 
 
 def pull_off_over_tabor(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the largest tension of a sphere at its Tabor number, with the curve of Maugis.
+    """Draw the pull-off force of a sphere at its Tabor number, with the curve of Maugis.
+
+    The pull-off force is the largest tension of the run, divided by pi w R, where w is the work of
+    adhesion and R the radius. Horizontal lines show the limits of JKR (1.5) and DMT (2).
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results of `samcontact.results.to_dataset` of an adhering sphere that was under tension.
+        Results of `samcontact.results.to_dataset` for a sphere with adhesion that carried tension.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
 
@@ -202,7 +214,7 @@ def pull_off_over_tabor(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def adhesion_figures(dataset: xr.Dataset) -> dict[str, Figure]:
-    """Return the figures of a run with adhesion, without its load–approach curve."""
+    """Return the figures of a run with adhesion, except the load–approach curve."""
     if not is_adhesive(dataset):
         return {}
     figures = {"cohesive_zone": new_figure()}

@@ -128,7 +128,7 @@ def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
 def _section_panel(
     ax: Axes, across: FloatArray, depth: FloatArray, quantity: str, largest: float
 ) -> tuple[AxesImage, list[Line2D]]:
-    """Draw the section, with a frame around the part that shows the stress under load."""
+    """Draw the empty section, with two lines that mark the edges of the grid; return both."""
     shown = CONTACT[quantity]
     empty = np.zeros((len(depth) - 1, len(across) - 1))
     image = ax.imshow(
@@ -165,7 +165,11 @@ def _imprint_panel(ax: Axes, imprints: list[tuple[FloatArray, FloatArray]], body
 def _section(
     state: State, body: int, quantity: str, row: int, window: FloatArray, x: FloatArray
 ) -> FloatArray:
-    """Return a field in the plane y = 0 of the body, shape (len(x), nz); NaN if not computed."""
+    """Return a field of the body in the plane y = 0 at positions x, shape (len(x), nz).
+
+    Stresses that were not computed are NaN; strains outside the track are 0. row: index of the row
+    of cells in y. window: x positions of the cells of the grid on the body [m].
+    """
     # outside the track nothing has yielded, but stresses exist
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
     values = np.full((len(x), len(state.depths)), beyond)

@@ -29,7 +29,7 @@ Results = Sequence["xr.Dataset"]
 
 
 def _offset(series: xr.Dataset) -> FloatArray:
-    """Return the offset of the sphere centres divided by the equivalent radius R [-]."""
+    """Return the offset X of the sphere centres divided by the equivalent radius R [-]."""
     first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
     offset: FloatArray = series["offset"].values / (first * second / (first + second))
     return offset
@@ -58,7 +58,9 @@ def force(
     number: int = 1,
     critical: CriticalSphere | None = None,
 ) -> Axes:
-    """Draw the force of the upper on the lower sphere versus the offset of the centres / R.
+    """Draw the force of the upper sphere on the lower sphere versus the offset X/R.
+
+    X is the offset of the sphere centres, R the equivalent radius.
 
     Parameters
     ----------
@@ -96,9 +98,10 @@ def load_ratio(
     number: int = 1,
     critical: CriticalSphere | None = None,
 ) -> Axes:
-    """Draw the ratio of tangential to normal force versus the offset of the centres / R.
+    """Draw the ratio of tangential to normal force versus the offset X/R.
 
-    Arguments as in `force`; `critical` affects the labels only.
+    X is the offset of the sphere centres, R the equivalent radius. The arguments are those of
+    `force`, but `critical` affects the labels only.
     """
     ax = axes_or_new(ax)
     for result in results:
@@ -113,7 +116,7 @@ def load_ratio(
 def net_energy(
     results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
 ) -> Axes:
-    """Draw net energy and energy of the residual stress versus interference, for each pass.
+    """Draw the net energy of each pass, and the energy of the residual stress, versus interference.
 
     Parameters
     ----------

@@ -46,7 +46,7 @@ def pressure_profile(
     position: float = 0.0,
     label: str = "computed",
 ) -> Axes:
-    """Draw the pressure along an axis, with the Hertz pressure.
+    """Draw the pressure along an axis and, for comparison, the Hertz pressure.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def draw_pressure(
     position: float,
     label: str = "computed",
 ) -> Axes:
-    """Draw a `pressure_profile`; prescribed tractions, which may be tensile, are also accepted."""
+    """Draw a `pressure_profile`; negative values, e.g. of prescribed tractions, are allowed."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
@@ -137,14 +137,16 @@ def load_approach(
 ) -> Axes:
     """Draw the load–approach curve, with the Hertz curve (load ~ approach^1.5).
 
-    Points are increments. The thin line between two increments is linear in load^(2/3), as for
-    elastic loading and unloading, including elastic unloading of an imprint (Johnson 1985, section
-    6.4). On periodic grids the line is straight and only shows the order of the increments.
+    Points are increments. Between two increments, the thin line shows an approach linear in
+    load^(2/3), as in elastic loading and unloading, including elastic unloading of an imprint
+    (Johnson 1985, section 6.4). On periodic grids the line is straight and only shows the order of
+    the increments.
 
-    With a law of adhesion, approach and retraction have their own colours, and jumps are dashed:
-    changes of the load by more than a fifth of the largest tension. For a sphere, the curves of
-    Johnson, Kendall & Roberts, of Maugis at the same largest attraction, and of Derjaguin, Muller &
-    Toporov are added.
+    With a law of adhesion, approach and retraction have different colours. A line between two
+    increments is dashed, as a jump, if the load changes by more than a fifth of the largest tension
+    and by more than four times the median change. For a sphere, three theoretical curves are added:
+    Johnson, Kendall & Roberts; Maugis, with the maximum attraction of the law; Derjaguin, Muller &
+    Toporov.
 
     Parameters
     ----------
@@ -180,7 +182,7 @@ def load_approach(
 
 
 def _between(points: FloatArray) -> FloatArray:
-    """Return the points of a curve, and points between them by linear interpolation."""
+    """Return a curve refined by linear interpolation between its points, shape (2, points)."""
     count, parts = points.shape[1], 24
     fine = np.linspace(0.0, count - 1.0, parts * (count - 1) + 1)
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])
@@ -293,7 +295,7 @@ def axis_profile(
     components : sequence of str
         Any of "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
     body : Material or Layered, optional
-        Body whose initial yield stress and initial normal stresses are added.
+        Body whose initial yield stress and initial residual stresses are added.
     interfaces : array_like, shape (n,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`.
 
@@ -333,7 +335,7 @@ def axis_profile(
 
 
 def _add_strength(ax: Axes, body: Body, depths: FloatArray) -> None:
-    """Draw initial yield stress and initial stress of a body versus depth."""
+    """Draw the initial yield stress and the initial residual stress of a body versus depth."""
     z, factor = np.append(0.0, depths), CONTACT["stress"].factor
     interfaces = interfaces_of(body)
     if interfaces.size:  # points on both sides of them

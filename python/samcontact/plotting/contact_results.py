@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class ContactResults:
-    """Results of a contact, number of the body shown, and Hertz contact at the increment `peak`."""
+    """Results of a contact, number of the body shown, and Hertz contact of the increment `peak`."""
 
     dataset: xr.Dataset
     body: int
@@ -45,26 +45,29 @@ class ContactResults:
 
     @cached_property
     def hottest(self) -> int | None:
-        """Index (from 0) of the increment with the hottest surface; None without heating."""
+        """Index (from 0) of the increment with the hottest surface, or None without heating."""
         rise = self.dataset.get(f"surface_temperature_body{self.body}")
         return None if rise is None else int(np.argmax(rise.values.max(axis=(1, 2))))
 
     @cached_property
     def track(self) -> xr.Dataset | None:
-        """Track of an elastic-plastic body that moved; None otherwise."""
+        """Track of the body if it is elastic-plastic and has moved, otherwise None."""
         return track_of(self.dataset, self.body)
 
     @cached_property
     def graded(self) -> Body | None:
-        """Body with layers, a yield profile or initial stress; None otherwise."""
+        """Body if it has layers, a yield-stress profile or initial stress, otherwise None."""
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
-        """Return the number (from 1) of the increment at an index (from 0)."""
+        """Return the number (from 1) of an increment; `position` is its index (from 0)."""
         return int(self.dataset["increment"].values[position])
 
     def surface(self, name: str, position: int) -> FloatArray:
-        """Return a surface field at an increment index (from 0); `name` is without body number."""
+        """Return a surface field at an increment; `position` is the index (from 0).
+
+        name: name of the variable without the suffix of the body.
+        """
         if name == "repulsion":
             known: FloatArray = repulsion_of(self.dataset).values[position]
             return known
@@ -73,7 +76,10 @@ class ContactResults:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is stored for all cells at an increment number."""
+        """Whether a volume field of the body is known in all cells at an increment.
+
+        number: number of the increment (from 1).
+        """
         stored = self.dataset.get(f"{name}_body{self.body}")
         if stored is None or number not in self.dataset["output_increment"].values:
             return False
@@ -91,7 +97,10 @@ class ContactResults:
         return field
 
     def row(self, field: FloatArray, across: str = "y") -> float:
-        """Return the position of a section [m]: the row of cells from `row_of_interest`."""
+        """Return the position [m] at which a profile or section of a field is drawn.
+
+        `row_of_interest` selects the row of cells. across: coordinate of this position, "x" or "y".
+        """
         axis = "xy".index(across)
         others = tuple(n for n in range(field.ndim) if n != axis)
         centres = getattr(self.grid, across)
@@ -104,7 +113,7 @@ class ContactResults:
 
     @property
     def map_look(self) -> tuple[str, tuple[float, float]]:
-        """Coordinate that runs from left to right in maps, and size of a figure with a map [in]."""
+        """Coordinate that runs from left to right in maps, and width and height of a map [in]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
         if long <= MIN_LONG_CONTACT_RATIO * wide:
@@ -113,6 +122,6 @@ class ContactResults:
 
     @property
     def section_height(self) -> float:
-        """Height of a figure with a section of the grid [in], for a figure width of 5 in."""
+        """Height of a figure with a section of the whole grid [in], for a figure width of 5 in."""
         grid = self.grid
         return section_height(5.0, grid.nx * grid.dx, grid.nz * (grid.dz or 0.0))

@@ -80,11 +80,13 @@ def fatigue_depth(
 def exposure_depth(found: Exposure, ax: Axes | None = None) -> Axes:
     """Draw the exposure of a hardened case versus depth, and mark the maxima.
 
+    The exposure is the equivalent stress of a criterion divided by the local strength. A dot marks
+    the maximum of each criterion, a circle the governing criterion; the dashed line is exposure 1.
+
     Parameters
     ----------
     found : Exposure
-        Result of `fatigue.exposure`. The maximum of each criterion is marked; a circle marks the
-        governing criterion. The dashed line is the limit, exposure 1.
+        Result of `fatigue.exposure`.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
 
@@ -127,8 +129,8 @@ def fatigue_section(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     plane : {"y", "x"}, optional
-        Coordinate that is constant on the section. Default: "y". For a `steady_cycle`, the only
-        section is across the direction of motion.
+        Coordinate that is constant on the section. Default: "y". A field from a `steady_cycle` has
+        only one section, across the direction of motion.
     position : float, optional
         Value of this coordinate [m]. Default: the position of the maximum of the field.
 
@@ -206,7 +208,11 @@ def _quantity(field: FatigueField) -> Quantity:
 def _coloured(
     field: FatigueField, ax: Axes | None, axes: str, values: FloatArray, note: str
 ) -> Axes:
-    """Draw values in colour over two coordinates, with a cross at the maximum."""
+    """Draw values in colour over two coordinates, with a cross at the maximum.
+
+    axes: names of the horizontal and the vertical coordinate, e.g. "xz". note: text after the name
+    of the criterion in the title.
+    """
     sides = [field.coordinates[axis] for axis in axes]
     plane = Plane(*(edges(side, _step(side)) for side in sides))
     ax = show_surface(ax, plane, values, _quantity(field), axes[0], note)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colour maps of fields: smooth with contour lines, or cell by cell."""
+"""Drawing of fields in colour: smooth with contour lines, or one colour per cell."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _BANDS_PER_CONTOUR = 8  # colour bands between contour lines: more cannot be dis
 _MIN_SHOWN_STRAIN = 1e-2  # strain, relative to its maximum, below which no colour is drawn
 _CONTOUR_STYLE: dict[str, Any] = {"colors": "k", "linewidths": 0.4, "alpha": 0.35}
 EDGE_STYLE: dict[str, Any] = {"colors": "k", "linewidths": 0.9}
-"""Style of the line around a contact."""
+"""Style of the line along the contact edge."""
 _CONTACT_BAR_STYLE: dict[str, Any] = {
     "linewidth": 2.5,
     "solid_capstyle": "butt",
@@ -46,9 +46,9 @@ class Plane(NamedTuple):
         return float((self.down[-1] - self.down[0]) / (self.across[-1] - self.across[0]))
 
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return coordinates [µm] and values at cell centres and edges of the plane.
+        """Return coordinates [µm] and values at the cell centres and along the sides of the plane.
 
-        At an edge, the value of the nearest cell is used.
+        At the sides, the value of the nearest cell is used.
         """
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
@@ -70,9 +70,9 @@ def show_section(
 ) -> Axes:
     """Draw a plane of a volume field with a colour bar, depth downward.
 
-    values: field in SI units. name: name of the horizontal coordinate. titled: whether the label is
-    the title of the figure; if the section is too flat for a label at the colour bar, the label is
-    the title in any case. equal: whether both axes have equal scales. cells: whether to show one
+    values: field in SI units. name: name of the horizontal coordinate. titled: whether the name of
+    the quantity is the title of the figure instead of the label of the colour bar; in a flat
+    section it always is. equal: whether both axes have equal scales. cells: whether to show one
     colour per cell.
     """
     ax = axes_or_new(ax)
@@ -124,7 +124,7 @@ def name_sides(ax: Axes, across: str) -> Axes:
 
 
 def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
-    """Clip drawn objects to the region in which a field is positive."""
+    """Clip drawn objects to the region in which the field `inside` is positive."""
     region = ax.contourf(*plane.smooth(inside), levels=[0.0, 1.0 + float(inside.max())])
     path = region.get_paths()[0]
     region.remove()
@@ -133,15 +133,16 @@ def clip(ax: Axes, drawn: list[Any], plane: Plane, inside: FloatArray) -> None:
 
 
 def outline(ax: Axes, plane: Plane, inside: FloatArray, **style: Any) -> None:
-    """Draw the line along which a field is zero."""
+    """Draw the line along which the field `inside` is zero."""
     ax.contour(*plane.smooth(inside), levels=[0.0], **(EDGE_STYLE | style))
 
 
 def inside_of_contact(contact: FloatArray) -> FloatArray:
     """Return a field that is positive in the contact and crosses zero along the contact edge.
 
-    contact: pressure, or 1 in contact cells and 0 elsewhere. Between smooth bodies, the squared
-    pressure is approximately proportional to the distance from the edge.
+    The field is based on the squared pressure, which for smooth bodies is approximately
+    proportional to the distance from the contact edge. contact: pressure, or 1 in contact cells
+    and 0 elsewhere.
     """
     return _crossing(np.square(contact))
 
@@ -149,16 +150,17 @@ def inside_of_contact(contact: FloatArray) -> FloatArray:
 def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
     """Return a field that is positive in the slip zone, and zero at the edge of the stick zone.
 
-    The slip is proportional to the distance from the stick zone to the power 3/2.
+    The field is based on slip^(2/3), because the slip is approximately proportional to the power
+    3/2 of the distance from the stick zone. slip: magnitude of the slip.
     """
     return _crossing(np.cbrt(np.square(spread(slip, touching))))
 
 
 def _crossing(values: FloatArray) -> FloatArray:
-    """Replace zeros outside a positive region by negative values extrapolated from this region.
+    """Return a field whose zeros next to a positive region are replaced by negative values.
 
-    The extrapolation is linear, from the two nearest positive values. If these values do not
-    decrease towards the edge, the mean slope at the edge of the region is used.
+    The negative values are extrapolated linearly from the two nearest positive values. If these do
+    not decrease towards the edge of the region, the mean slope at the edge is used instead.
     """
     there = values > 0
     cross = scipy.ndimage.generate_binary_structure(2, 1)
@@ -177,7 +179,7 @@ def _crossing(values: FloatArray) -> FloatArray:
 
 
 def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return a field whose cells outside the contact have the value of the nearest contact cell."""
+    """Return a field extended outside the contact by the value of the nearest contact cell."""
     nearest = scipy.ndimage.distance_transform_edt(
         ~touching, return_distances=False, return_indices=True
     )
@@ -187,14 +189,17 @@ def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
 def touching_along(
     ax: Axes, across: FloatArray, touching: BoolArray, height: float = 0.0, **options: Any
 ) -> None:
-    """Draw a bar over the contact cells, along the surface of a section or at a given height."""
+    """Draw a bar along the contact cells of a row; default: at the surface of a section.
+
+    across: cell edges along the row [m]. height: vertical position of the bar.
+    """
     for run in scipy.ndimage.find_objects(scipy.ndimage.label(touching)[0]):
         ends = across[[run[0].start, run[0].stop]] * 1e6
         ax.plot(ends, [height, height], "k-", **_CONTACT_BAR_STYLE, **options)
 
 
 def scale_of(values: FloatArray, quantity: Quantity) -> tuple[Normalize, FloatArray, FloatArray]:
-    """Return the colour scale, the edges of the colour bands and the contour levels of a field."""
+    """Return the colour scale of a field, the limits of the colour bands, and contour levels."""
     low, high = float(np.nanmin(values)), float(np.nanmax(values))
     if quantity.from_zero:
         low = 0.0
@@ -228,9 +233,9 @@ def _show(
     cells: bool = False,
     below: bool = False,
 ) -> list[Any]:
-    """Draw a field with its colour bar at the side or below.
+    """Draw a field with its colour bar at the side or below, and return the drawn objects.
 
-    If the field is zero everywhere, a text is shown instead of a colour bar.
+    If the field is zero everywhere, the text "identically zero" is shown instead.
     """
     boolean("cells", cells)
     shown, label = values * quantity.factor, quantity.label + note

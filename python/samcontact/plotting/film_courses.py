@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of films over time, and of elastic-plastic bodies under a film."""
+"""Figures of a lubricated contact over time, and of elastic-plastic bodies under a film."""
 
 from __future__ import annotations
 
@@ -19,10 +19,11 @@ if TYPE_CHECKING:
 
 
 def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw central film, minimum film and largest pressure over time.
+    """Draw central film thickness, minimum film thickness and maximum pressure over time.
 
-    dataset: from `samcontact.results.films_dataset`, with the films of a history; ax: axes to draw
-    on, default a new figure. Returns the axes of the film. Raises ValueError for other datasets.
+    dataset: dataset of `samcontact.results.films_dataset` from the films of
+    `samcontact.lubrication.transient`; ax: axes to draw on, default a new figure. Returns the axes
+    of the film thickness. Raises ValueError for other datasets.
     """
     if "time" not in dataset:
         raise ValueError(
@@ -47,9 +48,10 @@ def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def film_stress_figure(dataset: xr.Dataset, grid: Grid) -> Figure:
-    """Return a figure of stress, plastic strain and residual stress of the body that yields most.
+    """Return a figure of stress, plastic strain and residual stress in one body, as sections.
 
-    The sections pass through the deepest place of its imprint.
+    The figure shows the body with the larger plastic strain, in sections through the cell with the
+    maximum plastic strain.
     """
     body = 1 + int(np.argmax(dataset["equivalent_plastic_strain"].max(dim=("x", "y", "z")).values))
     strain = dataset["equivalent_plastic_strain"].sel(body=body).values
@@ -64,11 +66,12 @@ def film_stress_figure(dataset: xr.Dataset, grid: Grid) -> Figure:
 
 
 def film_imprint(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the residual displacement of both bodies along x, under each load.
+    """Draw the residual imprint along x, as the sum over both bodies, with one line for each load.
 
-    dataset: from `samcontact.results.films_dataset`, with the films of
-    `samcontact.lubrication.press_loads`; ax: axes to draw on, default a new figure. Returns the
-    axes. Raises ValueError for other datasets.
+    The residual height is the sum of the residual displacements of both bodies, positive out of the
+    bodies. The profile passes through the cell with the smallest initial gap. dataset: dataset of
+    `samcontact.results.films_dataset` from the films of `samcontact.lubrication.press_loads`; ax:
+    axes to draw on, default a new figure. Returns the axes. Raises ValueError for other datasets.
     """
     if "residual_displacement" not in dataset:
         raise ValueError(

@@ -34,7 +34,7 @@ _TALL = 4.6, 4.2
 
 
 class FilmFigure(NamedTuple):
-    """Figure of a run, with the name of its file, its caption and its description."""
+    """Figure of a run: file name without suffix, caption, description, and the figure itself."""
 
     name: str
     caption: str
@@ -43,10 +43,11 @@ class FilmFigure(NamedTuple):
 
 
 def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[FilmFigure]:
-    """Iterate over the figures of a run; maps and profile are those at the highest speed or load.
+    """Iterate over the figures of a run with a lubricated contact.
 
-    For films over time, they are those at the largest pressure. dataset: from
-    `results.films_dataset`. case: case of the run, for the chart of regimes.
+    Maps and profiles show one film: the film at the last speed or load or, for films over time, the
+    film with the largest pressure. dataset: dataset from `results.films_dataset`. case: case of the
+    run; without a case, the chart of lubrication regimes is omitted.
     """
     films = films_of(dataset)
     chosen, when = _shown(dataset)
@@ -71,7 +72,7 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
         text = "Temperature rise of film and surfaces along x through the smallest gap."
         yield FilmFigure("film_temperature", f"Temperature along x, {when}", text, figure)
     if case is not None and (chart := _chart(case, film.load)) is not None:
-        text = "Regimes of lubrication over load and lubricant, with the place of the contact."
+        text = "Lubrication regimes by load number and lubricant number; a dot marks the contact."
         yield FilmFigure("regime_chart", f"Regime of lubrication, {when}", text, chart)
     yield from _courses(dataset, film)
     over_speed = len(films) > 1 and "time" not in dataset and "imprint" not in dataset
@@ -84,7 +85,7 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
 
 
 def _shown(dataset: xr.Dataset) -> tuple[int, str]:
-    """Return the index of the film that is shown, and its speed, load or time as text."""
+    """Return the index of the film in maps and profiles, and its speed, load or time as text."""
     if "time" in dataset and dataset.sizes["increment"] > 1:
         chosen = int(np.argmax(dataset["max_pressure"].values))
         return chosen, f"after {quantity(float(dataset['time'][chosen]), 's')}"
@@ -94,7 +95,7 @@ def _shown(dataset: xr.Dataset) -> tuple[int, str]:
 
 
 def _courses(dataset: xr.Dataset, film: FilmSolution) -> Iterator[FilmFigure]:
-    """Iterate over the figures over time and of elastic-plastic bodies."""
+    """Iterate over figures that only some runs have: film over time, and plastic deformation."""
     if "time" in dataset and dataset.sizes["increment"] > 1:
         figure = new_figure()
         film_over_time(dataset, figure.subplots())
@@ -106,18 +107,21 @@ def _courses(dataset: xr.Dataset, film: FilmSolution) -> Iterator[FilmFigure]:
         yield FilmFigure("film_stress", "Stress and plastic strain", text, figure)
         figure = new_figure()
         film_imprint(dataset, figure.subplots())
-        text = "Residual displacement of both surfaces along x, outwards, under each load."
+        text = "Sum of the residual displacements of both surfaces along x, positive outwards."
         yield FilmFigure("film_imprint", "Imprint under the film", text, figure)
 
 
 def _with_layers(dataset: xr.Dataset, film: FilmSolution) -> Grid:
-    """Return the grid of a film with the layers of the dataset."""
+    """Return the grid of a film, extended by the layers of the volume fields in the dataset."""
     z = dataset["z"].values
     return replace(film.grid, nz=z.size, dz=2.0 * float(z[0]))
 
 
 def _chart(case: FilmCase, load: float) -> Figure | None:
-    """Return the chart of regimes; None without an elliptic Hertz contact and a formula."""
+    """Return the chart of lubrication regimes at a load [N].
+
+    Return None if the case has no elliptic Hertz contact, or no film formula.
+    """
     ellipse, (first, second) = case.ellipse(load), case.velocities
     if ellipse is None or case.estimate(load, case.velocities) is None:
         return None

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 MAX_SHOWN_FILM = 3.0
-"""Largest film of a map, in central films."""
+"""Largest film thickness shown in a map, relative to the central film thickness."""
 _POINTS_PER_CELL = 6
 _PIXELS = 250.0  # of an interferogram, along its longer side
 _LABEL_WIDTH, _LABEL_HEIGHT = 1.2, 0.5  # of a label in the chart of regimes, decades
@@ -30,7 +30,8 @@ _REGIMES = (
 )  # fmt: skip
 _REGIME_COLOURS = ("#dfe8f2", "#f4e3d7", "#e2efdf", "#f1e6ef")
 WAVELENGTH, REFRACTIVE_INDEX = 600e-9, 1.5
-"""Red light [m], and refractive index of oil under pressure [-], of an interferogram."""
+"""Defaults of an interferogram: wavelength of red light [m], refractive index of oil under
+pressure [-]."""
 
 
 def film_map(film: FilmSolution, ax: Axes | None = None, *, max_film: float | None = None) -> Axes:
@@ -43,7 +44,7 @@ def film_map(film: FilmSolution, ax: Axes | None = None, *, max_film: float | No
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     max_film : float, optional
-        Largest film shown in colour [m]. Default: three central films.
+        Film thickness at the end of the colour scale [m]. Default: three times the central film.
 
     Returns
     -------
@@ -82,13 +83,13 @@ def film_profile(
     max_film: float | None = None,
     max_pressure: float | None = None,
 ) -> Axes:
-    """Draw pressure and film along x through the middle of a lubricated contact.
+    """Draw pressure and film thickness along x through the middle of a lubricated contact.
 
-    The line passes through the cell with the smallest gap. film: solution of
-    `samcontact.lubrication.steady`; ax: axes to draw on, default a new figure; max_film: largest
-    film shown [m], default three central films; max_pressure: largest pressure shown [Pa], default
-    that of the film. Returns the axes of the pressure. Raises TypeError for other objects,
-    ValueError for limits that are not positive.
+    The profile passes through the cell with the smallest gap of the undeformed surfaces. film:
+    solution of `samcontact.lubrication.steady`; ax: axes to draw on, default a new figure;
+    max_film: largest film thickness shown [m], default three times the central film; max_pressure:
+    largest pressure shown [Pa], default the maximum pressure of the film. Returns the axes of the
+    pressure. Raises TypeError for other objects, ValueError for limits that are not positive.
     """
     require_type("film", film, FilmSolution)
     ax = axes_or_new(ax)
@@ -121,11 +122,12 @@ def film_profile(
 
 
 def film_temperature(film: FilmSolution, ax: Axes | None = None) -> Axes:
-    """Draw the temperature rise of film and surfaces along x through a heated contact.
+    """Draw the temperature rise along x in the middle of the film and at both surfaces.
 
-    The line passes through the cell with the smallest gap. film: solution of
-    `samcontact.lubrication.steady` with `thermal=True`; ax: axes to draw on, default a new figure.
-    Returns the axes. Raises TypeError for other objects, ValueError for a film without heat.
+    The profile passes through the cell with the smallest gap of the undeformed surfaces. film:
+    solution of `samcontact.lubrication.steady` with `thermal=True`; ax: axes to draw on, default a
+    new figure. Returns the axes. Raises TypeError for other objects, ValueError for a film solved
+    without heat.
     """
     require_type("film", film, FilmSolution)
     if film.heat is None:
@@ -155,8 +157,8 @@ def interferogram(
 ) -> Axes:
     """Draw the interference fringes of a film between a glass disc and a body.
 
-    The intensity is cos^2(2 pi n h/wavelength + phase), averaged over the pixels: fringes that are
-    narrower than these are grey.
+    The intensity is cos^2(2 pi n h/wavelength + phase), where n is the refractive index and h the
+    film thickness. It is averaged over each pixel, so fringes narrower than a pixel appear grey.
 
     Parameters
     ----------
@@ -169,7 +171,7 @@ def interferogram(
     refractive_index : float, optional
         Refractive index n of the lubricant [-].
     phase : float, optional
-        Phase at zero film, from the reflections on both surfaces [rad].
+        Phase at zero film thickness, due to the reflections at both surfaces [rad].
 
     Returns
     -------
@@ -199,11 +201,12 @@ def interferogram(
 
 
 def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
-    """Draw friction and share of the boundary layer versus speed.
+    """Draw the share of the load on the boundary layer, and the friction coefficient, versus speed.
 
-    curve: from `samcontact.lubrication.stribeck`, with a slide-to-roll ratio other than 0 for the
-    friction; ax: axes to draw on, default a new figure. Returns the axes of the share. Raises
-    TypeError for other objects, ValueError as `samcontact.lubrication.friction`.
+    curve: result of `samcontact.lubrication.stribeck`; friction is drawn only if the slide-to-roll
+    ratio is not 0. ax: axes to draw on, default a new figure. Returns the axes that show the share
+    of the load. Raises TypeError for other objects, ValueError as `samcontact.lubrication.friction`
+    does.
     """
     require_type("curve", curve, StribeckCurve)
     coefficients = np.array([friction(film).coefficient for film in curve.solutions])
@@ -213,9 +216,11 @@ def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
 def stribeck_lines(
     speed: FloatArray, boundary_share: FloatArray, coefficient: FloatArray, ax: Axes | None = None
 ) -> Axes:
-    """Draw share of the boundary layer and friction versus mean speed [m/s]; return the axes.
+    """Draw share of the load on the boundary layer, and friction, versus mean speed [m/s].
 
-    boundary_share, coefficient: [-], as long as speed. Friction is drawn if it is not zero.
+    boundary_share: share of the load on the boundary layer [-]; coefficient: friction coefficient
+    [-]; both have the length of `speed`. Friction is drawn only if a coefficient is not zero.
+    Returns the axes that show the share of the load.
     """
     ax = axes_or_new(ax)
     ax.semilogx(speed, 100.0 * boundary_share, "C0o-", markersize=3)
@@ -251,11 +256,11 @@ def traction_curve(
 def regime_chart(
     contact: Contact, speed: tuple[float, float], lubricant: Lubricant, ax: Axes | None = None
 ) -> Axes:
-    """Draw the map of lubrication regimes in Moes' numbers, with the position of a contact.
+    """Draw the map of lubrication regimes in Moes' numbers, with a dot for a contact.
 
-    contact, speed, lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default
-    a new figure. The chart is that of the shape of the contact. Returns the axes. Raises TypeError
-    or ValueError as `samcontact.lubrication.regime`.
+    The limits of the regimes are calculated for the ratio of radii of this contact. contact, speed,
+    lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default a new figure.
+    Returns the axes. Raises TypeError or ValueError as `samcontact.lubrication.regime` does.
     """
     here = regime(contact, speed, lubricant)  # refuses other contacts
     found = film_groups(contact, speed, lubricant)
@@ -287,16 +292,18 @@ def regime_chart(
 
 
 def _middle_row(film: FilmSolution) -> int:
-    """Return the row along x through the smallest gap of the undeformed surfaces."""
+    """Return the index in y of the cell with the smallest gap of the undeformed surfaces."""
     return int(np.unravel_index(int(np.argmin(film.smooth_gap)), film.gap.shape)[1])
 
 
 def _label_place(
     loads: FloatArray, oils: FloatArray, dot: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return the middle of a region, or of its part away from the dot if this would be hidden.
+    """Return the position of a label in a region of the chart, if possible away from the dot.
 
-    loads, oils: coordinates of the points of the region.
+    The label is placed in the middle of the region or, if the dot would hide it there, in the
+    middle of the part above or below the dot. loads, oils: Moes' numbers M and L of the points of
+    the region. dot: M and L of the contact.
     """
     away = np.abs(np.log10(oils / dot[1])) > _LABEL_HEIGHT
     for part in (np.full(loads.shape, True), away & (oils > dot[1]), away & (oils < dot[1])):
@@ -310,7 +317,10 @@ def _label_place(
 
 
 class _Plane:
-    """Axes of a map, with coordinates in the unit shown; long contacts lie along the page."""
+    """Axes of a map, with the cell coordinates in the unit of the axes.
+
+    If the contact is long along y, the map is rotated: y is horizontal and x is vertical.
+    """
 
     def __init__(self, film: FilmSolution, ax: Axes | None) -> None:
         if min(film.film.shape) < 2:
@@ -330,14 +340,14 @@ class _Plane:
         self.ax.set_ylabel(f"{names[1]} [{metres}]")
 
     def oriented(self, field: FloatArray) -> FloatArray:
-        """Return a field with the rows along the page."""
+        """Return a field as drawn: the first index vertical, the second horizontal."""
         return field if self.is_turned else field.T
 
 
 def _contrast(path: FloatArray) -> FloatArray:
-    """Return the contrast of fringes after averaging over a pixel of the figure.
+    """Return the fringe contrast [-] that remains after averaging over a pixel of the figure.
 
-    path: twice the phase at the points of the image [rad].
+    path: argument of the cosine in the intensity 0.5 (1 + cos(path)), at the image points [rad].
     """
     pixel = max(1.0, max(path.shape) / _PIXELS)
     slopes = np.gradient(path)

@@ -41,7 +41,7 @@ def inclusion_outlines(
     share: ArrayLike | None = None,
     grid: Grid | None = None,
 ) -> Axes:
-    """Draw the outlines of inclusions into a section, voids as dashed lines.
+    """Draw the outlines of inclusions into a section; outlines of voids are dashed.
 
     Parameters
     ----------
@@ -54,10 +54,10 @@ def inclusion_outlines(
     position : float
         Value of this coordinate [m].
     share : array_like, shape (nx, ny, nz), optional
-        Share of each cell that inclusions fill, from `State.share`: partly filled cells, whose
-        stress is a mean over both materials, are hatched.
+        Fraction of each cell that is filled by inclusions, from `State.share`. Partly filled cells
+        are hatched, because their stress is a mean over both materials.
     grid : Grid, optional
-        Grid of the share.
+        Grid of `share`; required if `share` is given.
 
     Returns
     -------
@@ -66,7 +66,8 @@ def inclusion_outlines(
     Raises
     ------
     ValueError
-        The plane is unknown, or the share has no grid or the wrong shape.
+        The plane is unknown, `share` has the wrong shape, or `share` is given without a grid that
+        has layers.
     TypeError
         The body is not heterogeneous.
     """
@@ -86,7 +87,7 @@ def inclusion_outlines(
 
 
 def _hatch(ax: Axes, share: FloatArray, grid: Grid, plane: str, at: float) -> None:
-    """Hatch the partly filled cells of a section."""
+    """Hatch the cells of a section that are partly filled by inclusions."""
     along_x = plane == "y"
     centres, step = (grid.x, grid.dx) if along_x else (grid.y, grid.dy)
     row = nearest(grid.y if along_x else grid.x, at)
@@ -104,7 +105,7 @@ def _hatch(ax: Axes, share: FloatArray, grid: Grid, plane: str, at: float) -> No
 
 
 def _outline(ax: Axes, inclusion: Inclusion, plane: str, at: float) -> None:
-    """Draw the ellipse in which a plane cuts an inclusion, if it does."""
+    """Draw the ellipse in which a plane cuts an inclusion, or nothing if the plane misses it."""
     q = inclusion.metric()
     n = 1 if plane == "y" else 0
     shown = [0, 2] if plane == "y" else [1, 2]
@@ -124,9 +125,10 @@ def _outline(ax: Axes, inclusion: Inclusion, plane: str, at: float) -> None:
 
 
 def outline_in_section(results: ContactResults, ax: Axes, y: float, number: int) -> None:
-    """Draw the outlines of the inclusions of a run into a section, if its body has inclusions.
+    """Draw the outlines of the inclusions of a body into a section along x.
 
-    number: of the increment. Inclusions of a body that moved are not drawn.
+    Nothing is drawn if the body has no inclusions or has moved. results: results and body. y:
+    position of the section [m]. number: number of the increment.
     """
     dataset, name = results.dataset, f"body{results.body}"
     if f"inclusion_center_{name}" not in dataset or results.track is not None:
@@ -144,7 +146,11 @@ def outline_in_section(results: ContactResults, ax: Axes, y: float, number: int)
 
 
 def butterfly(of: ButterflyMap, ax: Axes | None = None) -> Axes:
-    """Draw a butterfly map: the criterion around inclusions, and the places of its maxima.
+    """Draw a butterfly map: a fatigue criterion versus the direction from the inclusion centres.
+
+    The line shows the criterion relative to the maximum around each inclusion, as a mean over all
+    inclusions. Bars show in which directions the maxima lie: the number of inclusions with their
+    maximum in a sector, relative to the largest such number.
 
     Parameters
     ----------
@@ -161,7 +167,7 @@ def butterfly(of: ButterflyMap, ax: Axes | None = None) -> Axes:
     Raises
     ------
     TypeError
-        `of` is no map, or the axes are not polar.
+        `of` is not a `ButterflyMap`, or the axes are not polar.
     """
     require_type("of", of, ButterflyMap)
     if ax is None:
@@ -189,16 +195,17 @@ def weibull(
     confidence: float = 0.9,
     label: str = "life",
 ) -> Axes:
-    """Draw lives and their Weibull distributions on Weibull paper, with confidence of each life.
+    """Draw lives, fitted Weibull distributions and confidence bands on Weibull paper.
 
     Parameters
     ----------
     fits : WeibullFit, or sequence or mapping of them
-        Distributions from `samcontact.inclusions.weibull_fit`, by their names in the legend.
+        Distributions from `samcontact.inclusions.weibull_fit`. The keys of a mapping are shown in
+        the legend.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     confidence : float, optional
-        Confidence of the bands, in (0, 1). Default: 0.9.
+        Confidence level of the bands [-], in (0, 1). Default: 0.9.
     label : str, optional
         Label of the axis of lives, with the unit of the lives.
 
@@ -211,7 +218,7 @@ def weibull(
     ValueError
         The confidence is outside its range.
     TypeError
-        An object is no distribution.
+        An object is not a `WeibullFit`.
     """
     named = _named(fits)
     ax = axes_or_new(ax)
@@ -248,5 +255,5 @@ def _named(
 
 
 def _paper(failed: FloatArray) -> FloatArray:
-    """Ordinate of Weibull paper, ln(-ln(1 - failed)), in which the distribution is a line."""
+    """Return the ordinate ln(-ln(1 - failed)), in which a Weibull distribution is a line."""
     return np.log(-np.log1p(-failed))

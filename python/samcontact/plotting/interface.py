@@ -74,7 +74,8 @@ def interface_profile(
         Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
         row of cells is used.
     contact : array_like, shape (nx, ny), optional
-        Positive in contact cells, e.g. the repulsion; shown as a bar along the upper side.
+        Field that is positive in contact cells, e.g. the repulsion; the contact is shown as a bar
+        along the top of the figure.
 
     Returns
     -------
@@ -110,7 +111,11 @@ def interface_profile(
 
 
 def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
-    """Draw the stress on both sides of an interface, shape (2, 6, n), and mark maximum tension."""
+    """Draw the stress on both sides of an interface along an axis, and mark the maximum tension.
+
+    s: coordinates along the axis [m], shape (n,). sides: stress above and below the interface [Pa],
+    shape (2, 6, n).
+    """
     shown = sides * CONTACT["stress"].factor
     known = [n for n in (0, 1) if shown[n].any()] or [0, 1]
     passing = shown[known].mean(axis=0)
@@ -141,8 +146,9 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
 def interface_figure(results: ContactResults, number: int) -> Figure:
     """Return a figure of the stress at the interfaces of a body, with one panel per interface.
 
-    Profiles pass through the row of cells in which the in-plane stress varies most. If there are
-    many interfaces, only the interfaces with the highest tension are shown.
+    Profiles are along x. `row_of_interest` selects their row of cells by the variation of the
+    in-plane stress along x. If there are more than three interfaces, the three with the highest
+    tension are shown. number: number of the increment.
     """
     stress, grid = results.field("interface_stress", number), results.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))

@@ -74,7 +74,7 @@ def surface_map(
     ------
     ValueError
         The field has the wrong shape, quantity or coordinate is unknown, or values are impossible:
-        negative pressure, gap or temperature rise, or a length above a thousand times the grid.
+        negative pressure, gap or temperature rise, or a length above 1000 times the grid size.
     """
     name = None if quantity is None else SURFACES[choice("quantity", quantity, tuple(SURFACES))]
     if quantity == "gap":  # white outside the body
@@ -89,7 +89,7 @@ def surface_map(
 
 
 def peak_map(results: ContactResults, name: str, ax: Axes) -> Axes:
-    """Draw a `surface_map` of pressure or gap at the increment with maximum stress of a run."""
+    """Draw a `surface_map` of pressure or gap at the increment of a run with maximum stress."""
     values = results.surface(name, results.peak)
     values = np.where(np.isfinite(values), values, np.nan)  # white outside the body
     repulsion = results.surface("repulsion", results.peak)

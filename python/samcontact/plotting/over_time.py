@@ -18,13 +18,14 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("approach", "contact_radius", "max_pressure", "load")
 _MIN_DECADES = 1.5
-"""Decades of time from which the axis of time is logarithmic."""
+"""Number of decades from which the time axis is logarithmic."""
 
 
 def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "approach") -> Axes:
-    """Draw a quantity of a contact over time, on a logarithmic axis if it covers decades.
+    """Draw a quantity of a contact over time.
 
-    Steps of zero duration at the start are elastic; a dotted line continues their value.
+    The time axis is logarithmic if the times after the start span 1.5 decades or more. On this
+    axis, a dotted line marks the value at time 0, after the elastic steps of zero duration.
 
     Parameters
     ----------
@@ -33,7 +34,7 @@ def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "a
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     quantity : {"approach", "contact_radius", "max_pressure", "load"}
-        The contact radius is that of a circle of equal area.
+        Quantity to draw. The contact radius is the radius of a circle with the contact area.
 
     Returns
     -------
@@ -67,7 +68,7 @@ def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "a
 
 
 def is_logarithmic(time: FloatArray) -> bool:
-    """Whether times after the start [s] cover so many decades that their axis is logarithmic."""
+    """Whether the times after the start [s] span so many decades that a log axis is used."""
     later = time[time > 0]
     return later.size > 1 and bool(np.log10(later.max() / later.min()) >= _MIN_DECADES)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Functions for all figures: creation without pyplot, labels, units and lines through fields."""
+"""Helper functions of all figures: creation without pyplot, labels, units, profiles of fields."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ SURFACES = {
     "pressure": "pressure", "gap": "gap", "imprint": "residual_displacement", "shear_x": "shear_x",
     "shear_y": "shear_y", "temperature": "surface_temperature",
 }  # fmt: skip
-"""Quantity of each surface field, by the name of the field in figures."""
+"""Names of the surface fields in the figure functions, and in a `State` or dataset."""
 INTERFACE_STYLE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 MIN_SECTION_RATIO = 0.2
 """Minimum ratio of height to width of a section; the depth of flatter sections is stretched."""
@@ -59,7 +59,7 @@ def journal_column(width: str = "single") -> Iterator[None]:
 
     Create and save the figures in the context: ``with plotting.journal_column("double"):
     summary_figures(...)``. Figures with several panels side by side take the double column.
-    Functions that receive an `ax` draw into its figure.
+    A function that receives an `ax` draws into the existing figure and does not change its size.
 
     Parameters
     ----------
@@ -113,7 +113,7 @@ identical files."""
 
 
 def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
-    """Write a figure to a file or a buffer; options: arguments of `Figure.savefig`."""
+    """Write a figure to a file or a buffer; `options` are passed to `Figure.savefig`."""
     box: Any = "tight"
     try:
         if figure.get_gid() == _COLUMN_WIDTH_ID:  # full column width, not cropped
@@ -128,7 +128,7 @@ def draw(figure: Figure, target: Path | BinaryIO, **options: Any) -> None:
 
 
 def depths_of(grid: Grid, field: ArrayLike) -> FloatArray:
-    """Return the mid-layer depths of a volume field [m], for all layers of the field."""
+    """Return the mid-layer depths [m] of all layers of a volume field."""
     require_volume(grid)
     shape = np.shape(field)
     return grid.depths(grid.nz or (shape[-1] if shape else 1))
@@ -150,7 +150,7 @@ def section_height(width: float, across: float, depth: float) -> float:
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """Return the figure height [in] of a map, with space for the colour bar below a flat map."""
+    """Return the figure height [in] of a map, including the colour bar below a flat map."""
     return _panel_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )
@@ -168,7 +168,7 @@ def finish(ax: Axes) -> Axes:
 
 
 def counted(ax: Axes) -> Axes:
-    """Place the x ticks at whole numbers only (passes, cycles, increments), and return the axes."""
+    """Place x ticks at whole numbers only, e.g. for passes or cycles, and return the axes."""
     ax.xaxis.set_major_locator(FittedLocator(integer=True))
     left, right = ax.get_xlim()
     if right - left < 1.0:  # a single number
@@ -181,8 +181,9 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """Return the index of the middle row, or of another row if its maximum is clearly larger.
+    """Return the index of the row of cells to show: the middle row, or the row of the maximum.
 
+    The row of the maximum is shown if the value in the middle row is below 90 % of the maximum.
     values: maximum magnitude in each row. coordinate: positions of the rows [m].
     """
     sizes = np.asarray(values, dtype=np.float64)
@@ -195,13 +196,13 @@ def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
 
 
 def place(name: str, value: float) -> str:
-    """Return the position of a row as text, e.g. "y = 12 µm"; value: position [m]."""
+    """Return the position of a row of cells as text, e.g. "y = 12 µm"; value: position [m]."""
     shown = value * 1e6 + 0.0
     return f"{name} = {shown:{'.4g' if abs(shown) < 1e4 else '.0f'}} µm"
 
 
 def elsewhere(name: str, value: float, cell: float) -> str:
-    """Return the position of a row as text; "" for the middle row, which needs no text."""
+    """Return the position of a row of cells as text, or "" for the middle row of the grid."""
     return "" if abs(value) <= 0.5 * cell else place(name, value)
 
 
@@ -210,7 +211,7 @@ def add_to_title(ax: Axes, *texts: str) -> None:
 
 
 def prefixed(largest: float, unit: str) -> tuple[float, str]:
-    """Return the factor and the prefixed unit in which values up to `largest` are shown."""
+    """Return a unit with a prefix that suits the value `largest`, and the factor to this unit."""
     place = int(np.clip(np.floor(np.log10(largest) / 3), -4, 3)) if largest > 0 else 0
     return 10.0 ** (-3 * place), "pnµm kMG"[place + 4].strip() + unit
 
@@ -223,7 +224,7 @@ def edges(centres: ArrayLike, step: float) -> FloatArray:
 def surface_line(
     field: ArrayLike, name: str, grid: Grid, axis: str, position: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the coordinates [m] and values of a surface field in a row of cells along an axis."""
+    """Return coordinates [m] and values of a surface field along an axis, in one row of cells."""
     choice("axis", axis, ("x", "y"))
     values = finite_array(name, field, (grid.nx, grid.ny))
     finite("position", position)

@@ -21,9 +21,10 @@ _MAX_BINS = 30
 def realisations_figure(
     quantities: Mapping[str, Quantity], samples: Mapping[str, FloatArray]
 ) -> Figure | None:
-    """Return a figure with the histogram of each quantity that varies; None if none does.
+    """Return a figure with one histogram for each quantity that varies between realisations.
 
-    Lines mark the mean and the mean plus and minus one standard deviation.
+    Lines mark the mean and the mean plus and minus one standard deviation. At most `MAX_PANELS`
+    quantities are drawn. Return None if no quantity varies.
     """
     shown = [n for n in quantities if samples[n].size > 2 and np.ptp(samples[n]) > 0][:MAX_PANELS]
     if not shown:

@@ -56,7 +56,8 @@ def section(
     interfaces : array_like, shape (n,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`; drawn as lines.
     contact : array_like, shape (nx, ny), optional
-        Positive in contact cells, e.g. the repulsion; shown as a bar along the surface.
+        Field that is positive in contact cells, e.g. the repulsion; the contact is shown as a bar
+        along the surface.
     cells : bool, optional
         Show each cell in one colour, instead of smooth colours between the cell centres.
 

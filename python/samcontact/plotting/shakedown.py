@@ -99,6 +99,9 @@ def strain_per_cycle(
 ) -> Axes:
     """Draw net plastic strain and plastic flow of each cycle.
 
+    The net plastic strain is the change over a cycle; the plastic flow is the equivalent plastic
+    strain added by the cycle. Both are maxima over the body, divided by the yield strain.
+
     Parameters
     ----------
     result : ShakedownResult
@@ -125,7 +128,7 @@ def strain_per_cycle(
 
 
 def draw_cycles(numbers: ArrayLike, net: ArrayLike, flow: ArrayLike, label: str, ax: Axes) -> Axes:
-    """Draw the curves of `strain_per_cycle`; net, flow: strains divided by the yield strain."""
+    """Draw the curves of `strain_per_cycle`; `net` and `flow` are divided by the yield strain."""
     (line,) = ax.plot(numbers, net, "o-", markersize=3, label=label)
     ax.plot(numbers, flow, "--", color=line.get_color(), linewidth=1)
     ax.set_yscale("log")

@@ -14,9 +14,11 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 _ROUNDING_ERROR = 1e-6
-"""Negative values up to this fraction of the maximum, or of the grid size, are rounding errors."""
+"""Magnitude of negative values that count as rounding errors, relative to the maximum value. For
+lengths, it is relative to the grid size if the grid size is larger."""
 _HEAT_ROUNDING_ERROR = 1e-3
-"""Relative error of transforms and quadrature in the temperature outside a source."""
+"""Relative error of the temperature outside a heat source, due to Fourier transforms and
+quadrature."""
 _MAX_VALUES = {"strain": 1e2, "heat": 1e6}
 _MAX_LENGTH_RATIO = 1e3
 """Maximum plausible length, relative to the size of the grid."""
@@ -31,10 +33,12 @@ def quantity_of(
     argument: str = "field",
     label: str | None = None,
 ) -> Quantity:
-    """Return the quantity with this name, or a quantity without unit if no name is given.
+    """Return the quantity with this name, or a quantity without a unit if no name is given.
 
-    Values without a name are shown without conversion, with a diverging colour map if both signs
-    occur. Raises ValueError for values that are impossible for the named quantity.
+    Without a name, values are shown without conversion, with a diverging colour map if negative
+    values occur. argument: name of the values in error messages. label: text that replaces the name
+    of the quantity in the figure. Raises ValueError for values that are impossible for the named
+    quantity.
     """
     if name is None:
         shown = signed(_UNNAMED_QUANTITY) if _is_negative(values, 0.0) else _UNNAMED_QUANTITY
@@ -47,7 +51,8 @@ def quantity_of(
 def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
     """Return the quantity with this name, with a diverging colour map if values are negative.
 
-    Prescribed tractions may be tensile, and may cause interpenetration.
+    Negative values occur with prescribed tractions, which may be tensile and may cause
+    interpenetration.
     """
     shown = CONTACT[name]
     return signed(shown) if _is_negative(values, _rounding(values, shown, grid)) else shown
@@ -59,7 +64,7 @@ def signed(quantity: Quantity) -> Quantity:
 
 
 def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid: Grid) -> None:
-    """Raise ValueError for values that are impossible for a quantity (wrong field or unit)."""
+    """Raise ValueError for values that a quantity cannot have, due to a wrong field or unit."""
     minimum, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
     unit = "" if quantity.unit == "1" else f" {quantity.unit}"
     another = "check the quantity; `section` and `surface_map` show any field if it is omitted"

@@ -36,13 +36,14 @@ def friction_curve(
     Parameters
     ----------
     velocity : array_like, shape (n,)
-        Velocities [m/s]; the sign is not shown, and velocity 0 has no place on the axis.
+        Velocities [m/s]. Their magnitudes are shown; a velocity of 0 is omitted.
     friction : array_like, shape (n,)
         Friction coefficients [-].
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     contact_share : array_like, shape (n,), optional
-        Contact area over the area of the surface [-], drawn on a second axis on the right.
+        Contact area divided by the area of the surface [-]. If given, it is drawn on a second axis
+        on the right.
     label : str, optional
         Label of the friction curve.
 
@@ -84,7 +85,7 @@ def friction_curve(
 
 
 def figures(dataset: xr.Dataset) -> dict[str, Figure]:
-    """Draw the figures of a run over velocities: friction with contact area, and pressures.
+    """Return the figures of a sliding run: friction versus velocity, and maps of the pressure.
 
     Parameters
     ----------
@@ -109,7 +110,7 @@ def figures(dataset: xr.Dataset) -> dict[str, Figure]:
 
 
 def pressure_panels(dataset: xr.Dataset) -> Figure:
-    """Draw maps of the pressure at the lowest velocity, at the largest friction and at the highest.
+    """Draw maps of the pressure at the lowest and highest velocity and at the largest friction.
 
     Parameters
     ----------

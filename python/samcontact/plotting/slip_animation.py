@@ -25,7 +25,7 @@ _CONTACT_MARGIN = 0.15  # margin around the contact, relative to its size
 
 
 class ForceHistory(NamedTuple):
-    """Displacement and force of all increments, in the units shown on the axes."""
+    """Displacement and force of all increments in the units of the figure, and axis labels."""
 
     across: FloatArray
     force: FloatArray
@@ -85,10 +85,10 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
 
 
 def course_of(states: Sequence[State]) -> ForceHistory:
-    """Return displacement and force along the axis of maximum force.
+    """Return displacement and force along x or y, whichever has the larger force.
 
-    If there is no force, twist and torque are returned. For rolling bodies, the displacement is the
-    distance rolled.
+    If there is no tangential force, twist and torque are returned instead. For rolling bodies, the
+    displacement is replaced by the distance rolled.
     """
     forces = np.array([state.tangential_load for state in states])
     motions = np.array([state.shift for state in states])
@@ -111,7 +111,7 @@ def course_of(states: Sequence[State]) -> ForceHistory:
 
 
 def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
-    """Return the limits along x and y [µm] of a region that contains the contact in all states."""
+    """Return the limits along x and y [µm] of a region that contains the contacts of all states."""
     touched = np.any([state.in_contact for state in states], axis=0)
     if not touched.any():
         raise ValueError("states must contain at least one state in contact, got none")
@@ -124,7 +124,7 @@ def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
 
 
 def _course_panel(ax: Axes, course: ForceHistory) -> Line2D:
-    """Draw the force of all states as a thin line; return the mark of the current state."""
+    """Draw the force of all states as a thin line; return the marker of the current state."""
     ax.plot(course.across, course.force, "-", linewidth=0.8, color="0.6")
     (point,) = ax.plot([], [], "o", color="C3")
     ax.set_xlabel(course.labels[0])

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def slip_figures(results: ContactResults) -> dict[str, Figure]:
-    """Return the figures of a run with partial slip by name; an empty dict with full sliding."""
+    """Return the figures of partial slip by name; none for full sliding or without contact."""
     data = results.dataset
     if "friction_work" not in data or not np.any(
         in_contact(repulsion_of(data).values[chosen(data)])
@@ -53,7 +53,7 @@ def slip_figures(results: ContactResults) -> dict[str, Figure]:
 
 
 def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
-    """Return figures of force versus distance rolled and, if creepage varies, versus creepage."""
+    """Return a figure of force versus distance rolled and, if creepage varies, a creep curve."""
     figures = {"rolling_force": new_figure()}
     rolling_force(dataset, figures["rolling_force"].subplots(), direction=direction)
     xi, force = creepages(dataset, direction)
@@ -74,7 +74,11 @@ def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
 
 
 def chosen(dataset: xr.Dataset) -> int:
-    """Return the index of the last increment with maximum tangential force, for the slip map."""
+    """Return the index of the increment that the slip map shows.
+
+    This is the last increment with the maximum tangential force. Without a tangential force, it is
+    the last increment with the maximum torque; without a torque, with the maximum load.
+    """
     pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
     if not pulls.max() > ROUNDING_ERROR * float(dataset["load"].max()):
         pulls = np.abs(dataset["torque"].values)
@@ -84,7 +88,11 @@ def chosen(dataset: xr.Dataset) -> int:
 
 
 def driven(dataset: xr.Dataset) -> list[str]:
-    """Return the directions ("x", "y", "z") with force and displacement, largest force first."""
+    """Return the directions, "x", "y" or "z", along which the bodies are loaded and displaced.
+
+    In these directions, force and displacement exceed rounding errors. Of x and y, the direction
+    with the larger force comes first; "z", for torque and twist, comes last.
+    """
     moved = moved_along(dataset)
     found = [
         name

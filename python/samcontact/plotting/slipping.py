@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 STICK_AND_SLIP_COLOURS = "#9ecae1", "#fdae6b"
-"""Colours of stick and slip zones."""
+"""Colours of the stick zone and of the slip zone."""
 _ARROWS_PER_SIDE = 15  # number along the longer side of the contact
 _MAX_ARROW_LENGTH = 0.95  # maximum length of an arrow, relative to the distance between arrows
 _SLIP_UNITS = {"1": "of the distance rolled", None: ""}
@@ -100,7 +100,7 @@ def partial_slip_map(
 
 
 def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> None:
-    """Colour the stick zone and the slip zone, and draw the contact edge."""
+    """Draw the stick zone and the slip zone in their colours, with the contact edge."""
     inside, slips = inside_of_contact(pressure), inside_of_slip(slip, in_contact(pressure))
     levels = [slips.min() - 1.0, 0.0, slips.max() + 1.0]
     parts = ax.contourf(*plane.smooth(slips), levels=levels, colors=STICK_AND_SLIP_COLOURS)
@@ -109,7 +109,7 @@ def _kinds(ax: Axes, slip: FloatArray, pressure: FloatArray, plane: Plane) -> No
 
 
 def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: Plane) -> float:
-    """Draw arrows of the slip in some of the cells, and return the maximum slip."""
+    """Draw the slip as arrows in regularly spaced cells, and return the maximum slip."""
     size: FloatArray = np.hypot(*slip)
     largest = float(size.max(initial=0.0))
     if not largest > 0:
@@ -307,12 +307,14 @@ def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
 def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str = "x") -> Axes:
     """Draw the tangential force versus the distance rolled under load.
 
+    The line is interrupted at increments without load, so that each pass has its own line.
+
     Parameters
     ----------
     dataset : xarray.Dataset
         Results of rolling with partial slip.
     ax : matplotlib.axes.Axes, optional
-        Axes to draw on; default: a new figure. Each pass, and each direction, has its own line.
+        Axes to draw on; default: a new figure.
     direction : {"x", "y"}
         Direction of the force.
 
@@ -324,7 +326,7 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     ------
     ValueError
         The direction is unknown, or the results are from full sliding or from bodies that do not
-        roll.
+        move through the contact.
     """
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
@@ -355,7 +357,11 @@ def require_slip(dataset: xr.Dataset) -> None:
 
 
 def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArray]:
-    """Return creepage [-] and force [N] of the increments in which bodies roll under load."""
+    """Return creepage [-] and tangential force [N] of all increments of rolling under load.
+
+    The creepage is the change of the rigid-body displacement divided by the distance rolled in the
+    increment.
+    """
     force, motion = FORCE_AND_MOTION[direction]
     travels = [np.diff(dataset[f"travel_body{body}"].values, prepend=0.0) for body in (1, 2)]
     distance = -0.5 * (travels[0] + travels[1])
@@ -365,7 +371,11 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:
-    """Return the force of full sliding at maximum load [N]; None if slip is prevented."""
+    """Return the largest tangential force that friction allows in an increment [N].
+
+    This is the force at full sliding. Return None if the results have no friction law, or if the
+    law prevents slip.
+    """
     law = law_of_attributes(dataset.attrs)
     if law is None or law.prevents_slip:
         return None

@@ -48,9 +48,9 @@ def summary_figures(
 ) -> list[Path]:
     """Write the standard figures of a run to files.
 
-    Profiles and sections pass through the middle of the grid. If values are clearly larger
-    elsewhere, as on rough surfaces, profiles and sections pass through the row of cells with the
-    maximum.
+    Profiles and sections pass through the middle of the grid. If the values in the middle are below
+    90 % of the maximum, as on rough surfaces, profiles and sections pass through the row of cells
+    with the maximum.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def summary_figures(
           increment);
         - for an elastic-plastic body: imprint, imprint_map and residual (last increment, or the
           whole track of a moving body) and, for a moving body, track_imprint and track_sections;
-          imprint and imprint_map of viscoelastic bodies too.
+        - for a viscoelastic body: imprint and imprint_map.
 
     Raises
     ------
@@ -182,7 +182,7 @@ def _sections(results: ContactResults, number: int) -> Figure:
 
 
 def _temperature_figures(results: ContactResults) -> dict[str, Figure]:
-    """Return figures of the temperature rise of a heated body; none without heating."""
+    """Return figures of the temperature rise of the body, or an empty dict without heating."""
     if results.hottest is None:
         return {}
     grid, rise = results.grid, results.surface("surface_temperature", results.hottest)

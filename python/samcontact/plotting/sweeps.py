@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figure of a parameter study: quantities of all cases over the parameters."""
+"""Figure of a parameter study: quantities of all cases versus the parameters."""
 
 from __future__ import annotations
 
@@ -29,11 +29,12 @@ def study_figure(
     quantities: Mapping[str, Quantity],
     values: Mapping[str, Sequence[Any]],
 ) -> Figure | None:
-    """Return a figure with a panel for each quantity that varies; None if none does.
+    """Return a figure with one panel for each quantity that varies between the cases.
 
-    The arguments are those of a sweep summary. The first parameter with several numbers is drawn
-    along x; if there is none, the first parameter with several words. All other parameters
-    distinguish the curves.
+    The horizontal axis shows the first parameter that has several values and whose values are
+    numbers. If there is no such parameter, it shows the first parameter with several values. All
+    other parameters distinguish the curves. At most `MAX_PANELS` quantities are drawn. Return None
+    if no quantity or no parameter varies. The arguments are the attributes of a `SweepSummary`.
     """
     shown = [name for name in quantities if _varies(values[name])][:MAX_PANELS]
     varied = [name for name, column in parameters.items() if len(set(map(str, column))) > 1]
@@ -92,7 +93,11 @@ def _panel(
 
 
 def _positions(column: Sequence[Any]) -> tuple[np.ndarray[Any, Any], list[str] | None]:
-    """Return the numbers of a column; for words, their positions and the words."""
+    """Return the axis positions of the values of a column, and the tick labels of words.
+
+    Numbers are returned unchanged, without tick labels (None). Different words are placed at 0, 1,
+    2, ...
+    """
     if _are_numbers(column):
         return np.asarray(column, dtype=np.float64), None
     words = [word for word in dict.fromkeys(map(str, column)) if word]
@@ -112,7 +117,7 @@ def _varies(column: Sequence[Any]) -> bool:
 
 
 def _follows(first: Sequence[Any], second: Sequence[Any]) -> bool:
-    """Whether equal values of the first parameter always go with equal values of the second."""
+    """Whether the value of the first parameter determines the value of the second."""
     pairs = {(str(a), str(b)) for a, b in zip(first, second, strict=True)}
     return len(pairs) == len(set(map(str, first)))
 
@@ -120,7 +125,7 @@ def _follows(first: Sequence[Any], second: Sequence[Any]) -> bool:
 def _grouped(
     parameters: Mapping[str, Sequence[Any]], units: Mapping[str, str]
 ) -> dict[str, list[int]]:
-    """Return the cases of each combination of values, by a label of the values."""
+    """Return the indices of the cases with each combination of values, by the legend label."""
     groups: dict[str, list[int]] = {}
     for number, values in enumerate(zip(*parameters.values(), strict=True)):
         named = zip(parameters, values, strict=True)

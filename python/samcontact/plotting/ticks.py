@@ -55,7 +55,7 @@ class FittedLocator(MaxNLocator):
 
 
 def fit_ticks(ax: Axes) -> None:
-    """Set fitted ticks on both axes, unless other ticks were set."""
+    """Use `FittedLocator` on each axis that still has the default ticks of Matplotlib."""
     for axis in (ax.xaxis, ax.yaxis):
         if type(axis.get_major_locator()) is AutoLocator:
             axis.set_major_locator(FittedLocator())

@@ -44,7 +44,7 @@ _LOADED_FIELDS = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temp
 
 
 def positions_on_body(state: State, body: int) -> FloatArray:
-    """Return the positions x on the body [m] of the cells of volume fields, shape (nx,)."""
+    """Return the x positions of volume-field cells in the frame of the body [m], shape (nx,)."""
     shift = state.offset(body=body) - state.origin - state.travel[body - 1]
     return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
 
@@ -223,7 +223,7 @@ def _section(
 
 
 def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
-    """Draw the residual imprint along x, in the row of cells from `row_of_interest`."""
+    """Draw the residual imprint along x, in the row of cells that `row_of_interest` selects."""
     field, x, y = (track[name].values for name in ("residual_displacement", "x", "y"))
     field = np.abs(field)
     row = row_of_interest(field.max(axis=0), y)
@@ -234,9 +234,9 @@ def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
 
 
 def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
-    """Return a figure of the residual stress along a track, in the row of `_row_of_residual`.
+    """Return a figure of the residual von Mises stress in a section along a track.
 
-    width: width of the figure [in].
+    The section is at the y position from `_row_of_residual`. width: width of the figure [in].
     """
     near, grid = _strained_part(track), grid_of(track)
     length = float(np.ptp(near["x"].values))
@@ -248,13 +248,16 @@ def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
 
 
 def _row_of_residual(track: xr.Dataset) -> float:
-    """Return the y position [m] of the middle row, or of another row with clearly larger stress."""
+    """Return the y position [m] of the row of cells in which the residual stress is shown.
+
+    `row_of_interest` selects this row by the residual von Mises stress.
+    """
     residual, y = track["residual_von_mises"].values, track["y"].values
     return float(y[row_of_interest(residual.max(axis=(0, 2)), y)])
 
 
 def _strained_part(track: xr.Dataset) -> xr.Dataset:
-    """Return the yielded part of a track, extended by half the length of this part at each end."""
+    """Return the part of a track that has yielded, with margins at both ends (see `_extent`)."""
     x, strain = track["x"].values, track["equivalent_plastic_strain"].values
     left, right = _extent(x, strain.max(axis=(1, 2)))
     part: xr.Dataset = track.isel(x=(x >= left) & (x <= right))
@@ -262,10 +265,10 @@ def _strained_part(track: xr.Dataset) -> xr.Dataset:
 
 
 def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
-    """Return the limits along x of a region shown in figures of a track [m].
+    """Return the limits along x of the region that figures of a track show [m].
 
-    The part in which `sizes` exceed 2 % of their maximum is extended at each end by half the length
-    of this part.
+    The region in which `sizes` exceed 2 % of their maximum is extended at each end by half its
+    length plus two cells, but not beyond the track. sizes: magnitude of a field at each position x.
     """
     there = x[sizes > 0.02 * sizes.max()] if np.any(sizes) else x
     margin = 0.5 * float(np.ptp(there)) + 2.0 * float(x[1] - x[0])
@@ -273,9 +276,9 @@ def _extent(x: FloatArray, sizes: FloatArray) -> tuple[float, float]:
 
 
 def track_summary(track: xr.Dataset, travel: FloatArray) -> dict[str, Figure]:
-    """Return figures of the residual imprint and of sections of a track, by name.
+    """Return the figures "track_imprint" (profiles) and "track_sections" of a track, by name.
 
-    `travel` is the travel of the body at the end of each increment [m].
+    travel: travel of the body at the end of each increment [m].
     """
     x, places = track["x"].values, -travel
     start, end = float(places.min()), float(places.max())

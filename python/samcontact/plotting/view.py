@@ -30,7 +30,7 @@ _FIELDS = (
     "von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", "temperature",
 )  # fmt: skip
 _ICON_URL = "https://kitware.github.io/vtk-js/icon/"
-"""External resources that a page of PyVista would load from a network."""
+"""Address of the icons that a page written by PyVista would load from the network."""
 
 
 def view(
@@ -40,11 +40,11 @@ def view(
     body: int | None = None,
     quantity: str = "von_mises",
 ) -> pyvista.Plotter:
-    """Show a volume field of a body in three dimensions, with a quarter cut out at the maximum.
+    """Show a volume field of a body in three dimensions, cut open at the maximum of the field.
 
-    Body 2 is at z < 0, body 1 at z > 0. Lines mark the contact edge and the interfaces of layers.
-    Inclusions are grey: those in the removed quarter are seen whole.
-    In a notebook, ``view(...).show()`` displays the view.
+    A quarter of the body is removed, with its corner at the maximum. Body 2 is at z < 0, body 1 at
+    z > 0. Lines mark the contact edge and the interfaces of layers. Inclusions are grey; also in
+    the removed quarter they are shown whole. In a notebook, ``view(...).show()`` displays the view.
 
     Parameters
     ----------
@@ -120,7 +120,10 @@ def _drawn(pv: Any, results: ContactResults, number: int, quantity: str) -> Any:
 
 
 def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
-    """Return the surface of the body, with the quarter towards +x and -y of the maximum removed."""
+    """Return the surface of the body without the quarter on the +x and -y side of the maximum.
+
+    sides: cell edges along x, y and z [µm]. field: values in the cells.
+    """
     size = np.abs(field)
     middle = [
         float(0.5 * (side[at] + side[at + 1]))
@@ -135,7 +138,7 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
 
 
 def _inclusions(pv: Any, sides: tuple[FloatArray, ...], share: FloatArray) -> Any:
-    """Return the surface on which inclusions fill half of a cell."""
+    """Return the surface of the inclusions: the contour on which their share of a cell is 0.5."""
     padded = np.pad(share, 1)  # closes inclusions that the sides of the grid cut
     centres = [0.5 * (side[1:] + side[:-1]) for side in sides]
     axes = [np.concatenate([[s[0]], c, [s[-1]]]) for s, c in zip(sides, centres, strict=True)]
@@ -145,7 +148,7 @@ def _inclusions(pv: Any, sides: tuple[FloatArray, ...], share: FloatArray) -> An
 
 
 def _edge(results: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
-    """Return the edge of the contact as lines on the surface [µm]."""
+    """Return the contact edge as lines on the surface: coordinates x, y, z of points [µm]."""
     import contourpy  # a dependency of Matplotlib
 
     if not repulsion.any() or np.all(in_contact(repulsion)):
@@ -158,7 +161,7 @@ def _edge(results: ContactResults, repulsion: FloatArray) -> list[FloatArray]:
 
 
 def _loop(pv: Any, sides: tuple[FloatArray, ...], depth: float) -> Any:
-    """Return a closed line around the sides of the body at a depth [µm]."""
+    """Return a closed line around the body along its four sides, at a given z coordinate [µm]."""
     x, y = sides[0][[0, -1, -1, 0, 0]], sides[1][[0, 0, -1, -1, 0]]
     return pv.lines_from_points(np.column_stack([x, y, np.full(5, depth)]))
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of wear and running-in, drawn on an `ax` (default: a new figure), which is returned.
+"""Figures of wear and running-in.
 
-As in `samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth is downward.
+Most functions draw on an `ax` (default: a new figure), which they return. As in all of
+`samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth points downward.
 """
 
 from __future__ import annotations
@@ -88,8 +89,8 @@ def worn_profile(
         Direction of the profile.
     position : float, optional
         Position of the profile [m]: y for a profile along x, x for a profile along y. The nearest
-        row of cells is used. Default: the middle row, or the row of maximum wear if the wear there
-        is much deeper.
+        row of cells is used. Default: the middle row, or the row of maximum wear depth if the
+        middle row has less than 90 % of this depth.
     cycles : sequence of int, optional
         Numbers of cycles; 0: before the first cycle. Default: all.
 
@@ -220,7 +221,7 @@ def fretting_panels(
         `FrettingResult.first` and `last`.
     position : float, optional
         Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
-        maximum initial pressure if this pressure is much higher.
+        maximum pressure in the first cycle if the middle row has less than 90 % of this pressure.
 
     Returns
     -------
@@ -263,7 +264,10 @@ def cycle_panels(
     width: float | None = None,
     depth: float | None = None,
 ) -> Figure:
-    """Draw pressure and Tresca stress under load; mean stress and plastic strain after unloading.
+    """Draw four panels of a cycle: pressure, Tresca stress, mean normal stress, plastic strain.
+
+    Pressure and Tresca stress are shown under load, mean normal stress and plastic strain after
+    unloading.
 
     Parameters
     ----------
@@ -273,10 +277,10 @@ def cycle_panels(
         Body whose stress and strain are shown.
     position : float, optional
         Value of y [m]; the nearest row of cells is shown. Default: the middle row, or the row of
-        maximum pressure if this pressure is much higher.
+        maximum pressure if the middle row has less than 90 % of this pressure.
     width, depth : float, optional
-        Limits of the figure [m]: x from -`width` to `width`, z down to `depth`; default: whole
-        grid.
+        Limits of the figure [m]: x from -`width` to `width`, z from 0 to `depth`. Default: the
+        whole grid.
 
     Returns
     -------

@@ -25,8 +25,8 @@ MAX_MISSING_ENERGY = 0.05
 """Limit of the unaccounted energy of a pass, relative to the maximum energy of all passes, because
 a later pass may need almost no energy. With more increments, the unaccounted energy decreases."""
 MAX_MISSING_WORK = 0.02
-"""Limit of the unaccounted energy of a pass, relative to the maximum work within the pass; most of
-this work is recovered."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum work during the pass. Most of
+this work is recovered by the end of the pass."""
 MAX_FINAL_FORCE = 1e-6
 """Limit of the force at the end of a pass, relative to the maximum force."""
 _PASS_VARIABLES = (
@@ -37,7 +37,7 @@ _PASS_VARIABLES = (
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return the variables of the template for an asperity collision."""
+    """Return the variables of the page template for an asperity collision."""
     passes = pass_results(dataset)
     table = values_table(passes, "pass", ASPERITIES, _PASS_VARIABLES)
     maxima = maxima_table(passes, "pass", ASPERITIES, _PASS_VARIABLES[:9])

@@ -30,7 +30,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return the variables of the template for a contact."""
+    """Return the variables of the page template for a contact."""
     case = stored_case(dataset)
     peak = peak_of_dataset(dataset)
     load = float(dataset["load"].values[peak])
@@ -60,7 +60,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def stored_case(dataset: xr.Dataset) -> Case | None:
-    """Return the case stored with the results; None if it is missing or unreadable."""
+    """Return the case stored with the results, or None if the case is missing or unreadable."""
     from ..cases import Case, CaseError, parse_case
 
     try:

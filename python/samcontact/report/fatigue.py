@@ -26,7 +26,7 @@ _NONE = Cell("", "")
 
 
 def require_fatigue(dataset: xr.Dataset) -> None:
-    """Raise ValueError unless the dataset is from a run with fatigue."""
+    """Raise ValueError unless the dataset is the fatigue result of a run."""
     if not (_criteria(dataset) or _is_exposed(dataset)):
         raise ValueError(
             "fatigue must be the dataset of a run with [fatigue], but has no "
@@ -35,7 +35,7 @@ def require_fatigue(dataset: xr.Dataset) -> None:
 
 
 def tables(dataset: xr.Dataset) -> Iterator[tuple[str, str, Table]]:
-    """Iterate over the tables of the criteria and of the exposure, with name and title."""
+    """Iterate over the tables of the criteria and of the exposure, as (name, title, table)."""
     body = int(dataset.attrs["body"])
     if _criteria(dataset):
         yield "fatigue", f"Fatigue of body {body}", _criteria_table(dataset)
@@ -124,7 +124,7 @@ def _exposure_of(dataset: xr.Dataset) -> Exposure:
 
 
 def _peak(field: xr.DataArray) -> tuple[float, dict[str, float]]:
-    """Return the maximum of a field and its coordinates [m]."""
+    """Return the maximum of a field and the coordinates of this maximum [m]."""
     at = np.unravel_index(int(np.nanargmax(field.values)), field.shape)
     place = {str(d): float(field[d].values[n]) for d, n in zip(field.dims, at, strict=True)}
     return float(field.values[at]), place

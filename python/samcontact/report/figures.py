@@ -47,7 +47,7 @@ _LEGEND_ABOVE: Any = {
     "ncols": 3,
     "frameon": False,
 }
-"""Options that place a legend above the axes, where it does not hide points."""
+"""Legend options that place the legend above the axes, where it does not hide points."""
 
 
 class ReportFigure(NamedTuple):
@@ -90,7 +90,7 @@ Made = tuple[str, str, Figure]
 
 
 def embedded(caption: str, description: str, figure: Figure) -> ReportFigure:
-    """Encode the image of a figure as text, so that the page does not need a separate file."""
+    """Return a figure with its image encoded as text, so that the page needs no separate file."""
     buffer = io.BytesIO()
     draw(figure, buffer, format="png", dpi=DOTS_PER_INCH)
     text = base64.b64encode(buffer.getvalue()).decode("ascii")
@@ -161,9 +161,10 @@ def _interfaces(results: ContactResults, number: int) -> Made:
 
 
 def _utilisation(results: ContactResults, stress: FloatArray) -> str:
-    """Return a text on the maximum of von Mises stress / initial yield stress.
+    """Return a sentence on the maximum of von Mises stress / initial yield stress.
 
-    The text is empty for a body whose yield stress and initial stress do not vary with depth.
+    The result is "" for an elastic body, and for a body without layers, yield-stress profile and
+    initial stress.
     """
     body, grid = results.graded, results.grid
     if body is None or not body.is_plastic:
@@ -230,7 +231,10 @@ def _temperature(results: ContactResults) -> Iterator[Made]:
 
 
 def _imprint(results: ContactResults) -> Iterator[Made]:
-    """Iterate over figures of residual imprint and stress at the end; none if a track is stored."""
+    """Iterate over figures of residual imprint and residual stress after the last increment.
+
+    Nothing is yielded if the results contain a track; see `_track`.
+    """
     if results.track is not None:
         return
     data, number = results.dataset, results.number(-1)

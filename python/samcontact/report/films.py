@@ -26,12 +26,14 @@ DEFAULT_TOL = 1e-6
 MAX_LOAD_ERROR = 1e-5
 """Limit of the relative difference between the load and the integral of the pressure."""
 MAX_FLOW_IMBALANCE = 1e-4
-"""Limit of the net outflow of the grid: the sum of the residuals of all cells."""
+"""Limit of the net outflow from the grid, relative to the flow of the central film."""
 MAX_HEAT_IMBALANCE = 0.1
-"""Limit of the relative difference between the heat of both bodies and the power of the friction,
-in which the work of the flow is integrated over the pressure gradient; compression is omitted."""
+"""Limit of the relative difference between the heat that enters both bodies and the dissipated
+power. The power includes the work of the flow against the pressure gradient; the work of
+compression is omitted."""
 MAX_GAP_MISMATCH = 0.02
-"""Limit of the difference between the gap of the film and that of the bodies that have yielded."""
+"""Limit of the difference between the gap for which the film was solved and the gap of the
+plastically deformed bodies, relative to the central film thickness."""
 _VALUES = (
     "time", "speed", "load", "approach", "max_pressure", "central_film", "minimum_film",
     "lambda_ratio", "boundary_share", "friction_coefficient", "rolling_resistance", "power",
@@ -45,7 +47,7 @@ _CONVERGENCE = (
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return the variables of the template for a lubricated contact."""
+    """Return the variables of the page template for a lubricated contact."""
     answers = maxima_table(dataset, "increment", FILMS, _VALUES)
     of = "instants" if "time" in dataset else "loads" if "imprint" in dataset else "speeds"
     note = f"Maximum magnitude over the {of}, and the number of the {of[:-1]} at which it occurs."
@@ -106,7 +108,7 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def stored_film_case(dataset: xr.Dataset) -> FilmCase | None:
-    """Return the case stored with the results; None if it is missing or unreadable."""
+    """Return the case stored with the results, or None if the case is missing or unreadable."""
     from ..cases import CaseError, FilmCase, parse_case
 
     try:
@@ -117,7 +119,7 @@ def stored_film_case(dataset: xr.Dataset) -> FilmCase | None:
 
 
 def _formula_table(dataset: xr.Dataset) -> Table:
-    """Return the films by the formula and by solution at each speed."""
+    """Return the table that compares the film thickness by the formula with the solution."""
     names = [name for name in ("central_film", "minimum_film") if f"formula_{name}" in dataset]
     headings, columns = [], []
     for name in names:

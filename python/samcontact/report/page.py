@@ -32,11 +32,10 @@ def write(
 ) -> Path:
     """Write the report of a run.
 
-    The page shows the main results with their estimated errors, a comparison with Hertz contact
-    where applicable, figures, the `checks` of the results, the parameters, and the values and the
-    convergence of each increment. Reports of asperity collisions contain the values of each pass,
-    reports of wear the values of each cycle, and reports of films and of sliding the values at each
-    speed.
+    The page shows the main results with their estimated errors, figures, the `checks` of the
+    results, and the parameters. For a contact, it also shows the values and the convergence of each
+    increment and, where applicable, a comparison with Hertz contact. For asperity collisions, it
+    shows the values of each pass; for wear, of each cycle; for films and sliding, at each speed.
 
     Parameters
     ----------
@@ -107,13 +106,13 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     Returns
     -------
     list of Check
-        Checks with name, value, limit and result. If the run is incomplete, one check fails.
-        Contact: load balance, complementarity of pressure and gap, yield condition, distance from
-        the edge of the grid, small strain, and plausibility of the input (`Check.of_input`); with
-        partial slip also the friction law, tangential forces and energy. Asperity collisions:
-        energy balance, and zero force at the end of a pass. Wear: volume balance. Lubricated
-        contact: balances of load, flow and mass, cavitation, inlet, resolution. Sliding: load
-        balance, complementarity and energy that is lost, not gained.
+        Checks with name, value, limit and result. An incomplete run has a failed check. The other
+        checks depend on the kind of run. Contact: load balance, complementarity of pressure and
+        gap, yield condition, distance from the edge of the grid, small strain, and plausibility of
+        the input (`Check.of_input`); with partial slip also the friction law, tangential forces and
+        energy balance. Asperity collision: energy balance, and zero force at the end of a pass.
+        Wear: volume balance. Lubricated contact: balances of load, flow and mass, cavitation,
+        inlet, resolution. Sliding: load balance, complementarity, and no negative friction.
 
     Raises
     ------
@@ -125,7 +124,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
 
 
 def _kind(dataset: xr.Dataset) -> ModuleType:
-    """Return the module that creates the parts of the page for this dataset."""
+    """Return the module that creates the report of a dataset: contact, asperities, wear, ..."""
     missing: dict[ModuleType, list[str]] = {
         kind: [name for name in kind.REQUIRED_VARIABLES if name not in dataset]
         for kind in (contact, asperities, wear, films, sliding)
@@ -146,7 +145,7 @@ def _end(dataset: xr.Dataset) -> list[Check]:
 
 
 def _content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return all variables of the template."""
+    """Return the values of all variables of the page template."""
     # text attributes may have been changed by other programs
     words = {name: str(dataset.attrs.get(name, "")) for name in _TEXT_ATTRIBUTES}
     kind = _kind(dataset)

@@ -32,7 +32,8 @@ if TYPE_CHECKING:
     from ..cases import Case
 
 INCLUSION_TOL = 1e-3
-"""Smallest tolerance of the strain of bodies with voids; see docs/theory/inclusions.md."""
+"""Minimum tolerance for checks of bodies with inclusions [-]: the smallest tolerance that can be
+reached with voids, see docs/theory/inclusions.md."""
 DEFAULT_TOL = 1e-6  # tolerance [-] assumed for files without one
 
 
@@ -58,7 +59,10 @@ def all_checks(dataset: xr.Dataset, case: Case | None) -> list[Check]:
 
 
 def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
-    """Compare the integrated pressure with the load of the case (if missing, the stored load)."""
+    """Compare the integrated pressure with the load prescribed by the case.
+
+    Without a prescribed load, the stored load is used.
+    """
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     total = area * dataset["pressure"].values.sum(axis=(1, 2))
     targets = dataset["load"].values.copy()
@@ -73,7 +77,7 @@ def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
 
 
 def _lowered_by_tilt(dataset: xr.Dataset) -> FloatArray:
-    """Return the lowering of body 1 by the tilts [m], shape (increment, x, y)."""
+    """Return the displacement of body 1 towards body 2 due to tilt [m], shape (increment, x, y)."""
     if "tilt_x" not in dataset:
         return np.zeros((dataset.sizes["increment"], 1, 1))
     x, y = dataset["x"].values, dataset["y"].values
@@ -125,7 +129,7 @@ def _yield_condition(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def flow_tol(dataset: xr.Dataset) -> float:
-    """Tolerance of plastic strain, yield condition and strain of inclusions [-]."""
+    """Return the tolerance for the checks of plastic strain and yield condition [-]."""
     tol = float(dataset.attrs.get("tol", DEFAULT_TOL))
     return max(tol, INCLUSION_TOL) if _has_inclusions(dataset) else tol
 
@@ -148,7 +152,7 @@ def _borders(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def _adhesion(dataset: xr.Dataset) -> Iterator[Check]:
-    """Check whether the grid resolves and contains the attraction of a law of adhesion."""
+    """Check whether the grid is fine enough and large enough for the attraction of adhesion."""
     if "kappa" not in dataset.attrs or "adhesion_stress" not in dataset:
         return
     name = "resolution number kappa of the adhesion"
@@ -198,14 +202,18 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
 def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELLS) -> Check:
     """Check whether the grid resolves the contact.
 
-    suffix: text added to the name of the check, e.g. that the number of cells is a Hertz estimate.
+    cells: number of cells across the contact. suffix: text added to the name of the check, e.g.
+    with the Hertz contact. few: minimum number of cells.
     """
     name = f"cells across the contact at maximum load{suffix}"
     return Check(name, cells, few, at_least=True)
 
 
 def layers_across_plastic_zone(layers: ArrayLike, body: int) -> Iterator[Check]:
-    """Check whether the layers resolve the plastic zone; omitted without plastic strain."""
+    """Check whether the grid layers resolve the plastic zone; no check without plastic strain.
+
+    layers: number of layers across the plastic zone in each increment.
+    """
     highest = np.max(np.nan_to_num(layers))
     if highest > 0:
         name = f"layers across the plastic zone, body {body}"
@@ -223,7 +231,8 @@ def _strains(dataset: xr.Dataset) -> Iterator[Check]:
 def _errors(dataset: xr.Dataset) -> Iterator[Check]:
     """Check the largest estimated error or, with a prescribed accuracy, the error of each quantity.
 
-    For surfaces that are only given on the grid, also check the slope at short wavelengths.
+    For surfaces that are known at the grid points only, the slope at short wavelengths is checked
+    too.
     """
     rows = error_rows(dataset)
     estimated = [row for row in rows if row.target is None and np.isfinite(row.relative)]

@@ -17,7 +17,7 @@ _CYCLE_LABELS = {"flow": "equivalent plastic strain increment", "net": "net plas
 
 
 def require_cycles(dataset: xr.Dataset) -> None:
-    """Raise ValueError unless the dataset is from repeated cycles."""
+    """Raise ValueError unless the dataset is the result of repeated load cycles."""
     known = {*map(str, dataset.variables), *map(str, dataset.attrs)}
     needed = (*_CYCLE_LABELS, "cycle", "response", "yield_strain")
     if lacking := [name for name in needed if name not in known]:

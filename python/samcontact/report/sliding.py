@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("velocity", "friction", "friction_force", "max_pressure")
 MIN_FRICTION = -1e-3
-"""Limit of the smallest friction coefficient, relative to the largest: no energy is gained."""
+"""Limit of the smallest friction coefficient, relative to the largest. A negative coefficient would
+mean that sliding generates energy."""
 ROUNDING_ERROR = 1e-9
-"""Limit of the relative error of the load, if the tolerance is lower."""
+"""Limit of the relative error of the load; if the tolerance is larger, it is the limit instead."""
 _VARIABLES = (
     "velocity", "load", "friction", "friction_force", "power", "contact_area", "contact_share",
     "max_pressure", "approach", "iterations", "error",
@@ -29,7 +30,7 @@ _VARIABLES = (
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return the variables of the template for sliding."""
+    """Return the variables of the page template for sliding."""
     answers = maxima_table(dataset, "point", SLIDING, _VARIABLES[2:8])
     values = values_table(dataset, "point", SLIDING, _VARIABLES)
     return {

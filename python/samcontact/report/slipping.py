@@ -25,11 +25,12 @@ if TYPE_CHECKING:
     from ..plotting.contact_results import ContactResults
 
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted work, relative to the work input; it decreases with finer increments."""
+"""Limit of the unaccounted work, relative to the work input. The unaccounted work decreases with
+smaller increments."""
 
 
 def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check]:
-    """Check friction law, tangential forces and energy; return no check for full sliding."""
+    """Check friction law, tangential forces and energy balance; no checks for full sliding."""
     if "friction_work" not in dataset:
         return
     law = law_of_attributes(dataset.attrs)
@@ -57,10 +58,10 @@ def checks(dataset: xr.Dataset, case: Case | None, tol: float) -> Iterator[Check
 
 
 def _pressure_of_touching_cells(dataset: xr.Dataset, tol: float) -> FloatArray:
-    """Return the pressure of friction [Pa], with a tiny positive value in closed cells without.
+    """Return the pressure on which friction depends [Pa], positive in all cells with a closed gap.
 
-    The tiny value marks such a cell as in contact, because a constant shear strength admits shear
-    there.
+    If the pressure of a cell with a closed gap is 0, it is replaced by a tiny positive value. This
+    marks the cell as in contact: a friction law with a constant shear strength allows shear there.
     """
     pressure = rubbing_pressure_of(dataset)
     closed = dataset["gap"].values <= tol * np.abs(dataset["approach"].values[:, None, None])
@@ -68,7 +69,7 @@ def _pressure_of_touching_cells(dataset: xr.Dataset, tol: float) -> FloatArray:
 
 
 def _shear(dataset: xr.Dataset) -> FloatArray:
-    """Return the shear traction [Pa], shape (2, increment, x, y); 0 in directions not stored."""
+    """Return the shear traction [Pa], shape (2, increment, x, y); a component not stored is 0."""
     shape = dataset["pressure"].shape
     names = ("shear_x", "shear_y")
     return np.stack([dataset[n].values if n in dataset else np.zeros(shape) for n in names])
@@ -87,7 +88,7 @@ def _force_difference(dataset: xr.Dataset, shear: FloatArray, steps: list[dict[s
 
 
 def figures(results: ContactResults) -> Iterator[tuple[str, str, Figure]]:
-    """Iterate over the figures of partial slip, each with caption and description."""
+    """Iterate over the figures of partial slip, as tuples (caption, description, figure)."""
     data = results.dataset
     for name, figure in slip_figures(results).items():
         title = figure.axes[0].get_title()

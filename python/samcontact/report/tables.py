@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 # Units that take a prefix; others are written as they are.
 _PREFIXED_UNITS = ("m", "Pa", "N", "s", "m/s")
 _MAX_LISTED_VALUES = 8
-"""Maximum length of a list whose values are shown individually."""
+"""Maximum number of values of a list that is shown in full."""
 
 
 _ROUNDING_ERROR = 1e-13  # relative to the maximum of a column
@@ -51,14 +51,14 @@ class Row(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """Cell of a table: number as shown, and exact number in SI units."""
+    """Cell of a table: number as displayed, and number with all digits in SI units."""
 
     shown: str
     exact: str
 
 
 class Table(NamedTuple):
-    """Table with column headings; each row has a number or name, and cells."""
+    """Table with column headings; each row has a label (number or name) and cells."""
 
     headings: list[str]
     rows: list[tuple[str, list[Cell]]]
@@ -68,7 +68,7 @@ class Table(NamedTuple):
 
 
 def parameters(dataset: xr.Dataset) -> list[Row]:
-    """Return the parameters of the stored case or, if missing, from the attributes of the run."""
+    """Return the parameters of the stored case or, without a case, the attributes of the run."""
     text = dataset.attrs.get("case", "")
     if not text:
         return _from_attributes(dataset)
@@ -173,7 +173,7 @@ def scalars_table(dataset: xr.Dataset) -> Table:
 
 
 def results_table(dataset: xr.Dataset) -> Table:
-    """Return a table of the maximum of each scalar result, for results without estimated errors."""
+    """Return a table of the maximum of each scalar result; used if errors were not estimated."""
     table = maxima_table(dataset, "increment", CONTACT, _SCALARS[:-2])
     return table._replace(note=f"{table.note} Errors were not estimated.")
 
@@ -199,9 +199,9 @@ def maxima_table(
 
 
 def slipping_tables(dataset: xr.Dataset) -> list[tuple[str, str, Table]]:
-    """Return tables of the tangential results of each increment and of the energy balance.
+    """Return the tables of partial slip: results of each increment, and energy balance.
 
-    With full sliding, the list is empty.
+    Each table has a name and a title. For full sliding, the list is empty.
     """
     names = moved_along(dataset)
     if not names:
@@ -236,7 +236,7 @@ def _energy_table(balance: EnergyBalance) -> Table:
 
 
 def errors_table(dataset: xr.Dataset) -> Table:
-    """Return a table of maxima with estimated errors; without estimates it has no rows."""
+    """Return a table of maximum values with estimated errors; without estimates it has no rows."""
     found = error_rows(dataset)
     more = {
         heading: [getattr(row, name) for row in found]
@@ -283,7 +283,10 @@ def convergence_table(dataset: xr.Dataset) -> Table:
 def values_table(
     dataset: xr.Dataset, dim: str, quantities: Mapping[str, Quantity], names: Sequence[str]
 ) -> Table:
-    """Return a table of variables along a dimension; variables of a body have a column per body."""
+    """Return a table of variables, with one row for each value of the dimension `dim`.
+
+    A variable that is stored for each body has one column for each body.
+    """
     found = []
     for name in names:
         for body, values in _values_by_body(dataset, name):
@@ -299,7 +302,10 @@ def values_table(
 
 
 def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None, FloatArray]]:
-    """Iterate over pairs (body, values) of a variable; without a body, body is None."""
+    """Iterate over the values of a variable as pairs (body, values).
+
+    The body is None for a variable that does not refer to a body.
+    """
     if name in dataset and "body" not in dataset[name].dims:
         yield None, dataset[name].values
     elif name in dataset:
@@ -311,7 +317,10 @@ def _values_by_body(dataset: xr.Dataset, name: str) -> Iterator[tuple[int | None
 
 
 def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
-    """Return a table cell for a value in SI units; a value below `small` is shown as zero."""
+    """Return a table cell for a value in SI units.
+
+    factor: factor to the displayed unit. A value with a magnitude below `small` is shown as "0".
+    """
     number = float(value)
     if not np.isfinite(number):
         return Cell("none", "")
@@ -321,7 +330,10 @@ def cell(value: Any, factor: float, small: float = 0.0) -> Cell:
 def hertz_table(
     dataset: xr.Dataset, peak: int, reference: HertzContact, body: int
 ) -> list[tuple[str, str, str, str]]:
-    """Return table rows with quantity, Hertz value, simulated value and difference [%]."""
+    """Return table rows as texts: quantity, Hertz value, simulated value and difference in %.
+
+    peak: index of the increment, from 0. reference: Hertz contact at the load of the increment.
+    """
     return [
         (
             row.heading,

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("volume", "lost_volume", "depth", "wear_rate")
 MAX_VOLUME_DIFFERENCE = 1e-9
-"""Limit of the relative difference between the removed volume and the decrease of the volume below
-the surface."""
+"""Limit of the difference between the removed volume and the decrease of the volume below the
+surface in a cycle, relative to the maximum removed volume of a cycle."""
 MAX_PROFILES = 10  # maximum number of profiles in a figure
 _CYCLE_VARIABLES = (
     "volume", "depth", "surface_strain", "max_equivalent_plastic_strain", "max_pressure",
@@ -33,7 +33,7 @@ _CYCLE_VARIABLES = (
 
 
 def content(dataset: xr.Dataset) -> dict[str, Any]:
-    """Return the variables of the template for wear."""
+    """Return the variables of the page template for wear."""
     return {
         "file": "wear.nc",
         "answers": [("results", "Results", maxima_table(dataset, "cycle", WEAR, _CYCLE_VARIABLES))],

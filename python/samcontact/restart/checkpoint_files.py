@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Removal of checkpoints from a folder; files of other programs are kept."""
+"""Removal of checkpoints from a folder, in which files of other programs are kept."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from ..files.ownership import PARTIAL_FILE_NAME, SEALED_SUFFIXES, is_marked, is_
 from .lock import LOCK_FILES
 
 CASE_FILE = "case.txt"
-"""Name of the file that identifies the case of the checkpoints."""
+"""Name of the file in a checkpoint folder that identifies the case."""
 CASE_MARK = "samcontact run "
 """First words of the file `CASE_FILE`."""
 
 
 def foreign(folder: Path) -> Path | None:
-    """Return the first foreign file at or below a path; None if there is none."""
+    """Return a file at or below a path that this package did not write, or None."""
     if not os.path.lexists(folder):
         return None
     if folder.is_symlink() or not folder.is_dir():
@@ -27,7 +27,7 @@ def foreign(folder: Path) -> Path | None:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """Remove a folder of checkpoints, except foreign files and the folders that contain them."""
+    """Remove a folder of checkpoints; foreign files and the folders that contain them are kept."""
     if folder.is_symlink() or not folder.is_dir():
         return
     for file in _files(folder):

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical texts of user-defined functions and objects, from their code and the data that it
-uses."""
+"""Canonical texts of user-defined functions and objects, from their code and the data used."""
 
 from __future__ import annotations
 
@@ -26,13 +25,14 @@ import numpy as np
 Text = Callable[[Any], str]
 """Function that returns the canonical text of any value."""
 IDENTITY_ATTRIBUTE = "identity"
-"""Attribute that states the dependencies of an object."""
+"""Name of the attribute in which users can state everything on which an object depends."""
 
 _COMPILED_TYPES = (
     BuiltinFunctionType, MethodDescriptorType, MethodWrapperType, WrapperDescriptorType, np.ufunc,
 )  # fmt: skip
 _PACKAGE_FOLDERS = {"site-packages", "dist-packages"}
-"""Folders of installed packages: code in them is identified by version; other code is user code."""
+"""Names of the folders of installed packages. Code in these folders is identified by the version of
+the package; any other code is user code."""
 _STATELESS_SLOTS = {"__dict__", "__weakref__", "__doc__", "__module__", "__annotations__"}
 _STATELESS_SLOTS |= {
     "__firstlineno__",
@@ -54,7 +54,7 @@ def text_of_object(value: Any, text: Text) -> str:
     value : object
         Function, method, partial, class, module, or instance of any class.
     text : callable
-        Function that returns the canonical text of any part of the value.
+        Function that returns the canonical text of a part of `value`.
 
     Raises
     ------
@@ -99,7 +99,7 @@ def _function(function: FunctionType, text: Text) -> str:
 
 
 def _code(code: CodeType) -> list[Any]:
-    """Return the content of a code object, without the file name and line numbers."""
+    """Return the content of a code object as a list, without file name and line numbers."""
     constants = [_code(c) if isinstance(c, CodeType) else c for c in code.co_consts]
     names = [code.co_names, code.co_varnames, code.co_freevars, code.co_cellvars]
     counts = [code.co_argcount, code.co_posonlyargcount, code.co_kwonlyargcount, code.co_flags]
@@ -107,7 +107,7 @@ def _code(code: CodeType) -> list[Any]:
 
 
 def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]:
-    """Iterate over pairs of name and value of the global variables that a function uses."""
+    """Iterate over the global variables that a function uses, as pairs of name and value."""
     names = set(_names(code))
     imported = {name: sys.modules[name] for name in names - set(scope) if name in sys.modules}
     yield from _used(names, imported | scope, "", set())
@@ -116,10 +116,11 @@ def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]
 def _used(
     names: set[str], scope: dict[str, Any], prefix: str, seen: set[int]
 ) -> Iterator[tuple[str, Any]]:
-    """Iterate over the parts of a scope that a function uses, as pairs of name and value.
+    """Iterate over the variables in a scope that a function uses, as pairs of name and value.
 
-    For a user module, the parts whose names occur in the function are listed. Some of these parts
-    may be unused, which does no harm.
+    A user module in the scope is replaced by those of its variables whose names occur in the
+    function. Some of these variables may be unused, which does no harm. names: names that occur in
+    the function. prefix: text before the names. seen: ids of the modules already entered.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]
@@ -148,7 +149,10 @@ def _is_slot(part: Any) -> bool:
 
 
 def _instance(value: Any, text: Text) -> str:
-    """Return the text of the pickled form of an object; UnidentifiedError if it has none."""
+    """Return the text of the pickled form of an object.
+
+    Raises UnidentifiedError if the object cannot be pickled.
+    """
     try:
         made = value.__reduce_ex__(4)
     except Exception as error:  # the user class may raise anything
@@ -180,7 +184,7 @@ def _module(module: ModuleType) -> str:
 
 
 def _from_library(value: Any) -> str | None:
-    """Return the text of a function or class of an installed package; None for user code."""
+    """Return the text of a function or class of an installed package, or None for user code."""
     module, name = value.__module__, value.__qualname__
     library = _library(str(module))
     found: Any = sys.modules.get(str(module))
@@ -191,7 +195,7 @@ def _from_library(value: Any) -> str | None:
 
 @functools.cache
 def _library(module: str) -> str | None:
-    """Return name and version of the package that contains a module; None for a user module."""
+    """Return name and version of the package that contains a module, or None for a user module."""
     top = module.partition(".")[0]
     if top in sys.stdlib_module_names and top != "__main__":
         return f"Python {sys.version_info.major}.{sys.version_info.minor}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoint files: HDF5 files in a common format, with a digest at the end."""
+"""Checkpoint files: HDF5 files in a common format, each with a digest at the end."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ READ_ERRORS = (
     OSError, KeyError, ValueError, TypeError, AttributeError, IndexError, OverflowError,
     RuntimeError, MemoryError,
 )  # fmt: skip
-"""Exceptions that h5py, NumPy and the core raise for a file with invalid content."""
+"""Exceptions that h5py, NumPy and the compiled core raise for a file with invalid content."""
 
 
 class CheckpointError(ValueError):
@@ -43,13 +43,13 @@ class ForeignCheckpointError(CheckpointError):
 
 
 def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckpointError:
-    """Return the error to be raised for a checkpoint with unusable content."""
+    """Return a DamagedCheckpointError for a checkpoint whose content caused `error`."""
     return DamagedCheckpointError(f"{os.fspath(path)!r} is damaged: {error}")
 
 
 @contextmanager
 def readable(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Context manager that converts errors due to invalid content to DamagedCheckpointError."""
+    """Context manager that raises DamagedCheckpointError if the content of a file is invalid."""
     try:
         yield
     except CheckpointError:
@@ -59,9 +59,9 @@ def readable(path: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def write(path: str | os.PathLike[str], kind: str, tree: Mapping[str, Any]) -> None:
-    """Write a dictionary of data to a checkpoint file; on failure an existing file is kept.
+    """Write a dictionary of data to a checkpoint file; if writing fails, an existing file is kept.
 
-    kind: type of the content, e.g. "simulation", which is checked by `read`.
+    kind: type of the content, e.g. "simulation"; `read` requires the same kind.
     """
     file_path("path", path)
     with replacing_hdf5(path) as opened, h5py.File(opened, "w") as file:
@@ -96,7 +96,7 @@ def read(path: str | os.PathLike[str], kind: str) -> Tree:
 
 
 def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
-    """Return a message if another version of this package wrote the checkpoint; "" otherwise."""
+    """Return a message if another version of this package wrote a checkpoint, otherwise ""."""
     version = tree.get("samcontact_version")
     if version == _core.version:
         return ""
@@ -104,7 +104,7 @@ def other_version(path: str | os.PathLike[str], tree: Tree) -> str:
 
 
 def _unsealed(path: str | os.PathLike[str]) -> ValueError:
-    """Return the error for a file without a digest, which is either foreign or damaged."""
+    """Return the error for a file without a digest: not written by this package, or damaged."""
     with open(path, "rb") as file:
         is_hdf5 = file.read(len(_SIGNATURE)) == _SIGNATURE
     if not is_hdf5:
@@ -135,7 +135,7 @@ def require_self_contained(file: h5py.Group) -> None:
 def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> None:
     """Raise ForeignCheckpointError if a checkpoint was written by another run or version.
 
-    now: identity of the present run. tree: content of the checkpoint.
+    now: identity of the current run. tree: content of the checkpoint.
     """
     before = tree.get("run")
     if text := other_version(path, tree):

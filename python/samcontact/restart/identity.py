@@ -14,18 +14,18 @@ import numpy as np
 from .dependencies import IDENTITY_ATTRIBUTE, UnidentifiedError, text_of_object
 
 Identity = dict[str, str]
-"""Canonical text of each argument by name, or the digest of the text if it is long."""
+"""Canonical text of each argument of a run by name; a long text is replaced by its digest."""
 _MAX_SHOWN_CHARACTERS = 60
 _MAX_EXACT_INTEGER = 1 << 53
-"""Magnitude up to which all integers are exact in float64."""
+"""Magnitude up to which every integer is represented exactly by float64."""
 _UNIDENTIFIED_PREFIX = "unidentified: "
 
 
 def identity(**parts: Any) -> Identity:
-    """Return the canonical texts of arguments: numbers, arrays, dataclasses, functions, lists.
+    """Return the canonical text of each argument: numbers, arrays, dataclasses, functions, lists.
 
-    For an argument that cannot be identified, the text is the reason, which `require_identified`
-    includes in its error message.
+    For an argument that cannot be identified, the text states the reason, and `require_identified`
+    raises an error with this reason.
     """
     return {name: _identified(part) for name, part in parts.items()}
 
@@ -50,12 +50,12 @@ def require_identified(run_identity: Identity) -> None:
 
 
 def digest(run_identity: Identity) -> str:
-    """Return one digest of all arguments of an identity."""
+    """Return a single digest of a whole identity."""
     return _hash(repr(sorted(run_identity.items())).encode())
 
 
 def differences(now: Identity, before: Identity) -> str:
-    """Describe the differences between two identities, e.g. "load 2.0 instead of 1.0"."""
+    """Return a text on the differences of two identities, e.g. "load 2.0 instead of 1.0"."""
 
     def change_of(name: str) -> str:
         new, old = (str(run_identity.get(name, "nothing")) for run_identity in (now, before))
@@ -66,9 +66,10 @@ def differences(now: Identity, before: Identity) -> str:
 
 
 def canonical(value: Any) -> str:
-    """Return the canonical text of a value, equal in all processes; 1 and 1.0 have the same text.
+    """Return the canonical text of a value, which is the same in every process.
 
-    Raises UnidentifiedError for a function or object with unknown dependencies.
+    Equal numbers such as 1 and 1.0 have the same text. Raises UnidentifiedError for a function or
+    object with unknown dependencies.
     """
     try:
         return _IdentityTexts().text(value)
@@ -81,9 +82,9 @@ class _IdentityTexts:
 
     def __init__(self) -> None:
         self._open: dict[int, int] = {}
-        """Nesting depth by id of the objects for which the text is being built."""
+        """Nesting depth of the objects whose text is not finished yet, by id of the object."""
         self._done: dict[int, tuple[str, Any]] = {}
-        """Finished texts by id of the object. Objects are stored too, so that no id is reused."""
+        """Finished text and object, by id of the object. Storing the object keeps its id in use."""
 
     def text(self, value: Any) -> str:
         plain = _plain(value)
@@ -120,7 +121,7 @@ class _IdentityTexts:
 
 
 def _plain(value: Any) -> str | None:
-    """Return the text of a number, text or other value without parts; None for other values."""
+    """Return the text of a value without parts (number, text, ...), or None for other values."""
     if type(value) in (bool, np.bool_) or value is None:
         return repr(value if value is None else bool(value))
     if type(value) in (int, float) or isinstance(value, (np.integer, np.floating)):
@@ -133,7 +134,7 @@ def _plain(value: Any) -> str | None:
 
 
 def _array(value: np.ndarray[Any, Any]) -> str | None:
-    """Return the digest of an array; None for an array of objects."""
+    """Return shape and digest of an array as text, or None for an array of objects."""
     if value.dtype.hasobject:
         return None
     array = np.ascontiguousarray(value)

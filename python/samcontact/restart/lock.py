@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Locks that allow only one run at a time to write to a folder or file."""
+"""Locks, by which only one run at a time can write to a folder or file."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..files.ownership import is_regular, remove_leftovers
 
 LOCK_FILE = ".samcontact.lock"
 LOCK_FILES = (LOCK_FILE, ".cycle.h5.lock")
-"""Names of lock files in a folder of checkpoints: for the folder, and for a wear checkpoint."""
+"""Names of the lock files in a checkpoint folder: lock of the folder, lock of a wear checkpoint."""
 
 
 @contextmanager
@@ -31,9 +31,10 @@ def locked(
     directory : Path
         Folder to create and lock.
     remedy : str, optional
-        Remedy in the error message if the folder is locked.
+        Remedy that the error message suggests if the folder cannot be used.
     name : str, optional
-        Name of the lock file. With another name than the default, the lock protects a single file.
+        Name of the lock file. The default name locks the folder; another name can be used to lock
+        a single file in the folder.
 
     Raises
     ------

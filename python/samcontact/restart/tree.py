@@ -13,7 +13,7 @@ from .._util.checks import FloatArray
 
 Tree = dict[str, Any]
 _ARRAY_TYPES = (np.dtype(np.float64), np.dtype(np.int64), np.dtype(np.uint32))
-"""Data types allowed for arrays."""
+"""Data types that arrays in a file may have."""
 
 
 def write_tree(group: h5py.Group, tree: Mapping[str, Any]) -> None:
@@ -50,7 +50,10 @@ def _dataset(group: h5py.Group, name: str, values: FloatArray) -> None:
 
 
 def read_tree(group: h5py.Group) -> Tree:
-    """Read the nested dictionary that `write_tree` has written; raise ValueError if invalid."""
+    """Read the nested dictionary that `write_tree` has written to a group.
+
+    Raises ValueError for invalid content.
+    """
     tree: Tree = {name: _plain(name, value) for name, value in group.attrs.items()}
     for name, part in group.items():
         tree[name] = _array(name, part) if isinstance(part, h5py.Dataset) else read_tree(part)

@@ -35,7 +35,7 @@ __all__ = [
 ]
 
 _PLACES = {"films_dataset": "films", "films_of": "films", "to_pvd": "pvd", "to_vtk": "vtk"}
-"""Modules of the names that are loaded on first use."""
+"""Modules of the functions that are imported on first use."""
 
 
 def __getattr__(name: str) -> Any:

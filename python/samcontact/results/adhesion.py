@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities of adhering surfaces in a dataset."""
+"""Variables and attributes of the results dataset for a contact with adhesion."""
 
 from __future__ import annotations
 
@@ -20,14 +20,15 @@ if TYPE_CHECKING:
 
 _SURFACE = ("increment", "x", "y")
 _MAX_ELLIPTICITY = 1.02
-"""Ratio of radii up to which a paraboloid counts as a sphere."""
+"""Maximum ratio of the two radii of a paraboloid that counts as a sphere."""
 
 
 def add_adhesion(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    """Add repulsion, attraction, its energy and the work of the load; nothing without attraction.
+    """Add the variables of adhesion to the dataset; add nothing if the contact does not attract.
 
-    The work of the load is summed from the first increment by the trapezoidal rule. After a closed
-    cycle of the approach it is the energy lost in jumps and in plastic flow.
+    These are repulsion and attraction energy and, if the attraction depends on the gap, adhesion
+    stress and work of the load. The work is summed from the first increment by the trapezoidal
+    rule. After a closed cycle of the approach, it is the energy lost in jumps and plastic flow.
     """
     if not simulation.adhesion.attracts:
         return
@@ -42,7 +43,7 @@ def add_adhesion(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 
 
 def adhesion_attributes(simulation: Simulation, states: Sequence[State]) -> dict[str, Any]:
-    """Return law, its resolution on the grid, and the largest tension as attributes."""
+    """Return the attributes of adhesion: law, its constants as used on the grid, pull-off force."""
     law = simulation.adhesion
     if not law.attracts:
         return {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Comparison of results at the increment of maximum stress with elastic Hertz contact."""
+"""Comparison of the results of an increment with the elastic Hertz contact."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def hertz_rows(
     dataset: xr.Dataset, peak: int, reference: PointContact | EllipticContact, body: int
 ) -> list[tuple[Quantity, float, float]]:
-    """Return one row per compared quantity: its name, its Hertz value and its computed value.
+    """Return one row for each compared quantity: quantity, Hertz value and computed value.
 
     Parameters
     ----------

@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def repulsion_of(dataset: xr.Dataset) -> xr.DataArray:
-    """Return the repulsion [Pa] in each increment; in hard contact it equals the pressure."""
+    """Return the repulsion [Pa] in each increment; without adhesion, it equals the pressure."""
     return dataset["repulsion" if "repulsion" in dataset else "pressure"]
 
 
 def rubbing_pressure_of(dataset: xr.Dataset) -> FloatArray:
-    """Return the pressure on which friction depends in each increment [Pa]."""
+    """Return the pressure [Pa] that determines the friction, in each increment."""
     by_compression = dataset.attrs.get("adhesion_friction_on") == "compression"
     repulsion, pressure = repulsion_of(dataset).values, dataset["pressure"].values
     return rubbing_pressure(repulsion, pressure, by_compression)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Convergence and resolution of each increment in the results dataset."""
+"""Variables of the results dataset on convergence and resolution of each increment."""
 
 from __future__ import annotations
 
@@ -25,13 +25,16 @@ if TYPE_CHECKING:
 
 
 def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
-    """Add residuals, maximum plastic strains, and distances of contact and plastic zone to edges.
+    """Add residuals, maximum plastic strains, and the resolution of contact and plastic zone.
+
+    The resolution includes the distances of contact and plastic zone from the edge of the grid.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Dataset with the dimension increment; changed in place.
     states : sequence of State
+        One state per increment.
     inelastic : sequence of int
         Numbers of the elastic-plastic bodies.
     """
@@ -72,7 +75,7 @@ def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Seq
 def _add_area_uncertainty(
     dataset: xr.Dataset, states: Sequence[State], solved: Sequence[np.bool_]
 ) -> None:
-    """Add the uncertainty of the contact area for contacts with several spots."""
+    """Add the uncertainty of the contact area in increments with several contact spots."""
     found = [
         area_uncertainty(state.repulsion, state.grid.periodic)
         if there and spots(state.repulsion, state.grid.periodic) > 1
@@ -84,10 +87,11 @@ def _add_area_uncertainty(
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:
-    """Return the distance of the plastic zone to the grid edge [cells] and its thickness [layers].
+    """Return the distance of the plastic zone from the grid edge [cells] and its depth [layers].
 
-    Both lists have one value per increment. Plastic strain of a moving body leaves the grid along
-    its motion, so the two sides perpendicular to the motion are ignored.
+    Both lists have one value per increment. The distance is the smallest one to any side of the
+    grid. After a body has moved, its plastic strain leaves the grid along the motion, so the two
+    sides perpendicular to the motion are ignored.
     """
     margins: list[float] = []
     layers: list[float] = []
@@ -116,7 +120,7 @@ def free_cells(
 ) -> float:
     """Return the minimum number of cells between a region of cells and the edge of the grid.
 
-    The edge consists of the sides and, in a volume, of the bottom.
+    The edge consists of the four sides and, for a volume, the bottom of the grid.
 
     Parameters
     ----------

@@ -91,9 +91,9 @@ def to_dataset(
         Mises stress. If the stresses of several increments agree to 0.1 %, the peak is the one with
         the maximum pressure; if their pressures also agree, the one with the maximum load.
     stopped_by : str, optional
-        Reason why a run did not reach the end of its path, e.g. the text of the error that holds
-        the completed states in its attribute `states`. The attribute ``complete`` of the dataset is
-        then 0.
+        Reason why a run did not reach the end of its path, e.g. the text of the error. (The error
+        has the completed states in its attribute `states`.) The attribute ``complete`` of the
+        dataset is then 0.
 
     Returns
     -------
@@ -147,7 +147,7 @@ def to_dataset(
 
 
 def completeness(stopped_by: str) -> dict[str, int | str]:
-    """Return dataset attributes that say whether the run is complete; if not, what stopped it."""
+    """Return the dataset attribute `complete` and, for an incomplete run, `stopped_by`."""
     return {"complete": 0, "stopped_by": stopped_by} if stopped_by else {"complete": 1}
 
 
@@ -156,7 +156,10 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 
 
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
-    """Return all states with equally many layers: the maximum of `stored` and the last state."""
+    """Return all states with a common number of layers.
+
+    This is the largest number among the states in `stored` and the last state.
+    """
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
 
@@ -190,7 +193,7 @@ def _add_surface(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 def _add_temperatures(
     dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]
 ) -> list[int]:
-    """Add time and surface temperatures; return the numbers of the heated bodies."""
+    """Add time, heat factors and surface temperatures; return the numbers of the heated bodies."""
     if any(state.time for state in states):
         add(dataset, "time", "increment", [state.time for state in states])
     bodies = (simulation.body1, simulation.body2)
@@ -224,7 +227,10 @@ def _inelastic(simulation: Simulation) -> list[int]:
 
 
 def _stored_bodies(simulation: Simulation, body: int) -> dict[int, bool]:
-    """Return, for each body with volume fields, whether it is elastic-plastic."""
+    """Return the bodies with volume fields, as a dictionary.
+
+    Keys are the numbers of the bodies; values state whether the body is elastic-plastic.
+    """
     stored = {number: True for number in _inelastic(simulation)}
     if body not in stored and _material(simulation, body).law != "rigid":
         stored[body] = False
@@ -283,7 +289,10 @@ def _add_volume(
 
 
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
-    """Add interface stresses of a layered body, unless its fields are offset from the grid."""
+    """Add the interface stresses of a layered body.
+
+    Nothing is added for other bodies, or if the fields of the body are offset from the grid.
+    """
     layered = matrix_of(stored[0].setup.bodies[body - 1])
     if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):
         return
@@ -296,9 +305,9 @@ def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> 
 
 
 def _material_attributes(prefix: str, body: Body) -> dict[str, Any]:
-    """Return the material of a body as attributes; each name begins with the given prefix.
+    """Return the material of a body as dataset attributes, whose names begin with `prefix`.
 
-    Of a heterogeneous body, the attributes are those of the matrix.
+    For a heterogeneous body, this is the material of the matrix.
     """
     body = matrix_of(body)
     found: dict[str, Any] = {f"{prefix}law": body.law}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results files: netCDF4 files of datasets, with an appended digest."""
+"""Results files: datasets stored as netCDF4 files, each with a digest appended."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ CONVENTIONS = "CF-1.11"
 
 
 def save(dataset: xr.Dataset, path: str | Path) -> Path:
-    """Write a dataset as compressed netCDF4, atomically.
+    """Write a dataset as a compressed netCDF4 file.
 
     The file appears under its name only when it is complete; an existing file is replaced. The
     attributes `Conventions` (CF) and `history` are added; each save adds a line to the history.
@@ -70,7 +70,7 @@ def _history(dataset: xr.Dataset) -> str:
 
 
 def open_results(path: str | Path) -> xr.Dataset:
-    """Open a results file; a field is read from the file when the field is first used.
+    """Open a results file; each field is read from the file when it is first used.
 
     The bytes of a file written by `save` are compared with its digest. A file modified by another
     program has no digest and is first read completely by a separate process: HDF5 may crash on
@@ -84,7 +84,7 @@ def open_results(path: str | Path) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        Dataset to be closed, or to be used in a ``with`` statement.
+        Dataset. Close it after use, or use it in a ``with`` statement.
 
     Raises
     ------
@@ -120,7 +120,7 @@ def open_results(path: str | Path) -> xr.Dataset:
 
 
 def _check_structure(path: Path) -> None:
-    """Raise ValueError for values stored in other files, or for invalid dimension links.
+    """Raise ValueError if a file stores values in other files, or has invalid dimension links.
 
     HDF5 follows dimension links without checking their type, and crashes if they are plain numbers.
     """
@@ -151,7 +151,10 @@ def _is_table(dtype: np.dtype[np.generic]) -> bool:
 
 
 def _try(path: Path) -> None:
-    """Try to read the metadata of a file; xarray would leave an unusable file open."""
+    """Read the metadata of a file, to raise any error here.
+
+    The file is closed in any case, whereas `xarray.open_dataset` leaves an invalid file open.
+    """
     with (
         h5netcdf.File(path, "r", decode_vlen_strings=True) as file,  # as in xarray
         warnings.catch_warnings(),

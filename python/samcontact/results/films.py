@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Films of lubricated contacts as one labelled dataset, and back."""
+"""Conversion of solutions of lubricated contacts to one labelled dataset, and back."""
 
 from __future__ import annotations
 
@@ -38,28 +38,29 @@ _HEAT_FIELDS = {
     "film_rise": "middle_rise", "surface_rise": "surface_rise", "heat_flux": "flux",
     "heating_depth": "depth",
 }  # fmt: skip
-"""Attributes of `FilmHeat`, by the names of the fields in the dataset."""
+"""Attribute of `FilmHeat` for each variable of the dataset."""
 MAX_SHARE_OF_FORMULA = 0.01
-"""Share of the boundary layer up to which a film is compared with a formula."""
+"""Share of the load on the boundary layer [-] up to which a film is compared with a formula."""
 _FIELDS = {
     "pressure": "pressure", "boundary_pressure": "boundary_pressure", "film": "film",
     "filling": "filling", "undeformed_gap": "gap",
 }  # fmt: skip
-"""Attributes of the solutions, by the names of the fields in the dataset."""
+"""Attribute of `FilmSolution` for each variable of the dataset."""
 
 
 def films_dataset(
     films: Sequence[FilmSolution], case: FilmCase | None = None, *, stopped_by: str = ""
 ) -> xr.Dataset:
-    """Collect films of one contact in one labelled dataset.
+    """Collect the solutions of one lubricated contact in one labelled dataset.
 
     Parameters
     ----------
     films : sequence of FilmSolution
-        Solutions on one grid with one lubricant: of `lubrication.stribeck` or `press_loads`, or the
-        start and the steps of a history of `lubrication.transient`.
+        Solutions on one grid with one lubricant: from `lubrication.stribeck` or `press_loads`, or
+        the initial film and all steps from `lubrication.transient`.
     case : FilmCase, optional
-        Case whose text, roughness and formulas are stored.
+        Case whose text is stored. It also provides the roughness and the film formula with which
+        the films are compared.
     stopped_by : str, optional
         Reason why not all films were solved. The attribute ``complete`` is then 0.
 
@@ -114,13 +115,16 @@ def films_dataset(
 
 
 def is_history(films: Sequence[FilmSolution]) -> bool:
-    """Whether films are the start and the steps of a history, at increasing times."""
+    """Whether films are a solution over time: the initial film and steps at increasing times."""
     times = [film.time for film in films]
     return films[-1].past is not None and all(b > a for a, b in pairwise(times))
 
 
 def _plastic_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
-    """Return the imprint under each load, and stress and plastic strain under the last."""
+    """Return the variables of elastic-plastic bodies.
+
+    The residual displacement is stored for each load, stress and plastic strain only for the last.
+    """
     found, last = {}, films[-1].plasticity
     assert last is not None
     imprints = np.stack([film.plasticity.residual_displacement for film in films])  # type: ignore[union-attr]
@@ -133,7 +137,7 @@ def _plastic_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
 
 
 def _heat_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
-    """Return the temperatures and heat fluxes of heated films."""
+    """Return the variables of heated films: temperature rises and heat fluxes."""
     fields = {}
     for name, attribute in _HEAT_FIELDS.items():
         values = np.stack([getattr(film.heat, attribute) for film in films])
@@ -143,7 +147,7 @@ def _heat_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
 
 
 def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
-    """Return the values of a film by name."""
+    """Return the scalar results of one film, by variable name."""
     order, supply = (3, None) if case is None else (case.film.order, case.film.supply)
     velocities = film.velocities
     found = {
@@ -188,7 +192,11 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
 
 
 def _plastic_scalars(film: FilmSolution) -> dict[str, float]:
-    """Return largest stress and strain, and the mismatch of film and plastic flow."""
+    """Return the scalar results of elastic-plastic bodies: maxima, imprint and gap mismatch.
+
+    The gap mismatch is the difference between the gap of the film and the gap of the plastically
+    deformed bodies, relative to the central film thickness.
+    """
     bodies = film.plasticity
     if bodies is None:
         return {}
@@ -204,7 +212,11 @@ def _plastic_scalars(film: FilmSolution) -> dict[str, float]:
 
 
 def _friction(film: FilmSolution) -> dict[str, float]:
-    """Return friction and losses; NaN for a Newtonian lubricant with an impossible friction."""
+    """Return friction coefficient, rolling resistance and power.
+
+    Friction coefficient and power are NaN if a Newtonian lubricant gives an impossibly high
+    friction.
+    """
     try:
         lost = friction(film)
     except ValueError:
@@ -258,7 +270,7 @@ def _attributes(
 
 
 def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
-    """Return the films of a dataset from `films_dataset`, without their bodies.
+    """Return the solutions stored in a dataset of `films_dataset`, without plastic deformation.
 
     Raises ValueError for other datasets.
     """
@@ -301,7 +313,10 @@ def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
 
 
 def _past(dataset: xr.Dataset, n: int, before: FilmSolution) -> FilmPast:
-    """Return the past of the film with an index, from the film at the preceding instant."""
+    """Return the attribute `past` of film number n (from 0) of a solution over time.
+
+    before: film at the preceding instant.
+    """
     attributes, time = dataset.attrs, float(dataset["time"][n])
     ways = np.reshape(attributes["ways"], (-1, 2, 2))[n]
     gap = dataset["smooth_gap"].values
@@ -309,7 +324,7 @@ def _past(dataset: xr.Dataset, n: int, before: FilmSolution) -> FilmPast:
 
 
 def _heat(one: xr.Dataset, oil: Lubricant, grid: Grid) -> FilmHeat | None:
-    """Return the heat of one film; None without heat."""
+    """Return the attribute `heat` of one film, or None if the film was solved without heat."""
     if "film_rise" not in one:
         return None
     assert oil.heat is not None

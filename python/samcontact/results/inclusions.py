@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities of bodies with inclusions in a dataset."""
+"""Variables of the results dataset for bodies with inclusions."""
 
 from __future__ import annotations
 
@@ -23,11 +23,15 @@ if TYPE_CHECKING:
 _VOLUME = ("output_increment", "x", "y", "z")
 _TENSOR = ("output_increment", "component", "x", "y", "z")
 MAX_INTERFACES = 50
-"""Number of inclusions of a body up to which the stress of their interfaces is computed."""
+"""Maximum number of inclusions of a body for which the stress at their interfaces is computed."""
 
 
 def add_inclusions(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    """Add inclusions, stress of the matrix, and stress of the interfaces, for each increment."""
+    """Add the geometry of the inclusions, and maximum stresses in each increment.
+
+    The stresses are those of the matrix and, for up to `MAX_INTERFACES` inclusions, those at the
+    interfaces of the inclusions.
+    """
     for number, body in enumerate((simulation.body1, simulation.body2), 1):
         if not isinstance(body, Heterogeneous):
             continue
@@ -45,7 +49,7 @@ def add_inclusions(dataset: xr.Dataset, simulation: Simulation, states: Sequence
 
 
 def add_inclusion_fields(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
-    """Add share, phase and eigenstrain of the cells of a body to its volume fields."""
+    """Add volume fields of a body with inclusions: share, phase and eigenstrain of its cells."""
     if not isinstance(stored[0].setup.bodies[body - 1], Heterogeneous):
         return
     for name, dims in (("share", _VOLUME), ("phase", _VOLUME), ("eigenstrain", _TENSOR)):
@@ -73,7 +77,7 @@ def _modulus(inclusion: Inclusion) -> float:
 
 
 def _of_matrix(state: State, body: int) -> tuple[float, float]:
-    """Maximum von Mises stress and plastic strain of the cells without inclusions."""
+    """Return maximum von Mises stress [Pa] and plastic strain [-] in cells without inclusions."""
     matrix = np.asarray(state.share(body)) == 0.0
     if not matrix.any():
         return np.nan, np.nan
@@ -86,7 +90,11 @@ def _maximum(field: FloatArray, where: Any) -> float:
 
 
 def _of_interfaces(state: State, body: int) -> tuple[float, float]:
-    """Maximum tension and von Mises stress at the interfaces of the inclusions within the grid."""
+    """Return maximum tension and von Mises stress at the interfaces of the inclusions [Pa].
+
+    Inclusions outside the grid are not included. Both are NaN if there is no inclusion in the grid,
+    or if the fields of the body are offset from the grid.
+    """
     if state.offset(body):
         return np.nan, np.nan
     found = interfaces(state, body)

@@ -2,8 +2,8 @@
 """Trial reading of a file of unknown origin, in a separate process.
 
 HDF5 may crash on damaged metadata, or not terminate. A file without a digest was modified or
-written by another program. It is therefore first read completely by a separate process, in which
-the processor time of each call is limited.
+written by another program, so it is first read completely by a separate process. In this process,
+the processor time of each call of HDF5 is limited.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from pathlib import Path
 import h5py
 
 Begin = Callable[..., None]
-"""Function that restarts the time limit for a call that reads the given number of bytes."""
+"""Function that starts the time limit of a call of HDF5; argument: number of bytes to be read."""
 
 CALL_TIME = 2.0
-"""Limit of the processor time of one HDF5 call [s], excluding the time to read values."""
+"""Limit of the processor time of one HDF5 call [s], without the time allowed for reading values."""
 MIN_BYTES_PER_SECOND = 2e7
-"""Bytes of values that a slow machine decompresses per second."""
+"""Number of bytes per second that a slow machine decompresses; sets the time to read values."""
 BLOCK_BYTES = 1 << 24
 """Number of bytes that are read in one call from variables without chunks."""
 MAX_COMPRESSION_RATIO = 2000
-"""Maximum compression ratio; deflate compresses by up to 1032."""
+"""Compression ratio above which a file counts as damaged; deflate compresses by up to 1032."""
 
 _READER_PROGRAM = """
 import json, runpy, sys
@@ -43,6 +43,7 @@ def try_to_read(path: Path, call: float = CALL_TIME) -> None:
     Parameters
     ----------
     path : Path
+        File to read.
     call : float, optional
         Maximum processor time of a call of HDF5 [s].
     """
@@ -66,10 +67,10 @@ def try_to_read(path: Path, call: float = CALL_TIME) -> None:
 
 
 def read_all(path: str, call: float) -> None:
-    """Read all attributes, dimension scales and values of a file.
+    """Read all attributes, dimension scales and values of a file, in a process of its own.
 
-    The process ends if a call takes too long. If reading fails, the exit code is not 0 and the last
-    line of stderr is the error message.
+    A signal ends the process if an HDF5 call takes more than `call` seconds. If reading fails, the
+    exit code is not 0 and the last line of stderr is the error message.
     """
     try:
         _read_all(Path(path), call)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Travel and tracks of moving bodies in the results dataset."""
+"""Variables of the results dataset for moving bodies: travel and tracks."""
 
 from __future__ import annotations
 
@@ -15,12 +15,15 @@ if TYPE_CHECKING:
 
 
 def moving_bodies(states: Sequence[State]) -> list[int]:
-    """Return the numbers of the bodies that moved through the contact."""
+    """Return the numbers of the bodies that have moved along x through the contact."""
     return [body for body in (1, 2) if any(state.travel[body - 1] for state in states)]
 
 
 def add(dataset: xr.Dataset, name: str, dims: Any, data: Any, body: int | None = None) -> None:
-    """Add a variable to the dataset, with the unit and name from the table of quantities."""
+    """Add a variable to the dataset, with unit and long name from `CONTACT`.
+
+    body: number of the body, which is appended to the name of the variable.
+    """
     suffix = "" if body is None else f"_body{body}"
     dataset[name + suffix] = CONTACT[name].variable(dims, data, body)
 
@@ -28,10 +31,11 @@ def add(dataset: xr.Dataset, name: str, dims: Any, data: Any, body: int | None =
 def add_motion(
     dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int], volume: bool
 ) -> None:
-    """Add travel and, for elastic-plastic bodies that moved, their tracks at the end.
+    """Add the travel of the bodies, and the tracks of moving elastic-plastic bodies.
 
-    If `volume` is False, a track contains only the residual imprint. Nothing is added if no body
-    moved; travel along y is added if a body moved along y, without tracks if it ends there.
+    Nothing is added if no body moved. A track shows the body after the last increment. It is added
+    if the body moved along x and its travel along y is then 0. inelastic: numbers of the
+    elastic-plastic bodies. If `volume` is False, a track contains only the residual imprint.
     """
     moved = moving_bodies(states)
     if any(any(state.lateral_travel) for state in states):
@@ -54,12 +58,12 @@ def add_motion(
 
 
 def _stored_names(body: int) -> dict[str, str]:
-    """Map variable names of a track to variable names in results files."""
+    """Return the variable names in results files by the variable names of a track."""
     return {name: f"track_{'position' if name == 'x' else name}_body{body}" for name in TRACK}
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
-    """Return the stored track of a body in the form of `Track.to_dataset`; None if missing."""
+    """Return the stored track of a body in the form of `Track.to_dataset`, or None if missing."""
     names = _stored_names(body)
     if names["x"] not in dataset.coords:
         return None

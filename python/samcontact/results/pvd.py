@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""VTK files of all increments, and PVD collections that ParaView shows as a time series.
+"""VTK files of all increments, with PVD collections that ParaView shows as a time series.
 
 A collection (.pvd) is a list of files with times: https://www.paraview.org/Wiki/ParaView/Data_formats.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grid, bodies and materials read from a results dataset, and errors for foreign datasets."""
+"""Reading of grid, bodies and materials from a results dataset; errors for other datasets."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def parts_of_a_run() -> Iterator[None]:
-    """Convert errors caused by missing or wrong parts of a dataset to ValueError."""
+    """Context manager that raises ValueError if parts of a dataset are missing or wrong."""
     try:
         yield
     except (LookupError, TypeError, AttributeError, ArithmeticError) as error:
@@ -34,7 +34,10 @@ def parts_of_a_run() -> Iterator[None]:
 
 
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
-    """Return `body`; default: the only body with volume fields, else the body of [output]."""
+    """Return the number of the body to show: `body` or, if None, a default.
+
+    The default is the body of [output]; if only the other body has volume fields, the other body.
+    """
     if body is not None:
         return int(choice("body", body, (1, 2)))
     selected = int(dataset.attrs.get("body", 2))
@@ -44,7 +47,7 @@ def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
 
 
 def cell_size(dataset: xr.Dataset, axis: str) -> float:
-    """Return the cell size along "x", "y" or "z" [m], from the cell centres if not stored."""
+    """Return the cell size along "x", "y" or "z" [m]; if not stored, from the cell centres."""
     given = dataset.attrs.get(f"d{axis}")
     if given is not None:
         return float(given)
@@ -55,7 +58,7 @@ def cell_size(dataset: xr.Dataset, axis: str) -> float:
 
 
 def grid_of(dataset: xr.Dataset) -> Grid:
-    """Return the grid of results, or of a track."""
+    """Return the grid of a results dataset or of the dataset of a track."""
     axes = [axis for axis in "xyz" if axis in dataset.sizes]
     cells = [dataset.sizes[axis] for axis in axes]
     sizes = [cell_size(dataset, axis) for axis in axes]
@@ -65,7 +68,7 @@ def grid_of(dataset: xr.Dataset) -> Grid:
 
 
 def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
-    """Return the body if it has layers, a yield profile or initial stress; otherwise None."""
+    """Return the body if it has layers, a yield-stress profile or initial stress, else None."""
     prefix = f"body{body}_"
     law = str(dataset.attrs.get(f"{prefix}law"))
     if law == Layered.law and f"{prefix}substrate_law" in dataset.attrs:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Quantities of viscoelastic bodies in a dataset."""
+"""Variables and attributes of the results dataset for viscoelastic bodies."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ _SURFACE = ("increment", "x", "y")
 
 
 def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    """Add recoverable displacement, equivalent pressure and viscous work of each body."""
+    """Add imprint, equivalent pressure and viscous work of each viscoelastic body.
+
+    The imprint, the variable `residual_displacement`, recovers with time.
+    """
     for body, material in enumerate((simulation.body1, simulation.body2), 1):
         if relaxation_of(material) is None:
             continue
@@ -36,7 +39,7 @@ def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 
 
 def relaxation_attributes(prefix: str, terms: RelaxationTerms | None) -> dict[str, Any]:
-    """Return relaxation times and shares as attributes."""
+    """Return relaxation times and shares as dataset attributes, whose names begin with `prefix`."""
     if terms is None:
         return {}
     named = zip(("times", "shares"), terms, strict=True)

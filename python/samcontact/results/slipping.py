@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partial slip in the results dataset: forces, motions, slip and energy balance."""
+"""Variables of the results dataset for partial slip: forces, motions, slip, energy balance."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ _BALANCE = (
 _EXPANSION = "expansion_work"
 _SURFACE = ("increment", "x", "y")
 _FLAGS = {"flag_values": np.array([0, 1], np.int8), "flag_meanings": "no_stick stick"}
-"""Attributes of `sticking` by the CF conventions, section 3.5."""
+"""Attributes of the variable `sticking`, by the CF conventions, section 3.5."""
 
 
 def add_slipping(
     dataset: xr.Dataset, simulation: Simulation, states: Sequence[State], volume: bool
 ) -> None:
-    """Add tangential forces and motions, frictional work, slip, sticking cells and energy balance.
+    """Add the variables of partial slip: forces, motions, frictional work, slip, energy balance.
 
-    For elastic-plastic bodies the energy balance requires volume fields and is added only if
-    `volume` is True. The balance of moving bodies requires displacements of each increment and is
-    not added. Nothing is added in full sliding.
+    Nothing is added for full sliding. For elastic-plastic bodies, the energy balance requires
+    volume fields and is added only if `volume` is True. For moving bodies, it would require the
+    displacements of each increment and is not added.
     """
     law = friction_law(simulation.friction)
     if not law.sticks:
@@ -75,7 +75,7 @@ def _add_balance(dataset: xr.Dataset, found: energy.EnergyBalance) -> None:
 
 
 def balance_of(dataset: xr.Dataset) -> energy.EnergyBalance | None:
-    """Return the energy balance stored in a results dataset; None if there is none."""
+    """Return the energy balance stored in a results dataset, or None if none is stored."""
     if "work_input" not in dataset:
         return None
     given = {n: float(dataset[n]) for n in (*_BALANCE, _EXPANSION) if n in dataset}
@@ -88,7 +88,10 @@ def _share(state: State) -> float:
 
 
 def moved_along(dataset: xr.Dataset) -> list[str]:
-    """Return the names of tangential forces and motions that exceed rounding errors."""
+    """Return the names of the tangential results to show, or [] for full sliding.
+
+    These are forces and motions that exceed rounding errors, frictional work and stick fraction.
+    """
     if "friction_work" not in dataset:
         return []
     values = {name: dataset[name].values for name in TANGENTIAL_QUANTITIES}
@@ -97,6 +100,6 @@ def moved_along(dataset: xr.Dataset) -> list[str]:
 
 
 def without_rounding(values: FloatArray) -> FloatArray:
-    """Return values for tables; values below the tolerance of the solver are set to 0."""
+    """Return values in which rounding errors, relative to the maximum magnitude, are set to 0."""
     small = ROUNDING_ERROR * np.nanmax(np.abs(values), initial=0.0)
     return np.where(np.abs(values) < small, 0.0, values)

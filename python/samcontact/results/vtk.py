@@ -92,7 +92,7 @@ def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> 
 
 
 def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Write the volume fields of an increment, and return the path of the file."""
+    """Write the volume fields of a body at an increment number, and return the path."""
     fields = dataset[volume_names(dataset, body)].sel(output_increment=number)
     edges = _volume_edges(dataset, number, body)
     cells = cells_of(next(iter(fields.data_vars.values())), dataset)
@@ -109,7 +109,7 @@ def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> P
 
 
 def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Write the surface fields of an increment, and return the path of the file."""
+    """Write the surface fields at an increment number, and return the path."""
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
     _write(target, _rectilinear(edges), fields, body, number)
@@ -117,7 +117,10 @@ def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> 
 
 
 def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
-    """Write the track of an elastic-plastic body that moved, and return the paths of the files."""
+    """Write the residual fields along the stored track of a body, and return the paths.
+
+    Nothing is written if the dataset contains no track of the body.
+    """
     track = track_of(dataset, body)
     if track is None:
         return []
@@ -138,7 +141,7 @@ def write_track(dataset: xr.Dataset, target: Path, body: int) -> list[Path]:
 
 
 def volume_names(dataset: xr.Dataset, body: int) -> list[str]:
-    """Return the names of all volume fields of a body in the dataset."""
+    """Return the names of all variables that are volume fields of a body."""
     return [
         str(name)
         for name, field in dataset.data_vars.items()
@@ -177,7 +180,10 @@ def _volume_edges(dataset: xr.Dataset, number: int, body: int) -> list[FloatArra
 
 
 def _values(field: xr.DataArray, body: int) -> FloatArray:
-    """Return cell values in VTK order (x fastest), shape (cells,) or (cells, components)."""
+    """Return cell values in the order of VTK, in which x varies fastest.
+
+    The shape is (cells,), or (cells, 6) for a tensor.
+    """
     upside_down = body == 2 and "z" in field.dims
     axes = [axis for axis in "zyx" if axis in field.dims]
     if "component" in field.dims:
@@ -203,7 +209,10 @@ def _rectilinear(edges: list[FloatArray]) -> Any:
 
 
 def _voxels(edges: list[FloatArray], cells: NDArray[np.int64], body: int) -> Any:
-    """Return the cells with indices i, j, k of a grid as a VTK unstructured grid."""
+    """Return some cells of a grid as a VTK unstructured grid.
+
+    edges: cell edges along x, y, z [m]. cells: indices i, j, k of the cells, shape (3, cells).
+    """
     vtk = _modules()
     counts = [len(axis) for axis in edges]
     i, j, k = cells
@@ -248,7 +257,10 @@ def _write(target: Path, grid: Any, fields: xr.Dataset, body: int, increment: in
 
 
 def _modules() -> dict[str, Any]:
-    """Import and return the VTK modules that are needed; importing all of VTK takes seconds."""
+    """Return the required classes and functions of VTK, by short name.
+
+    Only their modules are imported, because importing all of VTK takes seconds.
+    """
     try:
         import vtkmodules.vtkCommonCore as core
         import vtkmodules.vtkCommonDataModel as data

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Volume fields of a body with several plastic subdomains, only in cells with plastic strain.
+"""Volume fields of a body with several plastic subdomains, stored in cells with plastic strain.
 
 These fields are "gathered" in the sense of the CF conventions (section 8.2, "Lossless Compression
-by Gathering"): one dimension replaces x, y and z, and its coordinate contains the cell numbers in
-the grid.
+by Gathering"): a single dimension replaces x, y and z. Its coordinate contains the numbers of the
+stored cells in the grid.
 """
 
 from __future__ import annotations
@@ -42,7 +42,10 @@ def is_gathered(states: Sequence[State], body: int) -> bool:
 
 
 def max_von_mises(state: State, body: int) -> float:
-    """Return the maximum von Mises stress [Pa], only within subdomains if there are several."""
+    """Return the maximum von Mises stress in a body [Pa].
+
+    If the body has several plastic subdomains, only the stress within these is considered.
+    """
     zones = state.zones(body)
     if len(zones) < 2:
         return float(state.von_mises(body=body).max())
@@ -50,7 +53,7 @@ def max_von_mises(state: State, body: int) -> float:
 
 
 def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> None:
-    """Add the gathered fields of the increments with volume fields."""
+    """Add the gathered volume fields of a body, for all states with volume fields."""
     parts = [_state_fields(state, body) for state in states]
     cells = np.unique(np.concatenate([numbers for numbers, _ in parts]))
     dim = f"cell_body{body}"
@@ -66,7 +69,9 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
 
 
 def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
-    """Return a field on the full grid, from values stored for cells with plastic strain only.
+    """Return a volume field on the full grid, also if it is stored only for some cells.
+
+    Fields of bodies with several plastic subdomains are stored for cells with plastic strain only.
 
     Parameters
     ----------
@@ -99,7 +104,10 @@ def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
 
 
 def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | None:
-    """Return the indices i, j, k of the stored cells, shape (3, cells); None if all are stored."""
+    """Return the indices i, j, k of the cells for which a field is stored, shape (3, cells).
+
+    Return None if the field is stored for all cells.
+    """
     for dim in field.dims:
         if "compress" in dataset[dim].attrs:
             shape = tuple(dataset.sizes[axis] for axis in _AXES)
@@ -108,12 +116,12 @@ def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | No
 
 
 def _value_outside(name: str) -> float:
-    """Return the value of a field in cells without plastic strain: 0, or NaN for stresses."""
+    """Return the value of a gathered field in cells not stored: 0 for strains, else NaN."""
     return 0.0 if "strain" in name else np.nan
 
 
 def _state_fields(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
-    """Return the indices of cells with plastic strain, and the fields in these cells by name."""
+    """Return the numbers of cells with plastic strain, and the fields in these cells by name."""
     shape = (*state.grid.surface_shape, len(state.depths))
     numbers = []
     parts: dict[str, list[FloatArray]] = {name: [] for name in _FIELDS}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cases of a parameter study, from a base case and lists of values, validated before any run."""
+"""Cases of a parameter study, made from a base case and lists of values, and validated."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ Keys = list[str | int]
 
 @dataclass(frozen=True)
 class Plan:
-    """All cases of a parameter study, with the names and values of the dimensions."""
+    """All cases of a parameter study, and the dimensions along which they are arranged."""
 
     dims: dict[str, int]
     """Name and size of each dimension, the slowest-varying first."""
     cases: list[CaseFile]
-    """Cases in the order of the dimensions."""
+    """All cases, ordered along the dimensions; the last dimension varies fastest."""
     coordinates: dict[str, tuple[str, Any, dict[str, str]]]
     """Dimension, values and attributes of each parameter."""
 
@@ -48,7 +48,10 @@ class _UnknownField(ValueError):
 
 
 def make_plan(case: CaseFile, parameters: Mapping[str, Sequence[Any]], mode: str) -> Plan:
-    """Return a validated case for each combination of values; errors as for `samcontact.sweep`."""
+    """Return a plan with a validated case for each combination of values.
+
+    Raises the errors of `samcontact.sweep` for invalid cases and parameters.
+    """
     choice("mode", mode, MODES)
     if not isinstance(parameters, Mapping) or not parameters:
         raise ValueError(
@@ -95,7 +98,7 @@ def _coordinate(name: str, dim: str, labels: Any) -> tuple[str, Any, dict[str, s
 
 
 def _values(name: str, given: Any) -> list[Any]:
-    """Convert values to plain Python values, because the models of cases refuse NumPy numbers."""
+    """Return the values of a parameter as plain Python values; case models refuse NumPy numbers."""
     if isinstance(given, np.ndarray) and given.ndim > 0:
         given = given.tolist()
     if isinstance(given, (str, bytes, Mapping)) or not isinstance(given, Sequence):
@@ -116,7 +119,7 @@ def _keys(case: CaseFile, name: Any) -> Keys:
 
 
 def _short_form(case: CaseFile) -> str:
-    """Return the section that replaces [surface] in the case, e.g. "roller"; "" without one."""
+    """Return the section used in place of [surface] in a case, e.g. "roller", or ""."""
     shape = getattr(getattr(case, "surface", None), "shape", "")
     return shape if shape in SHORT_FORMS else ""
 
@@ -149,7 +152,10 @@ def _step(content: Any, key: str | int) -> Any:
 def _validated(
     case: CaseFile, keys: Mapping[str, Keys], combinations: list[tuple[Any, ...]]
 ) -> list[CaseFile]:
-    """Return the case of each combination; one CaseError lists all invalid combinations."""
+    """Return the case of each combination of values.
+
+    Raises one CaseError that lists the errors of all combinations.
+    """
     base = case.model_dump(exclude_unset=True)
     cases: list[CaseFile] = []
     problems: dict[str, str] = {}  # error: first combination with this error
@@ -186,7 +192,11 @@ def _listed(problems: Mapping[str, str]) -> str:
 
 
 def _renamed(case: CaseFile, line: str, names: Sequence[str]) -> str:
-    """Return the error text of a case; for an unknown parameter it suggests a similar field."""
+    """Return a line of the error text of a case, rewritten if a parameter is an unknown field.
+
+    The rewritten line contains the full name of the parameter and suggests a similar field. names:
+    names of the parameters.
+    """
     where, _, reason = line.partition(": ")
     if reason.startswith("unknown field;"):
         for name in names:
@@ -204,7 +214,7 @@ def _nearest(case: CaseFile, name: str) -> str:
 
 
 def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
-    """Iterate over the dotted names of all fields in the sections of a case."""
+    """Iterate over the dotted names of all fields of a case, including those in its sections."""
     for name in type(model).model_fields:
         yield prefix + name
         value = getattr(model, name)
@@ -217,7 +227,10 @@ def field_names(model: BaseModel, prefix: str = "") -> Iterator[str]:
 
 
 def _labels(cases: Sequence[CaseFile], keys: Keys) -> Any:
-    """Return the validated values of a field; lists, sections and values of mixed types as JSON."""
+    """Return the validated values of a field in all cases.
+
+    Lists, sections and values of different types are returned as JSON text.
+    """
     values = []
     for case in cases:
         value: Any = case.model_dump(exclude_unset=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of the cases of a parameter study by an executor."""
+"""Solution of the cases of a parameter study, in this process or by an executor."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ Take = Callable[[str, Outcome], None]
 
 
 class SweepInterrupted(KeyboardInterrupt):
-    """Interruption of a sweep by Ctrl-C; the attribute `dataset` has results of finished cases."""
+    """Interruption of a sweep by Ctrl-C; its attribute `dataset` contains the finished cases."""
 
     def __init__(self, dataset: xr.Dataset) -> None:
         super().__init__("sweep interrupted; the attribute dataset contains the finished cases")
@@ -65,15 +65,15 @@ def sweep(
     case : Case, AsperityCase, SlidingCase or path
         Base case, or case file.
     parameters : mapping of str to sequence
-        Values of each field in SI units, by dotted name: "body2.yield_stress", "path[0].load". The
-        values of a whole section are dictionaries.
+        Values of each field in SI units, by dotted name: "body2.yield_stress", "path[0].load". To
+        vary a whole section, give dictionaries as values.
     executor : optional
         None: this process solves the cases one after the other. A number: the cases are solved by
         this number of worker processes on this machine, with one thread each. Otherwise an executor
         with the interface of `concurrent.futures`, or a Dask client.
     output : path, optional
-        Folder of the results: each case is written as soon as it is solved, and all cases in
-        `sweep.nc` at the end. A later call with this folder reads the solved cases, and solves
+        Folder of the results. Each case is written as soon as it is solved; at the end, all cases
+        are written to `sweep.nc`. A later call with this folder reads the solved cases, and solves
         failed cases again.
     progress : bool, optional
         Show a progress bar; without a terminal, at most ten lines.
@@ -81,17 +81,18 @@ def sweep(
         "product": all combinations of values, with one dimension per parameter. "zip": the values
         of all parameters are combined pairwise, along a dimension "case".
     find : mapping, optional
-        Arguments of `find_load`, e.g. ``{"quantity": "yield"}``: for each case, the load is found
-        at which the quantity reaches its value.
+        Arguments of `find_load`, e.g. ``{"quantity": "yield"}``. If given, each case is not solved
+        at its own load; instead, the load is found at which the quantity reaches its value.
 
     Returns
     -------
     xarray.Dataset
-        All quantities with one value per increment (see `results.scalars`; for asperity collisions,
-        see `asperities.collide`) or, for wear, per cycle. For each case with fatigue or shakedown,
-        the maximum of each criterion and the response to repeated cycles; with `find`, the load
-        found and its error. Values are NaN after the end of shorter paths and for failed cases.
-        Each case has a status, "done" or "failed", and an error text.
+        All quantities that have one value per increment (see `results.scalars`; for asperity
+        collisions, see `asperities.collide`) or, for wear, per cycle. Cases with fatigue also have
+        the maximum of each criterion, cases with shakedown the response to repeated cycles. With
+        `find`, the dataset contains the load found and its error. Values are NaN for failed cases,
+        and after the last increment of a case with fewer increments than others. Each case has a
+        status, "done" or "failed", and an error text.
 
     Raises
     ------
@@ -146,7 +147,7 @@ def sweep(
 
 
 class _SweepRun:
-    """Cases of a sweep to be solved, without repetitions, and their outcomes so far."""
+    """Cases of a sweep by key, each only once, and the outcomes obtained so far."""
 
     def __init__(
         self, cases: dict[str, CaseFile], store: Store | None, search: dict[str, Any] | None
@@ -203,7 +204,7 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
 
 
 def _outcome(future: Future[Outcome]) -> Outcome:
-    """Return the outcome of a task; if the process of the task failed, this is an error."""
+    """Return the outcome of a task, or a failed outcome if the process of the task has failed."""
     try:
         error = future.exception()
     except CancelledError as cancelled:
@@ -241,7 +242,7 @@ class _WorkerPool(ProcessPoolExecutor):
         super().__init__(count, get_context("spawn"))
 
     def submit(self, *task: Any, **named: Any) -> Future[Any]:
-        """Submit a task; workers started for it ignore Ctrl-C, also while they import modules."""
+        """Submit a task; worker processes started for the task ignore Ctrl-C from their start."""
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             return super().submit(*task, **named)
@@ -256,7 +257,7 @@ class _WorkerPool(ProcessPoolExecutor):
 
 @contextmanager
 def _one_thread() -> Iterator[None]:
-    """Limit processes started in this context to one thread, unless OMP_NUM_THREADS is set."""
+    """Context manager in which new processes use one thread, unless OMP_NUM_THREADS is set."""
     name = "OMP_NUM_THREADS"
     given = os.environ.get(name)
     os.environ.setdefault(name, "1")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of a sweep: one file for each solved case, and one dataset of all cases."""
+"""Storage of the results of a sweep: a file for each solved case, and a dataset of all cases."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _COUNT_QUANTITIES = {
 
 
 class Store:
-    """Files of the solved cases, in the subfolder `cases` of the output folder.
+    """Storage of the solved cases in files, in the subfolder `cases` of the output folder.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ class Store:
         return self.folder / f"{key}.h5"
 
     def read(self, key: str) -> Variables | None:
-        """Return the stored results of a case; None if the file is missing or damaged.
+        """Return the stored results of a case, or None if its file is missing or damaged.
 
         Raises ValueError for a file that this package did not write.
         """
@@ -79,7 +79,7 @@ class Store:
             return None
 
     def write(self, key: str, variables: Variables) -> None:
-        """Write the file of a case; it appears under its name only when it is complete."""
+        """Write the results of a case to its file, which is created only when complete."""
         parts = {
             name: {
                 "dims": " ".join(dims),
@@ -100,7 +100,7 @@ def assemble(
     Parameters
     ----------
     plan : Plan
-        Plan with the dimensions.
+        Plan of the sweep, which contains the dimensions.
     keys : sequence of str
         Key of each case, in the order of the plan.
     outcomes : mapping
@@ -144,9 +144,10 @@ def _coordinates(plan: Plan, inner: Mapping[str, int]) -> dict[str, Any]:
 
 
 def _combined(plan: Plan, inner: Mapping[str, int], fields: Sequence[Any]) -> xr.Variable:
-    """Combine the values of a variable in all cases in one array; missing values are NaN.
+    """Combine the values of a variable from all cases in one array; missing values are NaN.
 
-    Numbers that stand for names become the names; a missing name is "".
+    Numbers that stand for words (attribute `flag_meanings`) are replaced by the words; a missing
+    word is "". inner: sizes of the dimensions of a case. fields: variable of each case, or None.
     """
     dims, _, attributes = next(field for field in fields if field is not None)
     shape = tuple(plan.dims.values())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tasks of a sweep for each case: path, wear, shakedown, fatigue, or a load search."""
+"""Computations of a sweep for one case: path, wear, shakedown, fatigue, film or load search."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 RESPONSES = (ELASTIC, SHAKEDOWN, PLASTIC, RATCHETING, UNDECIDED)
-"""Responses to repeated cycles; a sweep stores the index in this tuple."""
+"""Possible responses to repeated cycles. A sweep stores the index of the response in this tuple."""
 MEANINGS = " ".join(response.replace(" ", "_") for response in RESPONSES)
-"""Names of the numbers of responses, as in the CF conventions, section 3.5."""
+"""Attribute `flag_meanings` of the stored responses, by the CF conventions, section 3.5."""
 _SEARCH_ARGUMENTS = ("quantity", "value", "tolerance", "largest_load")
 
 
 def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
-    """Return the arguments of a load search after checks for all cases of a sweep."""
+    """Return the arguments of a load search, after checking them for all cases of a sweep."""
     from ..accuracy.load_search_cases import max_load, require_known
     from ..cases import Case
 
@@ -47,7 +47,7 @@ def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
 
 
 def search_results(case: Case, search: Mapping[str, Any]) -> xr.Dataset:
-    """Return the load at which a quantity reaches a value, and the errors of both."""
+    """Return the load found by a load search, the value of the quantity, and the error of each."""
     from ..accuracy.load_search import find_load
 
     found = find_load(case, **search, progress=False)
@@ -62,7 +62,7 @@ def search_results(case: Case, search: Mapping[str, Any]) -> xr.Dataset:
 
 
 def solved(case: Case) -> xr.Dataset:
-    """Return the results of a case with one value per increment or cycle, or per case."""
+    """Return all results of a case that have one value per increment, cycle or case."""
     from .. import results
     from ..accuracy import to_accuracy
 
@@ -84,7 +84,7 @@ def solved(case: Case) -> xr.Dataset:
 
 
 def film_scalars(case: FilmCase) -> xr.Dataset:
-    """Return the results of a lubricated contact with one value per speed."""
+    """Return all results of a lubricated contact that have one value per speed, load or instant."""
     from ..results.films import films_dataset
 
     dataset = films_dataset(case.solve(), case)
@@ -100,7 +100,7 @@ def _of_case(values: Mapping[str, float]) -> xr.Dataset:
 
 
 def _of_wear(case: Case) -> xr.Dataset:
-    """Return the results of all cycles of wear, with a separate variable for each body."""
+    """Return the results of each wear cycle, with separate variables for the two bodies."""
     from ..accuracy import to_accuracy
 
     assert case.wear is not None
@@ -119,7 +119,7 @@ def _of_wear(case: Case) -> xr.Dataset:
 
 
 def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
-    """Return the maxima, margins, exposures and life that [fatigue] requests."""
+    """Return the results that [fatigue] of a case requests: maxima, margins, exposures, life."""
     if case.fatigue is None:
         return {}
     found = {}
@@ -142,7 +142,7 @@ def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
 
 
 def _of_shakedown(case: Case) -> dict[str, float]:
-    """Return the response to the repeated path of [shakedown]."""
+    """Return the results of [shakedown] of a case: the response to the repeated path."""
     if case.shakedown is None:
         return {}
     found = case.shakedown.solve(*case.build(), False)

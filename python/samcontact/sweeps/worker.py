@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of one case of a sweep as a task for any process; input and output are plain data."""
+"""Solution of one case of a sweep in any process; input and output are plain data."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..cases.base import CaseFile
 
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, str]]]
-"""Dimensions, array and attributes of each variable."""
+"""Variables of a case by name: dimensions, array and attributes of each."""
 Outcome = dict[str, Any]
 """Outcome of a case: {"variables": Variables} or {"error": text}."""
 
@@ -28,17 +28,17 @@ Outcome = dict[str, Any]
 def solve_case(
     content: Mapping[str, Any], source: str, search: Mapping[str, Any] | None = None
 ) -> Outcome:
-    """Solve a case and return the quantities with one value per increment or cycle, or per case.
+    """Solve a case and return all quantities that have one value per increment, cycle or case.
 
     Parameters
     ----------
     content : mapping
         Fields of a case file.
     source : str
-        Path of the case file; paths of height files are relative to the folder of this file.
+        Path of the case file. Paths of height files in the case are relative to its folder.
     search : mapping, optional
-        Arguments of `samcontact.find_load`: the case is not solved at its own load, but the load is
-        found at which a quantity reaches a value.
+        Arguments of `samcontact.find_load`. If given, the case is not solved at its own load;
+        instead, the load is found at which a quantity reaches a value.
 
     Returns
     -------
@@ -80,7 +80,7 @@ def case_key(
 ) -> str:
     """Return a hash of all that affects the results: fields, height files and package version.
 
-    The title and the output folder do not affect the hash.
+    Fields that do not affect the results, such as title and output folder, are omitted.
 
     Parameters
     ----------
@@ -109,7 +109,7 @@ def case_key(
 
 
 def _digest(case: CaseFile, name: str, digests: dict[Path, str]) -> str | None:
-    """Return the hash of the files of a section; None if the section has no file."""
+    """Return the hash of the files that a section names, or None if it names no file."""
     files = getattr(getattr(case, name, None), "files", {})
     found = [
         _hash(case, f"{name}.{field}", case.source.parent / path, digests)
