@@ -120,7 +120,10 @@ def shares(
 
 
 def _of_cut_cells(metric: FloatArray, centers: FloatArray, size: FloatArray) -> FloatArray:
-    """Filled fractions of the cells with these centres [m], shape (n, 3)."""
+    """Filled fractions of cells that the surface of the ellipsoid cuts, shape (n,).
+
+    centers: centres of the cells [m], shape (n, 3).
+    """
     plane = metric[:2, :2]
     toward = np.linalg.solve(plane, metric[:2, 2])  # the centre of the section is -toward z
     height = 1.0 / np.sqrt(metric[2, 2] - metric[:2, 2] @ toward)
@@ -195,5 +198,5 @@ def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatA
 
 
 def is_cut(share: FloatArray) -> BoolArray:
-    """Whether a cell is partly filled."""
+    """Mask of the cells that are filled only partly."""
     return np.asarray((share > 0.0) & (share < 1.0))

@@ -19,7 +19,7 @@ FreeFaces = tuple[float, float, str]
 
 METHODS = ("exact", "factor")
 MAX_PLACE = 2.0
-"""Maximum distance of a face from the middle of the grid [m]; a larger one is a mistake in unit."""
+"""Maximum distance of a face from the middle of the grid [m]; beyond it, the unit is wrong."""
 
 
 def checked_faces(given: Any) -> FreeFaces:

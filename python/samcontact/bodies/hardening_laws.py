@@ -46,7 +46,7 @@ class Law:
 
 
 def constant_of(parameter: _core.LawParameter) -> Constant:
-    """Return the `Constant` for a parameter of a law, which the compiled core describes."""
+    """Convert a law parameter, as described by the compiled core, to a `Constant`."""
     low: dict[str, float] = {}
     if parameter.low > -math.inf:
         low = {"gt" if parameter.above_low else "ge": parameter.low}

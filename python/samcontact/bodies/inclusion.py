@@ -162,9 +162,9 @@ class Inclusion(HtmlTable):
             Elastic or elastic-plastic material. `Material.rigid()` is computed with 1000 times the
             moduli of the matrix.
         misfit : float or array_like, shape (6,), optional
-            Strain [-] that the inclusion would have if it were free: a linear strain, or the
-            components xx, yy, zz, yz, xz, xy. See `samcontact.inclusions.thermal_misfit`.
-            Default: 0.
+            Strain [-] that the inclusion would have if it were free: a number for an isotropic
+            strain, or the components xx, yy, zz, yz, xz, xy. See
+            `samcontact.inclusions.thermal_misfit`. Default: 0.
 
         Returns
         -------

@@ -48,7 +48,7 @@ class InclusionCells(ShortRepr):
     laws : tuple of Material or None
         Distinct materials of the inclusions; None for a void.
     share : ndarray, shape (n, m, l)
-        Share of each cell that inclusions fill, 0 to 1.
+        Fraction of each cell that inclusions fill, 0 to 1.
     phase : ndarray of int, shape (n, m, l)
         Number of the inclusion that fills most of the cell; -1 in the matrix.
     bulk, shear : ndarray, shape (n, m, l)

@@ -125,7 +125,10 @@ def without_softening(body: Body) -> Body:
 
 
 def names_of_materials(layers: int) -> list[str]:
-    """Names, in results files, of the materials of a body with this number of layers."""
+    """Names of the materials of a body in results files.
+
+    layers: number of layers of the body.
+    """
     return [*(f"layer{n}" for n in range(1, layers + 1)), "substrate"]
 
 

@@ -85,9 +85,9 @@ class Layered(HtmlTable):
     -----
     Each Fourier mode of the tractions is transmitted and reflected at the interfaces. The modes are
     computed by an impedance recursion, which is stable for thick and thin layers
-    (docs/theory/layers.md). In-plane stresses jump
-    at interfaces. A depth z exactly at an interface belongs to the material below it;
-    ``np.nextafter(z, 0.0)`` belongs to the layer above.
+    (docs/theory/layers.md). In-plane stresses are discontinuous at interfaces. A depth z exactly at
+    an interface belongs to the material below it; ``np.nextafter(z, 0.0)`` belongs to the layer
+    above.
 
     Each layer and the substrate has the hardening law, yield profile, residual stress and softening
     law of its material. The depths of these profiles are measured from the surface of the body. Use

@@ -139,12 +139,13 @@ class HasRelaxation:
     def with_relaxation(self, times: ArrayLike, shares: ArrayLike) -> Self:
         """Return a copy that is linearly viscoelastic, by a generalised Maxwell model.
 
-        After a step of strain, the modulus is E(t) = E (1 - sum(shares) + sum(shares
-        exp(-t/times))). Young's modulus E of the material is therefore the instantaneous modulus,
-        which applies under fast loads. Poisson's ratio is constant. In rubber and other polymers
-        the bulk modulus is constant instead: use the long-time Poisson's ratio. The error is then
-        about 1e-3 if the bulk modulus is 1000 times the instantaneous shear modulus. If the bulk
-        modulus is only 10 times the shear modulus, the error is 9 % at short times.
+        After a step of strain, the modulus is
+        E(t) = E (1 - sum(shares) + sum(shares exp(-t/times))). Young's modulus E of the material is
+        therefore the instantaneous modulus, which applies under fast loads. Poisson's ratio is
+        constant. In rubber and other polymers the bulk modulus is constant instead: use the
+        long-time Poisson's ratio. The error is then about 1e-3 if the bulk modulus is 1000 times
+        the instantaneous shear modulus. If the bulk modulus is only 10 times the shear modulus, the
+        error is 9 % at short times.
 
         Parameters
         ----------
@@ -193,8 +194,8 @@ class HasRelaxation:
         omega : array_like, shape (n,)
             Angular frequencies [rad/s], > 0: 2 pi times the frequencies in Hz.
         storage, loss : array_like, shape (n,)
-            Storage and loss part of Young's modulus [Pa]. Multiply moduli measured in shear by 2 (1
-            + nu).
+            Storage and loss part of Young's modulus [Pa]. Multiply moduli measured in shear by
+            2 (1 + nu).
         terms : int
             Number of relaxation times, 1 to 64; about one per decade is usual.
         nu : float, optional

@@ -20,7 +20,7 @@ _ELASTIC_PART = (0.1, 0.5)
 _MAX_ELASTIC_STRAIN = 0.1
 """Maximum stress / E; a larger ratio means that the strain is in percent."""
 _MIN_STRESS = 1e5
-"""If the largest stress of a curve is below this value [Pa], it is probably in MPa or GPa."""
+"""Minimum of the largest stress [Pa]; below it, the stress is probably in MPa or GPa."""
 
 
 class FromTest:
@@ -53,8 +53,8 @@ class FromTest:
             Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
             stress, by least squares. The strain at which this line meets zero stress is subtracted
             from all strains. In a test without an extensometer, the strain includes the deformation
-            of the machine, so this slope is too small. Give E in this case; the plastic strain is
-            still measured from the fitted line.
+            of the machine, so this slope is too small. Give E in this case; the deviation of the
+            curve from the fitted line is still taken as the plastic strain.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional

@@ -73,7 +73,7 @@ def softened(body: Body, share: float) -> Body:
 
 
 def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
-    """Return a viscoelastic body after a change of all its materials but a rigid base.
+    """Apply a change to all materials of a viscoelastic body except a rigid base.
 
     An elastic body is returned unchanged.
     """

@@ -48,7 +48,8 @@ def interface_stress(
 
     Returns
     -------
-    ndarray, shape (6, n) Stress [Pa].
+    ndarray, shape (6, n)
+        Stress of the matrix at the interface, for each normal [Pa].
 
     Raises
     ------

@@ -57,8 +57,8 @@ class Oil(HtmlTable):
     nu40, nu100 : float
         Kinematic viscosity at 40 and 100 °C [m^2/s].
     density : float
-        Density [kg/m^3], taken as constant; the real density decreases by about 4 % from 40 to 100
-        °C.
+        Density [kg/m^3], taken as constant; the real density decreases by about 4 % from 40 to
+        100 °C.
     source : str
         Sources of the values.
     """

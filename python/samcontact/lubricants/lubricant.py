@@ -68,7 +68,9 @@ class Lubricant(HtmlTable):
     Attributes
     ----------
     eta0 : float
-        Viscosity at zero pressure [Pa s]. law : ViscosityLaw Viscosity versus pressure.
+        Viscosity at zero pressure [Pa s].
+    law : ViscosityLaw
+        Viscosity versus pressure.
     density_law : DensityLaw
         Density versus pressure.
     thinning : ShearThinning
@@ -195,8 +197,8 @@ class Lubricant(HtmlTable):
 
         conductivity [W/(m K)]; capacity: heat capacity per volume [J/(m^3 K)]; beta: relative
         decrease of the viscosity with the temperature [1/K], as eta(p) exp(-beta (T - T0));
-        temperature: T0 of the given viscosity [K]. Raises ValueError for values outside their
-        range.
+        temperature: T0, for which the viscosity is given [K]. Raises ValueError for values outside
+        their range.
         """
         return replace(self, heat=LubricantHeat(conductivity, capacity, beta, temperature))
 
@@ -219,7 +221,7 @@ class Lubricant(HtmlTable):
         """Return the viscosity at small shear rates [Pa s].
 
         p: pressures >= 0 [Pa]; T: temperatures [K] (require `with_thermal`), or None for the
-        temperature at which the viscosity was given. p and T are broadcast. Raises ValueError
+        temperature for which the viscosity is given. p and T are broadcast. Raises ValueError
         outside the range of a table.
         """
         given = pressures(p)

@@ -18,7 +18,7 @@ from .density import Tait
 ROELANDS_LOGARITHM = 9.67
 """Negative logarithm of the viscosity at the pole of Roelands' law, 6.31e-5 Pa s."""
 ROELANDS_PRESSURE = 1.98e8
-"""Constant of Roelands' law [Pa] if the lines of all temperatures meet in one point (1966)."""
+"""Constant p0 of Roelands' law [Pa]: all isotherms meet in a pole at p = -p0 (Roelands 1966)."""
 
 
 class ViscosityLaw(ABC):

@@ -45,7 +45,10 @@ def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = No
 
 
 def swept(film: FilmSolution) -> float:
-    """Return the volume flow into the grid of a film that has the central thickness [m^3/s]."""
+    """Return the reference volume flow into the grid [m^3/s].
+
+    The film is taken to have its central thickness everywhere.
+    """
     grid, mean = film.grid, np.abs(film.velocities.mean(axis=0))
     length, width = grid.nx * grid.dx, grid.ny * grid.dy
     speeds = float(mean[0]) * width + float(mean[1]) * length + abs(film.spin) * length * width
@@ -103,7 +106,7 @@ def _edge_pressure(film: FilmSolution, sign: float) -> float:
 
 
 def cells_per_radius(pressure: FloatArray, grid: Grid) -> float:
-    """Return the number of cells per semi-axis of a contact; the smaller one of both axes [-].
+    """Return the number of cells per semi-axis of a contact; the smaller of both axes [-].
 
     The semi-axes are those of the Hertz contact whose pressure has the same second moments.
     pressure: values on any number of cells that together cover the area of the grid.

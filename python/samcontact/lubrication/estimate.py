@@ -59,8 +59,8 @@ def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstim
     material "soft" in the elastic-isoviscous regime).
 
     contact: from `samcontact.hertz`, `Bearing.hertz` or `FlankContact.hertz`; speed: (u1, u2) along
-    x [m/s]. || Raises TypeError or ValueError outside the range of the formulas. Warns if hard
-    bodies have an isoviscous lubricant, because the formula for soft bodies was not fitted to them.
+    x [m/s]. Raises TypeError or ValueError outside the range of the formulas. Warns if hard bodies
+    have an isoviscous lubricant, because the formula for soft bodies was not fitted to them.
     """
     numbers = moes(contact, speed, lubricant)
     if type(contact) is LineContact:

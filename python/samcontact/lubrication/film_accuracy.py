@@ -28,9 +28,9 @@ RATIO = 2.0**0.5
 ORDER = 1.5
 """Assumed order of convergence, the lowest measured: central films have orders of 1.5 to 3."""
 SAFETY = 1.5
-"""Safety factor on the sum of all further differences, which is extrapolated with `ORDER`."""
+"""Safety factor on the error that is extrapolated from the differences between grids."""
 ENLARGEMENT = 1.5
-"""Ratio of the side lengths of successive grids that are enlarged."""
+"""Ratio of the side lengths of successive grids when the grid is enlarged."""
 WINDOW_SHARE = 0.5
 """Share of the prescribed accuracy that errors due to the edges of the grid may use."""
 WINDOW_ORDER = 3.0
@@ -132,8 +132,8 @@ def grid_errors(values: FloatArray) -> FloatArray:
 
     values: results on grids refined by `RATIO` each time, the finest last. The last three
     differences between successive grids are scaled to the finest grid with `ORDER`. The error is
-    `SAFETY` times the sum of all further differences, if these start from the largest of the three
-    and decrease with `ORDER`.
+    `SAFETY` times the sum of the differences to all still finer grids, which are assumed to
+    decrease with `ORDER` from the largest of these three.
     """
     steps = np.abs(np.diff(values, axis=0))[::-1][:3]
     ages = np.arange(len(steps))[:, None]

@@ -82,7 +82,7 @@ def _inlet_length(task: FilmTask, pressure: FloatArray, grid: Grid) -> float:
     """Return the smallest distance of the contact centre from a main inlet edge [m].
 
     The centre is the place of maximum pressure. An edge is a main inlet if its mean inward velocity
-    exceeds half of that of the fastest edge.
+    exceeds half of the largest mean inward velocity of all edges.
     """
     i, j = np.unravel_index(int(np.argmax(pressure)), pressure.shape)
     along_x, along_y = task.face_velocities(grid)

@@ -26,7 +26,7 @@ class FilmLevel(NamedTuple):
 
     cells: tuple[int, int]
     iterations: int
-    """Newton iterations."""
+    """Number of Newton iterations."""
     krylov_steps: int
     """Number of GMRES steps in all Newton iterations."""
     operator_applications: float

@@ -16,7 +16,7 @@ Speeds = tuple[float, float]
 SOFT_SPEEDS, SOFT_LOADS = (5e-9, 5e-8), (2e-4, 2e-3)
 """Ranges of U and W to which the formula for soft bodies was fitted."""
 MARGIN = 50.0
-"""Factor by which a group may be outside, without a warning: the film then changes by 10 %."""
+"""Factor by which U or W may be outside these ranges without a warning."""
 
 
 class FilmThickness(NamedTuple):

@@ -79,7 +79,7 @@ def friction(film: FilmSolution) -> FilmFriction:
     speed = float(np.hypot(*sliding))
     direction = sliding / speed if speed > 0.0 else np.zeros(2)
     cell = film.grid.dx * film.grid.dy
-    # an iterate in suction has no place in a law of viscosity
+    # iterates may have negative pressures, for which no law of viscosity is defined
     pressure = np.maximum(film.fluid_pressure, 0.0)
     if film.heat is None:
         fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)

@@ -140,9 +140,9 @@ def moes(contact: Contact, speed: tuple[float, float], lubricant: Lubricant) -> 
     """Return Moes' numbers M and L [-] of a lubricated Hertz contact.
 
     contact: from `samcontact.hertz`, a bearing or a pair of gears; speed: speeds (u1, u2) of the
-    surfaces along x [m/s]. With E' = 2 E*, us = u1 + u2, the load F and the radius R: M = F/(E'
-    R^2) (E' R/(eta0 us))^(3/4) and L = alpha E' (eta0 us/(E' R))^(1/4). For a line contact with the
-    load per length F', M = F'/(E' R) (E' R/(eta0 us))^(1/2). Moes (1992,
+    surfaces along x [m/s]. With E' = 2 E*, us = u1 + u2, the load F and the radius R:
+    M = F/(E' R^2) (E' R/(eta0 us))^(3/4) and L = alpha E' (eta0 us/(E' R))^(1/4). For a line
+    contact with the load per length F', M = F'/(E' R) (E' R/(eta0 us))^(1/2). Moes (1992,
     doi:10.1016/0043-1648(92)90010-H). Raises TypeError or ValueError for other arguments.
     """
     return film_groups(contact, speed, lubricant).moes

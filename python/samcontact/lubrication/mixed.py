@@ -54,7 +54,10 @@ class MixedFilm:
         self._last: Step | None = None
 
     def _first_factor(self, thickness: float) -> float:
-        """Return the factor on the speed at which the boundary layer carries the whole load."""
+        """Return speed/(speed of the task) [-] at which the boundary layer carries the whole load.
+
+        thickness: thickness of the layer [m].
+        """
         return float((FILM_OF_DRY * thickness / self.dry.film) ** 1.5)
 
     def _begin(self) -> Any:
@@ -120,7 +123,7 @@ class MixedFilm:
         while True:
             assert self._last is not None
             trial = self._last.factor * self._ratio
-            # A layer that bears all at a speed bears all at any lower one.
+            # If the layer carries the whole load at a speed, it does so at any lower speed.
             if trial > factor / math.sqrt(MIN_RATIO):
                 trial = factor
             tol = self._task.tol if trial == factor else max(self._task.tol, _TOL_ON_THE_WAY)

@@ -86,7 +86,7 @@ class FilmTask:
         return self.thins or self.thermal
 
     def gap_on(self, grid: Grid, finest: Grid) -> FloatArray:
-        """Return the gap on `grid`, which covers the same area as the grid `finest` [m]."""
+        """Return the gap [m] on `grid`, which covers the same area as the grid `finest`."""
         if callable(self.gap):
             return finite_array("gap", self.gap(grid), grid.surface_shape)
         given = finite_array("gap", self.gap, finest.surface_shape)
@@ -258,7 +258,7 @@ def _height_at(gap: FloatArray, grid: Grid, radius: float) -> float:
 
 
 def refined(state: dict[str, Any], shape: tuple[int, int]) -> dict[str, Any]:
-    """Return a state interpolated to a finer grid, as the initial state there."""
+    """Return a state interpolated to a finer grid, as the initial state on that grid."""
     cavitated = resampled((state["void_fraction"] > 0).astype(np.float64), shape) > 0.5
     voids = np.clip(resampled(state["void_fraction"], shape), _ENTERING_VOID, 1.0)
     fluid = np.maximum(resampled(state["fluid_pressure"], shape), 0.0)

@@ -29,6 +29,7 @@ def pass_stress(films: Sequence[FilmSolution], *, z: ArrayLike, body: int = 2) -
     z : array_like, shape (m,)
         Depths [m], > 0.
     body : {1, 2}, optional
+        Body whose stress is returned. Default: 2.
 
     Returns
     -------
@@ -83,7 +84,10 @@ def moved(stress: FloatArray, way: float, grid: Grid) -> FloatArray:
 
 
 def _shifted(field: FloatArray, cells: int) -> FloatArray:
-    """Return a field shifted along x: its value at i is the given value at i + cells, or else 0."""
+    """Return a field shifted along x by a number of cells.
+
+    The value at index i is the given value at i + cells, or 0 if this index is outside the field.
+    """
     found, count = np.zeros_like(field), field.shape[1]
     first, last = max(0, -cells), min(count, count - cells)
     if first < last:

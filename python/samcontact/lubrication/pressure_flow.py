@@ -73,8 +73,8 @@ def pressure_flow(film: Sheared) -> PressureFlow:
 def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
     """Return the power per area that the pressure flow of a solution dissipates [W/m^2].
 
-    flow: the coefficients with which the pressure was computed, so that the power refers to the
-    flow that conserves mass. None: isothermal Newtonian film.
+    flow: the coefficients with which the pressure was computed. With these, the power belongs to
+    the flow that conserves mass. None: isothermal Newtonian film.
     """
     power = np.zeros_like(film.pressure)
     for axis in (0, 1):
@@ -164,7 +164,10 @@ class _Faces:
         return share * main / self._fluidity.sum(axis=0), (1.0 - share) * main, slope, added
 
     def _tensor(self) -> tuple[FlowTensor, FloatArray, FloatArray]:
-        """Return the flow tensor at all Gauss points, and the fluidity ratios of film and walls."""
+        """Return the flow tensor, and the fluidity ratios over the film height and of the walls.
+
+        The tensor is given at all Gauss points between the pressures of two cells.
+        """
         film, h = self._film, self._h
         hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))
         if film.heat is not None:

@@ -203,7 +203,8 @@ class _Course:
     def _start(self, depth: FloatArray) -> dict[str, Any]:
         """Return the state of the last film, with the approach increased by the mean wear.
 
-        The mean is weighted by the pressure of the boundary layer, which keeps the mean film there.
+        The mean is weighted by the pressure of the boundary layer, so that the mean film there is
+        unchanged.
         """
         last = self._last
         layer = last.boundary_pressure

@@ -125,9 +125,9 @@ def steady(
         Whether the law of `Lubricant.with_eyring` or `with_carreau` reduces the viscosity in the
         flow. By default, thinning and sliding do not change the film.
     thermal : bool, optional
-        Whether shear and flow heat the film and the surfaces, which reduces the viscosity. Needs
-        thermal constants of the lubricant and of both bodies. The bodies and the inlet are at the
-        temperature for which the viscosity is given.
+        Whether the film and the surfaces are heated by shear and flow, which reduces the viscosity.
+        Requires thermal constants of the lubricant and of both bodies. The bodies and the inlet are
+        at the temperature for which the viscosity is given.
     accuracy : float or dict, optional
         Largest estimated relative error of central and minimum film due to the grid [-], e.g. 0.01,
         or a dictionary of errors by name, e.g. {"central_film": 0.01}. The given grid is solved

@@ -89,8 +89,8 @@ class HeatedSurfaces:
         """Return heat fluxes into both bodies [W/m^2] and temperature rises [K], shape (2, nx, ny).
 
         heat: heat generated in the film per area [W/m^2], half of which flows to each surface if
-        both have the same temperature; resistance: film thickness divided by conductivity [K
-        m^2/W].
+        both have the same temperature; resistance: film thickness divided by conductivity
+        [K m^2/W].
         """
         one, two = (surface.rise(0.5 * heat) for surface in self._surfaces)
         shape, difference = heat.shape, one - two
@@ -115,7 +115,7 @@ class HeatedSurfaces:
             return total.ravel()
 
         operator = scipy.sparse.linalg.LinearOperator((difference.size,) * 2, matvec=apply)
-        # nearly that of the last call, which had nearly the same heat
+        # start from the last call, whose heat was nearly the same
         found = np.zeros(difference.size) if self._last is None else self._last
         missing = difference.ravel() - apply(found)
         for _ in range(MAX_CORRECTIONS):

@@ -32,7 +32,7 @@ class FlowTensor(NamedTuple):
     yy: FloatArray
     xy: FloatArray
     steeper_x: FloatArray
-    """Derivative of the flow along x by the pressure gradient along x, minus xx."""
+    """Derivative of the flow along x with respect to the pressure gradient along x, minus xx."""
     steeper_y: FloatArray
 
 
@@ -88,7 +88,7 @@ def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatA
 def _tangent(
     stress: FloatArray, ratio: FloatArray, change: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the derivatives of the flow along x and y by the pressure gradient on this axis.
+    """Return the derivative of the flow along x to the gradient along x, and likewise along y.
 
     The mid-plane stress changes with the gradient so that the mean shear rate stays constant.
     """

@@ -101,8 +101,8 @@ def transient(
         Function that returns the load [N] at a time since the beginning of the history [s].
         Default: the load of the start.
     speed : callable, optional
-        Function that returns the velocities of the surfaces [m/s] at this time, in the form that
-        `steady` accepts. Default: the velocities of the start.
+        Function that returns the velocities of the surfaces [m/s] at a time since the beginning of
+        the history [s], in the form that `steady` accepts. Default: the velocities of the start.
     order, tol, max_iterations
         As in `steady`.
     checkpoint : path, optional

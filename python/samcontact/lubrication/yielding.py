@@ -145,7 +145,7 @@ def _require_film_alone(simulation: Simulation) -> None:
 
 
 class _Coupling:
-    """Iteration for film and plastic flow of an increment, by their residual displacement."""
+    """Iteration between film and plastic flow in an increment, for the residual displacement."""
 
     def __init__(self, simulation: Simulation, task: FilmTask) -> None:
         self._simulation, self._task = simulation, task
