@@ -64,7 +64,8 @@ def fine_boxes(
     cells_per_radius : float, optional
         Cells per smallest radius of a box, at least 2; a warning is issued below 4. Default: 8.
     within : float, optional
-        Extent of a box around each inclusion, in radii, above 1 and at most 10. Default: 2.
+        Distance from the centre of each inclusion to the sides of its box, in radii, above 1 and at
+        most 10. Default: 2.
     tol : float, optional
         Tolerance of the eigenstrain, relative to its norm, in [1e-6, 1e-2]; at least 1e-3 is used
         if moduli differ by a factor above 20. Default: 1e-4.

@@ -131,9 +131,9 @@ def grid_errors(values: FloatArray) -> FloatArray:
     """Return the estimated relative errors of the values on the finest of several grids [-].
 
     values: results on grids refined by `RATIO` each time, the finest last. The last three
-    differences between successive grids are scaled to the finest grid with `ORDER`. The error is
-    `SAFETY` times the sum of the differences to all still finer grids, which are assumed to
-    decrease with `ORDER` from the largest of these three.
+    differences between successive grids are scaled to the finest grid with `ORDER`. The largest of
+    these three is extrapolated: the differences between all still finer grids are assumed to
+    decrease with `ORDER`, and the error is `SAFETY` times their sum.
     """
     steps = np.abs(np.diff(values, axis=0))[::-1][:3]
     ages = np.arange(len(steps))[:, None]

@@ -113,8 +113,8 @@ def mid_plane_stress(
 ) -> FloatArray:
     """Return the shear stress in the middle of the film [Pa], shape (2, n), by Newton's method.
 
-    Arguments as for `flow_tensor`. The stress is found from the given mean of the shear rate over
-    the thickness.
+    Arguments as for `flow_tensor`. With this stress, the shear rate has the given mean over the
+    thickness.
     """
     size = np.hypot(*newtonian)
     mean_warmth = WEIGHTS @ warm
