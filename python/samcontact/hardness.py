@@ -38,7 +38,7 @@ FITTED_RANGE = (129.0, 632.0)
 BENDING_RANGE = (70.0, 400.0)
 """Range of Vickers numbers in which the fatigue limit is proportional to the hardness."""
 DEFECT_RANGE = (70.0, 720.0)
-"""Range of Vickers numbers of the relation with the size of a defect."""
+"""Range of Vickers numbers in which the fatigue limit depends on the size of a defect."""
 MAX_DEFECT = 1e-3
 """Maximum square root of the area of a defect [m]."""
 MAX_CASE_DEPTH = 0.02
@@ -149,15 +149,15 @@ def bending_limit_from_vickers(
     HV : array_like
         Vickers hardness [kgf/mm^2], of any shape.
     defect : float, optional
-        Square root of the area of the largest defect, projected along the stress [m], > 0, at most
-        1 mm. Default: no defect.
+        Square root of the area of the largest defect, projected onto a plane normal to the stress
+        [m], > 0, at most 1 mm. Default: no defect.
     location : {"internal", "surface"}, optional
         Place of the defect.
 
     Returns
     -------
     ndarray
-        Amplitude of stress at the limit, without mean stress [Pa], in the shape of `HV`.
+        Stress amplitude at the limit, without mean stress [Pa], in the shape of `HV`.
 
     Raises
     ------
@@ -199,8 +199,8 @@ class HardnessProfile(ShortRepr, HtmlTable):
     Raises
     ------
     ValueError
-        Depths do not increase, are beyond 20 mm (given in millimetres?), differ in number from the
-        values, or a value is not a Vickers number.
+        The depths do not increase, exceed 20 mm (given in millimetres?) or differ in number from
+        the hardness values, or a hardness is not a Vickers number.
     TypeError
         An argument is not a number.
     """
@@ -226,13 +226,14 @@ class HardnessProfile(ShortRepr, HtmlTable):
         object.__setattr__(self, "HV", tuple(HV.tolist()))
 
     def at(self, z: ArrayLike) -> FloatArray:
-        """Vickers hardness at depths z [m], same shape; ValueError if a depth is negative."""
+        """Vickers hardness at depths z [m], in their shape; raises ValueError for depths < 0."""
         return np.asarray(np.interp(checked_depths(z), self.z, self.HV))
 
     def depth_of(self, HV: float) -> float:
-        """Smallest depth below which the hardness is less than `HV` [m]: the CHD for 550.
+        """Smallest depth at which the hardness falls below `HV` [m]: the CHD for HV = 550.
 
-        0 if the surface is softer. Raises ValueError if the hardness does not fall to `HV`.
+        The depth is 0 if the surface is softer than `HV`. Raises ValueError if the hardness does
+        not fall below `HV`.
         """
         wanted = float(_vickers(number("HV", HV)))
         if self.HV[0] < wanted:
@@ -304,8 +305,8 @@ def hardened_case(
     Raises
     ------
     ValueError
-        A value is not a Vickers number, they are not in the order surface > limit > core, or the
-        depth is outside its range.
+        A value is not a Vickers number, the values are not in the order surface > limit > core, or
+        the depth is outside its range.
     TypeError
         An argument is not a number.
     """

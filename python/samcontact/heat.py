@@ -45,8 +45,9 @@ class Heat:
     ----------
     factor : float or pair of floats, optional
         Q_f >= 0 [m/s]: heat flux per unit pressure, a number for body 2 or a pair for bodies 1 and
-        2; in full sliding see `factors`. In partial slip (in a `Simulation`), this heat has another
-        cause than slip. Heated bodies must have thermal constants. Default: 0, no heating.
+        2. In full sliding, `factors` computes this pair. In partial slip (only in a `Simulation`),
+        this heat flux is not due to slip but to another cause, e.g. a hotter body. Heated bodies
+        must have thermal constants. Default: 0, no heating.
     velocity : array_like, shape (2,) or (2, 2), optional
         Velocity (V_x, V_y) of body 2, or velocities of bodies 1 and 2, relative to the contact and
         thus to the heat source [m/s]. Default: at rest.
@@ -59,10 +60,10 @@ class Heat:
         heat of earlier steps is taken into account for the time `longest`. Each step then requires
         a `duration`.
     reference : float, optional
-        Distance [m] at which the displacement due to a steady point source at rest is defined as
-        zero; a definition is needed because this displacement has no limit far away (layered body:
-        the displacement of its substrate). The choice affects only the approach. Required under
-        approach control; default under load control: 1 m.
+        Distance [m] from a steady point source at rest at which the surface displacement due to
+        this source is defined as zero (in a layered body: the displacement of the substrate). A
+        definition is needed because this displacement has no limit far away. The choice affects
+        only the approach. Required under approach control; default under load control: 1 m.
     partition : float, optional
         Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
@@ -142,7 +143,7 @@ class Heat:
 
     @property
     def march(self) -> tuple[float, float, float, float]:
-        """Shortest and longest time of the history [s], and tracks [m]; zeros if not given."""
+        """Both times of `history` [s] and both lengths of `tracks` [m]; zeros if not given."""
         return (*(self.history or (0.0, 0.0)), *self.tracks)
 
     def __repr__(self) -> str:

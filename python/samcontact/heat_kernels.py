@@ -144,9 +144,9 @@ def temperature(
     ------
     ValueError
         A time or depth is negative; a size, the conductivity or the diffusivity is <= 0; a number
-        is not finite; or the speed is so high that the body crosses the extent L of the table in
+        is not finite; or the speed V is so high that the body crosses the extent L of the table in
         less than 1e-7 of the diffusion time L^2/kappa. The computing time is proportional to
-        V L/kappa; near the limit a table of displacements takes seconds.
+        V L/kappa; near this limit of the speed, a table of displacements takes seconds.
 
     Notes
     -----

@@ -133,8 +133,8 @@ def residual_stress(
         smooth fields; time and memory are proportional to the number of cells.
         docs/theory/residual_stress.md describes both methods.
     image_tol : float, optional
-        Only with "fast": limit of the error due to the periodicity of the transforms, relative to
-        the maximum stress, in [1e-6, 0.1].
+        Only with "fast": limit of the error due to the periodicity of the Fourier transforms,
+        relative to the maximum stress, in [1e-6, 0.1].
     """
     _require_volume(grid)
     elastic = _core.Elastic.isotropic(number("E", E), number("nu", nu))

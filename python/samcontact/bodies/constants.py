@@ -13,13 +13,16 @@ from .._util.short_text import in_short
 
 
 def as_list(value: Any) -> list[Any]:
-    """Return the values of an iterable, or one value, as a list."""
+    """Return the elements of an iterable, or a single value, as a list."""
     value = value.tolist() if isinstance(value, np.ndarray) else value
     return list(value) if isinstance(value, Iterable) else [value]
 
 
 def named_numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Return a group of constants as floats; raise ValueError unless `parts` names each one."""
+    """Return a group of constants as floats.
+
+    Raises ValueError unless there is one constant for each name in `parts`.
+    """
     values = as_list(given)
     if len(values) != len(parts):
         raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")

@@ -31,7 +31,10 @@ MAX_PROFILE_POINTS = 4096
 
 
 def profile(kind: str, given: Any) -> Profile:
-    """Convert depths and values of a profile to tuples of equal length; the core checks ranges."""
+    """Convert the depths and values of a profile to tuples of equal length.
+
+    kind: key of `PROFILE_ARGUMENTS`. The compiled core checks the ranges of the values.
+    """
     holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, each a list of numbers"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
@@ -85,7 +88,7 @@ class HasDepthProfiles:
         Raises
         ------
         ValueError
-            The material is not elastic-plastic, z does not increase, z and factor differ in number,
+            The material is not elastic-plastic, z does not increase, z and factor differ in length,
             a value is outside its range, or the residual stress exceeds the yield stress.
         TypeError
             An argument is not a number.
@@ -129,10 +132,10 @@ class HasDepthProfiles:
         Raises
         ------
         ValueError
-            The material is rigid, z does not increase, the numbers of values differ, a value is not
-            finite, or the von Mises stress exceeds the yield stress of the material at some depth.
-            Material that yielded while the stress formed has hardened: include this hardening in
-            the law or in a yield profile.
+            The material is rigid, z does not increase, the arguments differ in length, a value is
+            not finite, or the von Mises stress exceeds the yield stress of the material at some
+            depth. If the material yielded while the residual stress formed, include the resulting
+            hardening in the hardening law or in a yield profile.
         TypeError
             An argument is not a number.
         """
@@ -142,9 +145,9 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor on the yield stress [-] at depths z [m], same shape; 1 without a yield profile.
+        """Factor on the yield stress [-] at depths z [m]; 1 without a yield profile.
 
-        Raises ValueError if z is negative or not finite.
+        The result has the shape of z. Raises ValueError if z is negative or not finite.
         """
         depths = checked_depths(z)
         if self.yield_profile is None:
@@ -153,9 +156,9 @@ class HasDepthProfiles:
         return factor
 
     def yield_stress_at(self, z: ArrayLike) -> FloatArray:
-        """Initial yield stress at depths z [Pa], same shape; infinite for a body that cannot yield.
+        """Initial yield stress [Pa] at depths z [m]; infinite for a body that cannot yield.
 
-        Raises ValueError if z is negative or not finite.
+        The result has the shape of z. Raises ValueError if z is negative or not finite.
         """
         factor = self.yield_factor(z)
         return float(cast("Any", self).yield_stress(0.0)) * factor
@@ -169,7 +172,8 @@ class HasDepthProfiles:
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
         """Initial stresses sxx, syy and sxy [Pa] at depths z [m], each with the shape of z.
 
-        0 without residual stress. Raises ValueError if z is negative or not finite.
+        The stresses are 0 without residual stress. Raises ValueError if z is negative or not
+        finite.
         """
         depths = checked_depths(z)
         if self.residual_stress is None:
@@ -178,7 +182,7 @@ class HasDepthProfiles:
 
 
 def checked_depths(z: ArrayLike) -> FloatArray:
-    """Return depths [m] as an array; ValueError if a depth is negative or not finite."""
+    """Return depths [m] as an array; raise ValueError if a depth is negative or not finite."""
     depths = real_array("z", z)
     bad = ~(np.isfinite(depths) & (depths >= 0))
     if bad.any():

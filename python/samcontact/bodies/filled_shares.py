@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shares of cells that an ellipsoid fills.
+"""Fractions of the cells of a grid that an ellipsoid fills.
 
-The section of an ellipsoid at a depth z is an ellipse. An affine map turns it into a circle and the
-cell into a parallelogram, whose common area has a closed form. The volume is the integral of these
-areas over z, by Gauss quadrature between the depths at which the ellipse touches an edge or passes
-a corner of the cell; its error is below 1e-7 of a cell.
+The section of an ellipsoid at a depth z is an ellipse. An affine map turns the ellipse into a
+circle and the cell into a parallelogram. The area common to the circle and the parallelogram has a
+closed form. The filled volume of a cell is the integral of this area over z. It is computed by
+Gauss quadrature between the depths at which the ellipse touches an edge or passes a corner of the
+cell; the error is below 1e-7 of the cell volume.
 """
 
 from __future__ import annotations
@@ -14,9 +15,9 @@ import numpy as np
 from .._util.checks import BoolArray, FloatArray
 
 NODES = 8
-"""Gauss points between two depths at which the section changes its kind."""
+"""Number of Gauss points between two depths at which the shape of the common area changes."""
 DIGITS = 12
-"""Decimals of a share: differences by rounding errors only are removed."""
+"""Number of decimals to which filled fractions are rounded, which removes rounding errors."""
 _CORNERS = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)]) / 2
 _AT_ONCE = 20_000  # cells whose areas are computed together, which limits the memory
 
@@ -34,8 +35,8 @@ def circle_and_polygon(corners: FloatArray, radius: FloatArray) -> FloatArray:
     Returns
     -------
     ndarray, shape (...)
-        Area: sum over the edges of the signed areas common to the circle and the triangle of the
-        edge and the origin.
+        Common area. Each edge of the polygon forms a triangle with the origin. The common area is
+        the sum over the edges of the signed areas common to the circle and these triangles.
     """
     p = corners[..., 0], corners[..., 1]
     q = _next(p[0]), _next(p[1])
@@ -119,7 +120,10 @@ def shares(
 
 
 def _of_cut_cells(metric: FloatArray, centers: FloatArray, size: FloatArray) -> FloatArray:
-    """Filled fractions of the cells with these centres [m], shape (n, 3)."""
+    """Filled fractions of cells that the surface of the ellipsoid cuts, shape (n,).
+
+    centers: centres of the cells [m], shape (n, 3).
+    """
     plane = metric[:2, :2]
     toward = np.linalg.solve(plane, metric[:2, 2])  # the centre of the section is -toward z
     height = 1.0 / np.sqrt(metric[2, 2] - metric[:2, 2] @ toward)
@@ -148,7 +152,7 @@ def _of_cut_cells(metric: FloatArray, centers: FloatArray, size: FloatArray) -> 
 def _changes(metric: FloatArray, corners: FloatArray) -> FloatArray:
     """Depths at which the ellipse touches an edge or passes a corner of its cell, shape (n, 16).
 
-    corners: shape (n, 4, 2). NaN is replaced by 0.
+    corners: corners of each cell [m], shape (n, 4, 2). Depths that do not exist are replaced by 0.
     """
     x, y = corners[..., 0], corners[..., 1]
     (xx, xy, xz), (_, yy, yz), (_, _, zz) = metric
@@ -163,7 +167,7 @@ def _changes(metric: FloatArray, corners: FloatArray) -> FloatArray:
 
 
 def _roots(a: float, b: FloatArray, c: FloatArray) -> FloatArray:
-    """Both real roots of a z^2 + 2 b z + c; 0 if there is none."""
+    """Both real roots of a z^2 + 2 b z + c, or 0 in place of complex roots."""
     root = b * b - a * c
     reach = np.sqrt(np.maximum(root, 0.0))
     both = np.concatenate([-b - reach, -b + reach], axis=1) / a
@@ -171,7 +175,7 @@ def _roots(a: float, b: FloatArray, c: FloatArray) -> FloatArray:
 
 
 def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatArray:
-    """Fraction of each cell along an axis that each interval covers.
+    """Fraction of each cell along an axis that each of several intervals covers.
 
     Parameters
     ----------
@@ -185,7 +189,7 @@ def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatA
     Returns
     -------
     ndarray, shape (count, n)
-        Share of each cell that each interval covers.
+        Covered fraction; rows are cells, columns are intervals.
     """
     low = first + step * np.arange(count)
     left = np.maximum(low[:, None], edges[:-1])
@@ -194,5 +198,5 @@ def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatA
 
 
 def is_cut(share: FloatArray) -> BoolArray:
-    """Whether a cell is partly filled."""
+    """Mask of the cells that are filled only partly."""
     return np.asarray((share > 0.0) & (share < 1.0))

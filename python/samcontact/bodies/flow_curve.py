@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Yield stress, plastic work and uniaxial curve of a material."""
+"""Yield stress, plastic work and uniaxial stress-strain curve of a material."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .._util.checks import FloatArray, real_array
 
 
 class HasFlowCurve:
-    """Base class of `Material` with its curves of plastic flow."""
+    """Base class of `Material` with yield stress, plastic work and uniaxial stress."""
 
     _core: Any
     is_rigid: Any

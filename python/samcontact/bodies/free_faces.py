@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 FreeFaces = tuple[float, float, str]
-"""Coordinates y of the low and the high face [m], infinite without a face; method."""
+"""Coordinates y of the low and the high face [m], infinite without a face; name of the method."""
 
 METHODS = ("exact", "factor")
 MAX_PLACE = 2.0
-"""Maximum distance of a face from the middle of the grid [m]; a contact far from it is shorter."""
+"""Maximum distance of a face from the middle of the grid [m]; beyond it, the unit is wrong."""
 
 
 def checked_faces(given: Any) -> FreeFaces:
-    """Check the faces of a body: their order, and that there is at least one."""
+    """Return the free faces of a body after checking their number, order and distance."""
     if not isinstance(given, (list, tuple)) or len(given) != 3:
         raise ValueError(f"free_faces must contain low, high and method, got {in_short(given)}")
     low, high = (
@@ -54,15 +54,17 @@ class HasFreeFaces:
     def with_free_faces(
         self, low: float | None = None, high: float | None = None, method: str = "exact"
     ) -> Self:
-        """Return a copy with a free face at one or both ends along y, such as those of a roller.
+        """Return a copy with a free face at one or both ends along y, such as the ends of a roller.
 
         The grid must contain at least one row of cells beyond each face that the contact reaches.
         The cells beyond a face are out of contact. Near a face the body is more compliant than a
-        half-space. If both bodies end there, the pressure decreases towards the face. If only one
-        body ends there, the pressure increases, but less than between half-spaces. Only
-        frictionless contact of elastic bodies on grids that are not periodic is supported:
-        friction, heat, layers and plastic flow of this body, and the stress in it, raise a
-        ValueError.
+        half-space. If both bodies end at the same y, the pressure decreases towards their faces. If
+        only one body ends there, the pressure increases towards its face, but less than if both
+        bodies were half-spaces.
+
+        Only frictionless contact of elastic bodies on non-periodic grids is supported. For a body
+        with free faces, friction, heat, layers and plastic flow raise a ValueError, and so does a
+        request for its stress.
 
         Parameters
         ----------
@@ -70,9 +72,10 @@ class HasFreeFaces:
             Coordinates y of the faces [m], on edges of cells; the body is between them. Default: no
             face.
         method : {"exact", "factor"}, optional
-            "exact" is the quarter space of each face. "factor" mirrors the pressure about the face
-            and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), which is faster to prepare and
-            less accurate. docs/theory/free_faces.md states the errors of both.
+            "exact" solves for the quarter-space that ends at each face. "factor" mirrors the
+            pressure about the face and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), which is
+            faster to prepare and less accurate. docs/theory/free_faces.md states the errors of
+            both.
 
         Returns
         -------
@@ -93,7 +96,7 @@ class HasFreeFaces:
 
 
 def contact_strip(bodies: Iterable[Any]) -> tuple[float, float]:
-    """Range of y in which both bodies exist [m]; infinite without faces."""
+    """Limits (low, high) of y between which both bodies exist [m]; infinite without faces."""
     faces = [body.free_faces for body in bodies if getattr(body, "free_faces", None) is not None]
     low = max((face[0] for face in faces), default=-math.inf)
     high = min((face[1] for face in faces), default=math.inf)
@@ -106,7 +109,7 @@ def contact_strip(bodies: Iterable[Any]) -> tuple[float, float]:
 
 
 def require_endless(reason: str, *bodies: Any) -> None:
-    """Raise ValueError, with the reason, for bodies with free faces."""
+    """Raise ValueError, with the given reason, if a body has free faces."""
     for n, body in enumerate(bodies, 1):
         if getattr(body, "free_faces", None) is not None:
             raise ValueError(f"body{n} must not have free_faces, got {body.free_faces!r}: {reason}")

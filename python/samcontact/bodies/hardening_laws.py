@@ -46,7 +46,7 @@ class Law:
 
 
 def constant_of(parameter: _core.LawParameter) -> Constant:
-    """Return the `Constant` for a parameter of a law, which the compiled core describes."""
+    """Convert a law parameter, as described by the compiled core, to a `Constant`."""
     low: dict[str, float] = {}
     if parameter.low > -math.inf:
         low = {"gt" if parameter.above_low else "ge": parameter.low}
@@ -77,7 +77,10 @@ def _values(name: str, given: Any) -> tuple[float, ...]:
 
 
 def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
-    """Return all constants of a law in order, after checks; the core checks their ranges."""
+    """Return the constants of a law in their defined order, after checks of names and types.
+
+    The compiled core checks the ranges.
+    """
     if not isinstance(law, str) or law not in LAWS:
         raise ValueError(f"law must be one of {', '.join(LAWS)}, got {in_short(law)}")
     if not isinstance(given, Mapping):
@@ -98,7 +101,10 @@ def checked_constants(law: str, given: Any) -> FrozenDict[Any]:
 
 
 def core_material(law: str, constants: Mapping[str, Any]) -> _core.Material:
-    """Create the core's material; ValueError names a constant that is out of range."""
+    """Create the material of the compiled core.
+
+    Raises ValueError, which names the constant, if a constant is out of range.
+    """
     if law == "rigid":
         return _core.Material.rigid()
     values = {name: np.atleast_1d(value).tolist() for name, value in constants.items()}

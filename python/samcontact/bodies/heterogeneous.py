@@ -72,11 +72,13 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
     Notes
     -----
-    The inclusions are perfectly bonded to the matrix. A cell that an inclusion fills partly has
-    mixed moduli: in parallel (Voigt) for an inclusion softer than the matrix, in series (Reuss) for
-    a stiffer one, bulk and shear modulus each by its own ratio. The grid needs at least 2 cells per
-    radius; from 4 cells on, pressures and displacements are accurate, from 8 cells on also maxima
-    of the stress near an inclusion.
+    The inclusions are perfectly bonded to the matrix. In a cell that an inclusion fills only
+    partly, the moduli of inclusion and matrix are mixed: in parallel (Voigt) if the inclusion is
+    softer, in series (Reuss) if it is stiffer. This choice is made for the bulk modulus and the
+    shear modulus separately.
+
+    The grid needs at least 2 cells per radius. With at least 4 cells, pressures and displacements
+    are accurate. With at least 8 cells, the maximum stress near an inclusion is accurate as well.
     """
 
     matrix: Material | Layered
@@ -122,13 +124,12 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         radius_limits: tuple[float, float] | None = None,
         cluster: tuple[float, float] | None = None,
     ) -> Heterogeneous:
-        """Matrix with spheres at random places, which do not overlap.
+        """Matrix with non-overlapping spheres at random positions.
 
         The number of spheres has a Poisson distribution, their radii are lognormal, and they are
         placed by random sequential addition, the largest first. Equal arguments give equal bodies.
-        Spheres with centres outside the box are not drawn, although they may extend into it.
-        Therefore choose the box larger than the region of interest by the largest radius on each
-        side.
+        All centres are in the box, so no sphere extends into the box from outside. Therefore choose
+        the box larger than the region of interest by the largest radius on each side.
 
         Parameters
         ----------
@@ -138,24 +139,28 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         material : Material or None
             Material of the spheres; None for voids.
         fraction : float
-            Expected volume fraction, > 0 and at most 0.3. `volume_in` gives the volume drawn.
+            Expected volume fraction, > 0 and at most 0.3. `volume_in` returns the volume of the
+            spheres drawn.
         radius : float or pair of float
-            Median radius [m], and standard deviation of ln(radius) [-]. Default of the latter: 0.
+            Median radius [m], or a pair of the median radius [m] and the standard deviation of
+            ln(radius) [-]. With a single number, all radii are equal.
         box : array_like, shape (3, 2)
-            Ends of the box of the centres along x, y and z [m].
+            Lower and upper limits of the box that contains all centres, along x, y and z [m].
         seed : int
             Seed of the random numbers, >= 0.
         gap : float, optional
-            Minimum distance of two surfaces, relative to the mean radius of both. Default: 0.1.
+            Minimum distance between the surfaces of two spheres, relative to the mean of their
+            radii. Default: 0.1.
         cover : float, optional
             Minimum thickness of the matrix above a sphere [m]. Default: 0.
         misfit : float or array_like, optional
             Misfit strain of the spheres, see `Inclusion.sphere`. Default: 0.
         radius_limits : pair of float, optional
-            Limits of the radii [m], to which smaller and larger radii are set.
+            Minimum and maximum radius [m]. A radius drawn outside these limits is set to the nearer
+            limit. Default: no limits.
         cluster : pair of float, optional
-            Clusters: mean number of spheres of a cluster, and standard deviation of their distances
-            from its centre along each axis [m]. Default: no clusters.
+            Mean number of spheres per cluster, and standard deviation of the distances of the
+            spheres from the cluster centre along each axis [m]. Default: no clusters.
 
         Returns
         -------
@@ -164,7 +169,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Raises
         ------
         ValueError
-            A value is outside its range, no sphere is drawn, or a sphere finds no place.
+            A value is outside its range, no sphere is drawn, or no free position is found for a
+            sphere.
         TypeError
             An argument is not a number or not a material.
         """
@@ -187,8 +193,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
     ) -> Heterogeneous:
         """Matrix with a measured microstructure, e.g. from tomography or EBSD.
 
-        The shares of the cells follow exactly from the overlaps of cells and voxels, which may
-        have any sizes.
+        The fraction of a grid cell that each material fills follows exactly from the overlap of the
+        cell with the voxels. Cells and voxels may have any size.
 
         Parameters
         ----------
@@ -198,13 +204,13 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         materials : sequence of Material or None
             Materials of the voxels with labels 1, 2, ...; None for voids.
         labels : array_like of int or float, shape (n, m, l)
-            Label of each voxel along x, y and z; with one material also its share of each voxel, a
-            floating-point number from 0 to 1.
+            Label of each voxel along x, y and z. With a single material, floating-point numbers
+            from 0 to 1 are allowed instead: the fraction of each voxel that this material fills.
         dx : float or tuple of float
             Edge length of a voxel [m], or its lengths along x, y and z.
         origin : array_like, shape (3,)
-            Coordinates x, y and z [m] of the corner of the first voxel that is outermost, in the
-            frame of the grid. The part of the block above the surface is cut off.
+            Coordinates x, y and z [m], in the frame of the grid, of the corner of the block at
+            which x, y and z are smallest. The part of the block above the surface is cut off.
 
         Returns
         -------
@@ -213,8 +219,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Raises
         ------
         ValueError
-            A label has no material, no voxel has an inclusion, there are voids at the surface, or a
-            value is outside its range.
+            A label has no material, all labels are 0, there are voids at the surface, or a value is
+            outside its range.
         TypeError
             An argument is not a material or not an array of numbers.
         """
@@ -222,7 +228,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
     @property
     def phases(self) -> tuple[Material | None, ...]:
-        """Material of each inclusion, then of each label of voxels; None for a void."""
+        """Materials of all inclusions, then of the voxel labels 1, 2, ...; None for a void."""
         of_voxels = () if self.measured is None else self.measured.materials
         return (*(inclusion.material for inclusion in self.inclusions), *of_voxels)
 
@@ -234,17 +240,22 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
     @property
     def min_yield_stress(self) -> float:
-        """Minimum initial yield stress of matrix and inclusions [Pa]; infinite if none yields."""
+        """Minimum initial yield stress of matrix and inclusions [Pa].
+
+        It is infinite if all of them are elastic.
+        """
         materials = (self.matrix, *self.phases)
         return min(m.min_yield_stress for m in materials if m is not None)
 
     def cells_on(self, grid: VolumeGrid, *, check: bool = True) -> InclusionCells:
-        """Shares, relative moduli and misfit strains of the cells of a grid.
+        """Filled fraction, moduli and misfit strain of each cell of a grid.
+
+        The moduli are relative to the matrix.
 
         Parameters
         ----------
         grid : Grid
-            Grid with dz. Its sides do not limit the inclusions.
+            Grid with dz. Inclusions may extend beyond its sides.
         check : bool, optional
             Whether to check the number of cells per radius. Default: True.
 
@@ -256,9 +267,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Raises
         ------
         ValueError
-            The grid has no dz, or fewer than 2 cells per radius of an inclusion; all inclusions lie
-            outside of the grid, or one is wider than its period; a later inclusion covers an
-            earlier one.
+            The grid has no dz, or fewer than 2 cells per radius of an inclusion. All inclusions lie
+            outside the grid, or an inclusion is wider than the period of the grid. A later
+            inclusion covers an earlier one completely.
         MemoryError
             The box does not fit into the memory.
 
@@ -290,7 +301,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Returns
         -------
         ndarray, shape (nx, ny, nz)
-            Shares from 0 to 1; on a grid without nz, down to the deepest inclusion.
+            Fractions from 0 to 1. On a grid without nz, the layers extend down to the deepest
+            inclusion.
 
         Raises
         ------
@@ -302,15 +314,15 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return cells.over_grid(cells.share, (grid.nx, grid.ny, layers))
 
     def cells_per_radius(self, grid: VolumeGrid) -> float:
-        """Smallest radius of all inclusions over the largest cell edge [-]; inf without any."""
+        """Smallest inclusion radius/largest cell edge [-]; infinite without inclusions."""
         require_volume(grid)
         return cells_per_radius(grid, self.inclusions)
 
     def volume_in(self, box: ArrayLike) -> float:
-        """Total volume of the inclusions whose centres lie in a box, without voxels [m^3].
+        """Total volume of the inclusions whose centres lie in a box [m^3]; voxels are not counted.
 
-        box: ends along x, y and z [m], shape (3, 2). Raises ValueError for ends that do not
-        increase.
+        box: lower and upper limits along x, y and z [m], shape (3, 2). Raises ValueError if a lower
+        limit is not below its upper limit.
         """
         low, high = checked_box("box", box).T
         inside = (
@@ -342,7 +354,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
 
 def material_around(body: Heterogeneous, number: int) -> Material:
-    """Material of the matrix around a phase of a body, see `Heterogeneous.phases`."""
+    """Material of the matrix around the phase with this index in `Heterogeneous.phases`."""
     if not isinstance(body.matrix, Layered):
         return body.matrix
     if number < len(body.inclusions):

@@ -24,13 +24,13 @@ PARALLEL: Axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 """Principal axes along x, y and z."""
 NO_MISFIT = (0.0,) * 6
 MAX_MISFIT = 0.1
-"""Largest misfit strain: larger ones are outside of the theory of small strains."""
+"""Largest misfit strain; the theory assumes small strains."""
 _AXES_TOLERANCE = 1e-6  # of the scalar products of the axes
 _UNUSED_PROPERTIES = ("yield_profile", "residual_stress", "free_faces", "relaxation_terms")
 
 
 def checked_phase(name: str, material: Any) -> Material | None:
-    """Check the material of an inclusion; None is a void."""
+    """Check the material of an inclusion; None stands for a void."""
     if material is None:
         return None
     require_type(name, material, Material)
@@ -162,9 +162,9 @@ class Inclusion(HtmlTable):
             Elastic or elastic-plastic material. `Material.rigid()` is computed with 1000 times the
             moduli of the matrix.
         misfit : float or array_like, shape (6,), optional
-            Strain [-] that the inclusion would have if it were free: a linear strain, or the
-            components xx, yy, zz, yz, xz, xy. See `samcontact.inclusions.thermal_misfit`.
-            Default: 0.
+            Strain [-] that the inclusion would have if it were free: a number for an isotropic
+            strain, or the components xx, yy, zz, yz, xz, xy. See
+            `samcontact.inclusions.thermal_misfit`. Default: 0.
 
         Returns
         -------
@@ -199,7 +199,8 @@ class Inclusion(HtmlTable):
         radii : array_like, shape (3,)
             Principal radii [m], > 0.
         material, misfit
-            As in `sphere`; the components of a misfit refer to x, y and z.
+            As in `sphere`; the components of a misfit refer to x, y and z, not to the principal
+            axes.
         axes : array_like, shape (3, 3), optional
             Directions of the principal radii: one unit vector in each row, perpendicular to each
             other. Default: x, y and z.
@@ -228,12 +229,12 @@ class Inclusion(HtmlTable):
 
     @property
     def volume(self) -> float:
-        """Volume [m^3], including a part above the surface."""
+        """Volume [m^3], including any part above the surface."""
         return 4 / 3 * math.pi * math.prod(self.radii)
 
     @property
     def extent(self) -> Vector:
-        """Half-widths along x, y and z [m]."""
+        """Half of the extent of the inclusion along x, y and z [m]."""
         if self.is_sphere:
             return self.radii
         x, y, z = np.sqrt((np.array(self.radii) ** 2) @ np.array(self.axes) ** 2).tolist()
@@ -279,13 +280,19 @@ class VoidShapes:
         return self.ellipsoid(center, radius, axes)
 
     def sphere(self, center: ArrayLike, radius: float) -> Inclusion:
-        """Spherical void, see `Inclusion.sphere`; ValueError if it reaches the surface."""
+        """Spherical void, see `Inclusion.sphere`.
+
+        Raises ValueError if the void reaches the surface.
+        """
         return Inclusion(center, (positive("radius", radius),) * 3, None, None)
 
     def ellipsoid(
         self, center: ArrayLike, radii: ArrayLike, axes: ArrayLike | None = None
     ) -> Inclusion:
-        """Ellipsoidal void, see `Inclusion.ellipsoid`; ValueError if it reaches the surface."""
+        """Ellipsoidal void, see `Inclusion.ellipsoid`.
+
+        Raises ValueError if the void reaches the surface.
+        """
         return Inclusion(center, radii, axes, None)
 
     def __repr__(self) -> str:

@@ -24,7 +24,7 @@ Counts = tuple[int, int, int]
 
 
 class VolumeGrid(CellSizes, Protocol):
-    """Cells of a volume; `samcontact.Grid` has these attributes."""
+    """Grid of volume cells: the attributes of `samcontact.Grid` that are needed here."""
 
     @property
     def nx(self) -> int: ...
@@ -43,21 +43,23 @@ class InclusionCells(ShortRepr):
     Attributes
     ----------
     first : tuple of int
-        Indices of the first cell of the box along x, y and z; negative outside of the grid.
+        Indices of the first cell of the box along x, y and z; negative if that cell is outside the
+        grid.
     laws : tuple of Material or None
         Distinct materials of the inclusions; None for a void.
     share : ndarray, shape (n, m, l)
-        Share of each cell that inclusions fill, 0 to 1.
+        Fraction of each cell that inclusions fill, 0 to 1.
     phase : ndarray of int, shape (n, m, l)
         Number of the inclusion that fills most of the cell; -1 in the matrix.
     bulk, shear : ndarray, shape (n, m, l)
         Mixed bulk and shear modulus, relative to the matrix; 0 in a void.
     misfit : ndarray, shape (6, n, m, l)
-        Misfit strain, weighted by the mixing rule.
+        Misfit strain, weighted by the mixing rule (see `phase_mixing`).
     law : ndarray of int, shape (n, m, l)
-        Index of the material of `phase` in `laws`; -1 in the matrix.
+        Index in `laws` of the material that fills most of the cell; -1 in the matrix.
     expansion : ndarray, shape (n, m, l)
-        Thermal expansion minus that of the matrix [1/K], weighted like the misfit strain.
+        Thermal expansion coefficient minus that of the matrix [1/K], weighted like the misfit
+        strain.
     """
 
     first: Counts
@@ -72,17 +74,23 @@ class InclusionCells(ShortRepr):
 
     @property
     def is_cut(self) -> BoolArray:
-        """Whether a cell is partly filled, shape (n, m, l)."""
+        """Mask of the cells that are filled only partly, shape (n, m, l)."""
         return is_cut(self.share)
 
     @property
     def is_deformed(self) -> BoolArray:
-        """Whether a cell differs from the matrix in its moduli or misfit, shape (n, m, l)."""
+        """Mask of the cells with other moduli than the matrix, or with a misfit, shape (n, m, l).
+
+        The misfit includes a difference in thermal expansion.
+        """
         differs = (self.bulk != 1.0) | (self.shear != 1.0) | self.misfit.any(axis=0)
         return np.asarray(differs | (self.expansion != 0.0))
 
     def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
-        """Return a field (n, m, l) of the box on the cells of a grid of this shape."""
+        """Return a field of the box, shape (n, m, l), on a grid with this number of cells.
+
+        Cells of the grid outside the box have the value `outside`.
+        """
         whole = np.full(shape, outside, dtype=field.dtype)
         box, grid = zip(
             *(_common(f, n, m) for f, n, m in zip(self.first, field.shape, shape, strict=True)),
@@ -93,21 +101,21 @@ class InclusionCells(ShortRepr):
 
 
 def _common(first: int, count: int, size: int) -> tuple[slice, slice]:
-    """Common part of a box and a grid along an axis, as slices of both."""
+    """Common part of a box and a grid along an axis, as a slice of the box and one of the grid."""
     low, high = max(first, 0), min(first + count, size)
     high = max(low, high)
     return slice(low - first, high - first), slice(low, high)
 
 
 class Box(NamedTuple):
-    """Box of cells."""
+    """Box of cells: indices of its first cell, and number of cells along x, y and z."""
 
     first: Counts
     shape: Counts
 
 
 def require_volume(grid: VolumeGrid) -> None:
-    """Raise an error for an object that is no grid, or a grid without layers."""
+    """Raise TypeError unless the object is a grid, and ValueError for a grid without dz."""
     if not all(hasattr(grid, name) for name in ("nx", "ny", "nz", "dx", "dy", "dz", "periodic")):
         raise TypeError(f"grid must be a samcontact.Grid, got {in_short(grid)}")
     if grid.dz is None:
@@ -115,7 +123,7 @@ def require_volume(grid: VolumeGrid) -> None:
 
 
 def _axes(grid: VolumeGrid) -> list[tuple[float, float, int, bool]]:
-    """Lower edge of the grid [m], length [m] and number of its cells, periodicity of each axis."""
+    """For each axis: lower edge of the grid [m], cell length [m], number of cells, periodicity."""
     assert grid.dz is not None
     return [
         (-grid.nx / 2 * grid.dx, grid.dx, grid.nx, "x" in grid.periodic),
@@ -130,7 +138,7 @@ def _edges(grid: VolumeGrid) -> list[tuple[float, float]]:
 
 
 def _cells_of(grid: VolumeGrid, inclusion: Inclusion) -> list[tuple[int, int]]:
-    """First cell of an inclusion and the cell after its last one, along x, y and z."""
+    """Index of the first cell of an inclusion, and one past its last cell, along x, y and z."""
     ends = []
     for (low, step), c, half in zip(_edges(grid), inclusion.center, inclusion.extent, strict=True):
         first, last = ((c + side * half - low) / step for side in (-1, 1))
@@ -142,7 +150,10 @@ def _cells_of(grid: VolumeGrid, inclusion: Inclusion) -> list[tuple[int, int]]:
 def box_of(
     grid: VolumeGrid, inclusions: Sequence[Inclusion], measured: VoxelBlock | None = None
 ) -> Box:
-    """Smallest box that contains all inclusions; the whole period along a periodic axis."""
+    """Smallest box that contains all inclusions and voxels.
+
+    If an inclusion crosses the end of a period, the box extends over the whole period.
+    """
     cells = [_cells_of(grid, inclusion) for inclusion in inclusions]
     names = [f"inclusions[{n}]" for n in range(len(inclusions))]
     if measured is not None:
@@ -162,7 +173,7 @@ def box_of(
 
 
 def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp]) -> None:
-    """Raise ValueError for an inclusion below or outside the grid, or wider than its period."""
+    """Raise ValueError if all inclusions are outside the grid, or one is wider than its period."""
     highest = int(ends[:, 2, 0].argmin())
     if grid.nz and ends[highest, 2, 0] >= grid.nz:
         raise ValueError(
@@ -194,7 +205,7 @@ def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp])
 
 
 def _require_in_period(grid: VolumeGrid, ends: NDArray[np.intp]) -> None:
-    """Refuse voxels that cross the side of a period."""
+    """Raise ValueError if the block of voxels crosses the end of a period."""
     for axis, (_, _, count, wraps) in enumerate(_axes(grid)):
         if wraps and (ends[axis, 0] < 0 or ends[axis, 1] > count):
             raise ValueError(
@@ -206,7 +217,11 @@ def _require_in_period(grid: VolumeGrid, ends: NDArray[np.intp]) -> None:
 def voxels_on(
     grid: VolumeGrid, box: Box, measured: VoxelBlock
 ) -> Iterator[tuple[int, Index, FloatArray]]:
-    """Iterate over the materials of voxels: number, cells in the box, and their shares."""
+    """Iterate over the materials of voxels.
+
+    Each item is the number of the material, the indices of its cells in the box, and the fraction
+    of each of these cells that the material fills.
+    """
     for number, ends, share in measured.shares_on(_edges(grid)):
         inside = (np.arange(*pair) - first for pair, first in zip(ends, box.first, strict=True))
         yield number, np.ix_(*inside), share
@@ -215,9 +230,11 @@ def voxels_on(
 def blocks_on(
     grid: VolumeGrid, box: Box, inclusions: Sequence[Inclusion]
 ) -> Iterator[tuple[int, Index, FloatArray]]:
-    """Iterate over inclusions: number, cells in the box, and their shares.
+    """Iterate over inclusions.
 
-    Raises ValueError if a later inclusion covers an earlier one.
+    Each item is the number of the inclusion, the indices of its cells in the box, and the fraction
+    of each of these cells that the inclusion fills. Raises ValueError if a later inclusion covers
+    an earlier one.
     """
     axes = _axes(grid)
     middles = ((grid.nx - 1) / 2, (grid.ny - 1) / 2, -0.5)  # mirrored cells: opposite numbers

@@ -13,7 +13,7 @@ from .._util.errors import ResolutionWarning
 from .inclusion import Inclusion
 
 MIN_CELLS = 2.0
-"""Minimum number of cells per radius: thinner inclusions lose their shape."""
+"""Minimum number of cells per radius; with fewer cells an inclusion loses its shape."""
 ADVISED_CELLS = 4.0
 """Number of cells per radius from which pressures and displacements are accurate."""
 
@@ -41,7 +41,7 @@ def cells_per_radius(grid: CellSizes, inclusions: Sequence[Inclusion]) -> float:
 
 
 def check_resolution(grid: CellSizes, inclusions: Sequence[Inclusion]) -> None:
-    """Refuse inclusions below 2 cells per radius, and warn of those below 4."""
+    """Raise ValueError below 2 cells per radius of an inclusion, and warn below 4 cells."""
     edge = largest_edge(grid)
     coarse = [n for n, one in enumerate(inclusions) if min(one.radii) < ADVISED_CELLS * edge]
     if not coarse:

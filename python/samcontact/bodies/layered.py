@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All kinds of bodies, and what they have in common."""
+"""Type of all bodies, and functions that apply to each kind of body."""
 
 from __future__ import annotations
 
@@ -26,9 +26,10 @@ def matrix_of(body: Body) -> Material | Layered:
 
 
 def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
-    """Raise TypeError for an object that is no body.
+    """Raise TypeError for an object that is not a body.
 
-    inclusions: whether heterogeneous bodies are supported; otherwise they raise ValueError.
+    inclusions: whether heterogeneous bodies are supported. If not, a heterogeneous body raises
+    ValueError.
     """
     for n, body in enumerate(bodies, 1):
         if not isinstance(body, Body):
@@ -46,8 +47,8 @@ def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
 def require_homogeneous(reason: str, *bodies: Any) -> None:
     """Raise an error unless each body is a Material without free faces.
 
-    Raises ValueError with the reason for layers and inclusions, ValueError for free faces, and
-    TypeError for anything else.
+    Layers and inclusions raise ValueError with the given reason, free faces raise ValueError, and
+    any other object raises TypeError.
     """
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Heterogeneous):
@@ -67,7 +68,10 @@ def top_thickness(body: Body) -> float:
 
 
 def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
-    """Return a homogeneous body as compliant as `body` for a pressure wave (wavenumber in 1/m)."""
+    """Return the homogeneous body that is as compliant as `body` under a sinusoidal pressure.
+
+    wavenumber: wavenumber 2 pi/wavelength of the pressure [1/m].
+    """
     body = matrix_of(body)
     if isinstance(body, Material):
         return body
@@ -77,7 +81,7 @@ def homogeneous_for_wave(body: Body, wavenumber: float) -> Material:
 
 
 def elastic(body: Body) -> Body:
-    """Return an elastic body with the elastic constants of `body`."""
+    """Return an elastic body with the elastic constants of `body`, without its inclusions."""
     body = matrix_of(body)
     *layers, substrate = (
         material if material.is_rigid else Material.elastic(material.E, material.nu)
@@ -90,13 +94,16 @@ def elastic(body: Body) -> Body:
 
 
 def materials_of(body: Body) -> list[Material]:
-    """All materials of a body, from the surface down; those of the matrix with inclusions."""
+    """All materials of a body (without inclusions), from the surface down."""
     body = matrix_of(body)
     return [body] if isinstance(body, Material) else list(body.materials)
 
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
-    """Return thermal constants of all materials from the surface down; None if any has none."""
+    """Return the thermal constants of all materials of a body from the surface down.
+
+    Returns None if a material has no thermal constants. Inclusions are ignored.
+    """
     if isinstance(body, Heterogeneous):
         body = body.matrix
     if isinstance(body, Material):
@@ -118,7 +125,10 @@ def without_softening(body: Body) -> Body:
 
 
 def names_of_materials(layers: int) -> list[str]:
-    """Names, in results files, of the materials of a body with this number of layers."""
+    """Names of the materials of a body in results files.
+
+    layers: number of layers of the body.
+    """
     return [*(f"layer{n}" for n in range(1, layers + 1)), "substrate"]
 
 
@@ -138,9 +148,10 @@ def interfaces_of(body: Body) -> FloatArray:
 
 
 def interfaces_on_cells(body: Body) -> FloatArray:
-    """Depths of the interfaces that must be boundaries of cells [m], shape (n,).
+    """Depths of the interfaces that must coincide with cell boundaries [m], shape (n,).
 
-    They are those of a layered body that can yield or has inclusions.
+    In a layered body that can yield or has inclusions, these are all interfaces. Otherwise there
+    are none.
     """
     strained = body.is_plastic or isinstance(body, Heterogeneous)
     return interfaces_of(body) if strained else np.empty(0)

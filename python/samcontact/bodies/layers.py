@@ -32,7 +32,7 @@ def _require_endless(name: str, material: Material) -> None:
 
 
 def _require_no_inclusions(name: str, material: Any) -> None:
-    """Raise ValueError for a heterogeneous body in place of a material."""
+    """Raise ValueError if a heterogeneous body is given in place of a material."""
     if hasattr(material, "inclusions"):
         raise ValueError(
             f"{name} must be a Material, got {in_short(material)}: give the inclusions of a "
@@ -69,7 +69,7 @@ class Layered(HtmlTable):
     Parameters
     ----------
     layers : sequence of pairs
-        Material and thickness [m] of each layer, from the surface down; any number.
+        Pairs (material, thickness [m]) of any number of layers, from the surface down.
     substrate : Material
         Half-space below the layers. `Material.rigid()` is allowed; the stress in a rigid substrate
         is unknown and stored as 0.
@@ -85,9 +85,9 @@ class Layered(HtmlTable):
     -----
     Each Fourier mode of the tractions is transmitted and reflected at the interfaces. The modes are
     computed by an impedance recursion, which is stable for thick and thin layers
-    (docs/theory/layers.md). In-plane stresses jump
-    at interfaces. A depth z exactly at an interface belongs to the material below it;
-    ``np.nextafter(z, 0.0)`` belongs to the layer above.
+    (docs/theory/layers.md). In-plane stresses are discontinuous at interfaces. A depth z exactly at
+    an interface belongs to the material below it; ``np.nextafter(z, 0.0)`` belongs to the layer
+    above.
 
     Each layer and the substrate has the hardening law, yield profile, residual stress and softening
     law of its material. The depths of these profiles are measured from the surface of the body. Use
@@ -133,7 +133,7 @@ class Layered(HtmlTable):
 
     @property
     def thermal(self) -> tuple[tuple[float, float, float], ...] | None:
-        """Thermal constants of all materials from the surface down; None unless each has them.
+        """Thermal constants of all materials from the surface down; None if a material has none.
 
         Each material has a tuple (conductivity, expansion, diffusivity), see
         `Material.with_thermal`.
@@ -186,7 +186,8 @@ class Layered(HtmlTable):
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
         """Initial stresses sxx, syy and sxy [Pa] at depths z [m], each with the shape of z.
 
-        0 without residual stress. Raises ValueError if z is negative or not finite.
+        The stresses are 0 without residual stress. Raises ValueError if z is negative or not
+        finite.
         """
         depths = checked_depths(z)
         return self._over_depth(depths, np.zeros((3, *depths.shape)), Material.residual_stress_at)
@@ -194,13 +195,16 @@ class Layered(HtmlTable):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """Fill `out` with `of(material, depths)`; its last axes are the axes of `depths` [m]."""
+        """Fill `out` with `of(material, depths)`, evaluated for the material at each depth [m].
+
+        The last axes of `out` are the axes of `depths`.
+        """
         for material, there in layers_at(self, depths):
             out[..., there] = of(material, depths[there])
         return out
 
     def wave_compliance(self, wavenumber: ArrayLike) -> FloatArray:
-        """Ratio of surface displacement u_z to pressure for a pressure wave cos(q x) [m/Pa].
+        """Ratio of surface displacement u_z to pressure for a sinusoidal pressure cos(q x) [m/Pa].
 
         Parameters
         ----------

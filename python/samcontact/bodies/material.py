@@ -33,7 +33,7 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
     law : str
         Name of the class method, e.g. "swift".
     parameters : mapping of str to float or tuple of floats
-        Arguments of the class method, SI units; read-only.
+        Arguments of the class method in SI units; read-only.
     kinematic : tuple of (float, float)
         Modulus [Pa] and recovery [-] of each backstress, see `with_kinematic_hardening`.
     thermal : tuple of float, or None
@@ -166,7 +166,7 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
         ------
         ValueError
             The first strain is not 0, strains do not increase, stresses decrease, a value is
-            outside its range, or the numbers of values differ.
+            outside its range, or the arguments differ in length.
         TypeError
             An argument is not a number.
         """
@@ -202,7 +202,7 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
         ------
         ValueError
             The body does not yield, there are more than 4 backstresses, modulus and recovery differ
-            in number, or a value is outside its range.
+            in length, or a value is outside its range.
         TypeError
             An argument is not a number.
         """
@@ -249,8 +249,8 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
         Parameters
         ----------
         law : callable
-            Function of the temperature rise [K] that returns the factor on the yield stress, in (0,
-            1]; argument and result are arrays of shape (nx, ny, nz). The law is called once per
+            Function of the temperature rise [K] that returns the factor on the yield stress, in
+            (0, 1]; argument and result are arrays of shape (nx, ny, nz). The law is called once per
             increment, with the temperature rise of the first contact solution.
             `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
             passed to `Simulation.load` again. A run with `checkpoint` resumes only with an

@@ -20,7 +20,7 @@ class LikeMatrix:
     matrix: Material | Layered
 
     def _only_material(self, name: str) -> Material:
-        """Material of the matrix; raises AttributeError for one that has layers."""
+        """Material of the matrix; raises AttributeError for a layered matrix."""
         if isinstance(self.matrix, Layered):
             raise AttributeError(
                 f"a layered matrix has no single {name}: use matrix.materials or "
@@ -50,7 +50,7 @@ class LikeMatrix:
 
     @property
     def softening(self) -> Any:
-        """Softening law of the matrix; of a layered matrix those of all materials."""
+        """Softening law of the matrix; for a layered matrix, the laws of all its materials."""
         return self.matrix.softening
 
     @property
@@ -64,7 +64,7 @@ class LikeMatrix:
 
     @property
     def is_rigid(self) -> bool:
-        """Always False."""
+        """Always False, because the matrix must not be rigid."""
         return False
 
     @property

@@ -3,8 +3,9 @@
 
 The number of inclusions has a Poisson distribution, whose mean follows from the volume fraction.
 The radii are lognormal. Inclusions are placed in order of decreasing radius, each at a random
-position that is free (random sequential addition). Clusters are those of Neyman and Scott: parents
-at random positions, and children at normally distributed distances from their parent.
+position that is free (random sequential addition). Clusters form a Neyman-Scott process: the
+cluster centres (parents) are at random positions, and the coordinates of the inclusions are
+normally distributed about the centre of their cluster.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ _TRIES = 2000  # for the place of one inclusion
 
 
 class RandomSpheres(NamedTuple):
-    """Description of a random microstructure, all arguments checked."""
+    """Checked arguments of a random microstructure, see `Heterogeneous.random`."""
 
     fraction: float
     median: float
@@ -63,7 +64,7 @@ class RandomSpheres(NamedTuple):
     def drawn(self, seed: int) -> FloatArray:
         """Draw centres and radii [m], shape (n, 4): x, y, z, r, the largest radius first.
 
-        Raises ValueError if no inclusion is drawn, or one finds no place.
+        Raises ValueError if no inclusion is drawn, or if no free position is found for one.
         """
         random = np.random.default_rng(seed)
         count = int(random.poisson(self.expected_number))
@@ -89,7 +90,7 @@ class RandomSpheres(NamedTuple):
         return found
 
     def _places(self, random: np.random.Generator, count: int) -> FloatArray | None:
-        """Parents of clusters, shape (n, 3); None without clusters."""
+        """Centres of the clusters [m], shape (n, 3); None without clusters."""
         if self.cluster is None:
             return None
         parents = max(int(random.poisson(count / self.cluster[0])), 1)
@@ -138,7 +139,7 @@ def _normal(x: float) -> float:
 
 
 def checked_box(name: str, box: ArrayLike) -> FloatArray:
-    """Check a box ((x0, x1), (y0, y1), (z0, z1)) [m]."""
+    """Return the checked limits ((x0, x1), (y0, y1), (z0, z1)) of a box [m] as an array."""
     ends = finite_array(name, box, (3, 2))
     if not (ends[:, 0] < ends[:, 1]).all():
         raise ValueError(f"{name} must have increasing ends along x, y and z, got {ends.tolist()}")

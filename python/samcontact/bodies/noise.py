@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Noise of measured curves: its size, and least-squares fits that do not decrease."""
+"""Noise of measured curves: its standard deviation, and non-decreasing least-squares fits."""
 
 from __future__ import annotations
 
@@ -13,9 +13,10 @@ _NORMAL_MEDIAN = 0.6745  # median magnitude of a normal distribution / standard 
 
 
 def noise_of(x: FloatArray, y: FloatArray) -> float:
-    """Standard deviation of the noise of y(x) about the lines through the neighbouring points.
+    """Standard deviation of the noise of a measured curve y(x).
 
-    The median is used, so that a few corners of the curve do not count as noise.
+    It follows from the distance of each point from the line through its two neighbours. The median
+    of these distances is used, so that a few corners of the curve do not count as noise.
     """
     if len(y) < 3:
         return 0.0
@@ -26,7 +27,7 @@ def noise_of(x: FloatArray, y: FloatArray) -> float:
 
 
 def non_decreasing(values: FloatArray) -> FloatArray:
-    """Least-squares fit that does not decrease (pooling of adjacent violators)."""
+    """Non-decreasing least-squares fit of values, by pooling of adjacent violators."""
     means: list[float] = []
     counts: list[int] = []
     for value in values.tolist():
@@ -41,7 +42,7 @@ def non_decreasing(values: FloatArray) -> FloatArray:
 
 
 def merged(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return each value of a non-decreasing x once, with the mean of its y."""
+    """Return the distinct values of a non-decreasing x, each with the mean of y at this x."""
     if not (np.diff(x) == 0).any():
         return x, y
     distinct, group = np.unique(x, return_inverse=True)

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Moduli and misfit of cells that inclusions fill partly.
+"""Moduli and misfit strain of cells that inclusions fill only partly.
 
 A softer inclusion is mixed with the matrix in parallel (Voigt), a stiffer one in series (Reuss);
-bulk and shear modulus are mixed separately. With the filled share f and the relative modulus a: A =
-f a + 1 - f (softer), 1/A = f/a + 1 - f (stiffer). The misfit is multiplied by f a/A (softer) or f
-(stiffer). If a cell contains several inclusions, both sums extend over them, and A is the product.
+bulk and shear modulus are mixed separately. Let f be the fraction of the cell that the inclusion
+fills, a its modulus and A the mixed modulus, both relative to the matrix: A = f a + 1 - f (softer),
+1/A = f/a + 1 - f (stiffer). The misfit is multiplied by f a/A (softer) or f (stiffer). If a cell
+contains several inclusions, the first equation sums over the softer ones, the second over the
+stiffer ones, and the mixed modulus is the product of both A.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from .._util.checks import FloatArray
 from .material import Material
 
 RIGID_RATIO = 1e3
-"""Moduli of a rigid inclusion, relative to the matrix: larger ones change nothing but the cost."""
+"""Moduli of a rigid inclusion relative to the matrix; larger ones only increase the cost."""
 Index = tuple[NDArray[np.intp], ...]
 """Indices of cells along x, y and z, as `numpy.ix_` returns them."""
 
@@ -33,13 +35,14 @@ class Phase(NamedTuple):
     misfit: tuple[float, ...]
     """Misfit strain, six components."""
     expansion: float = 0.0
-    """Thermal expansion minus that of the matrix [1/K]."""
+    """Thermal expansion coefficient minus that of the matrix [1/K]."""
 
 
 def relative_phase(matrix: Material, material: Material | None, misfit: tuple[float, ...]) -> Phase:
-    """Return a material relative to the matrix: 0 for a void (None).
+    """Return the properties of an inclusion relative to the matrix.
 
-    Without thermal constants of both, the material expands like the matrix.
+    The moduli of a void (material None) are 0. If the material or the matrix has no thermal
+    constants, both are taken to expand equally.
     """
     if material is None:
         return Phase(0.0, 0.0, misfit)
@@ -57,12 +60,15 @@ def relative_phase(matrix: Material, material: Material | None, misfit: tuple[fl
 
 
 def _components_at(where: Index) -> tuple[Any, ...]:
-    """Index of all components of a field in some cells."""
+    """Index that selects all components of a field in the given cells."""
     return (slice(None), *where)
 
 
 class Modulus:
-    """Relative modulus of the cells of a box, and the part of the misfit that belongs to it."""
+    """Relative bulk or shear modulus of the cells of a box, with a part of their misfit.
+
+    The volumetric misfit belongs to the bulk modulus, the deviatoric misfit to the shear modulus.
+    """
 
     def __init__(self, shape: tuple[int, int, int], components: int) -> None:
         self.softer, self.stiffer = np.zeros(shape), np.zeros(shape)
@@ -70,14 +76,17 @@ class Modulus:
         self.stiff_misfit = np.zeros((components, *shape))
 
     def shrink(self, where: Index, factor: FloatArray) -> None:
-        """Multiply the shares of all inclusions so far by a factor in some cells."""
+        """Multiply the filled fractions of all inclusions so far by a factor in given cells."""
         self.softer[where] *= factor
         self.stiffer[where] *= factor
         self.soft_misfit[_components_at(where)] *= factor
         self.stiff_misfit[_components_at(where)] *= factor
 
     def add(self, where: Index, share: FloatArray, ratio: float, misfit: FloatArray) -> None:
-        """Add the share of an inclusion of this relative modulus and misfit (components,)."""
+        """Add an inclusion that fills fractions `share` of the cells `where`.
+
+        ratio: modulus relative to the matrix; misfit: shape (components,).
+        """
         weighted = np.multiply.outer(misfit, share) if misfit.any() else None
         if ratio < 1.0:
             self.softer[where] += share * (ratio - 1.0)
@@ -93,14 +102,14 @@ class Modulus:
         return np.asarray(np.maximum(1.0 + self.softer, 0.0) / (1.0 + self.stiffer))
 
     def mixed_misfit(self) -> FloatArray:
-        """Return the weighted misfit of all cells, shape (components, ...)."""
+        """Return the misfit of all cells, weighted by the mixing rule, shape (components, ...)."""
         whole = np.maximum(1.0 + self.softer, np.finfo(float).tiny)
         soft = np.where(self.soft_misfit == 0.0, 0.0, self.soft_misfit / whole)
         return np.asarray(soft + self.stiff_misfit)
 
 
 class Mixture:
-    """Shares, moduli and misfit of the cells of a box, to which inclusions are added in order."""
+    """Filled fractions, moduli and misfit of the cells of a box; inclusions are added in order."""
 
     def __init__(self, shape: tuple[int, int, int], *, expands: bool) -> None:
         self.share, self.largest = np.zeros(shape), np.zeros(shape)
@@ -109,7 +118,7 @@ class Mixture:
         self.has_misfit = False
 
     def add(self, number: int, where: Index, share: FloatArray, phase: Phase) -> None:
-        """Add an inclusion; where it overlaps earlier ones, it replaces them."""
+        """Add an inclusion, which replaces earlier inclusions where it overlaps them."""
         before = self.share[where]
         room = 1.0 - share
         if (before > room).any():
@@ -131,7 +140,7 @@ class Mixture:
         self.shear.add(where, share, phase.shear, deviator)
 
     def misfit(self) -> FloatArray:
-        """Weighted misfit strain, shape (6, ...)."""
+        """Misfit strain of the cells, weighted by the mixing rule, shape (6, ...)."""
         if not self.has_misfit:
             return np.zeros((6, *self.share.shape))
         total = self.shear.mixed_misfit()
@@ -139,6 +148,6 @@ class Mixture:
         return total
 
     def expansion(self) -> FloatArray:
-        """Weighted misfit strain per temperature rise [1/K]."""
+        """Misfit strain of the cells per temperature rise [1/K], weighted by the mixing rule."""
         isotropic = self.bulk.mixed_misfit()
         return isotropic[1] if len(isotropic) > 1 else np.zeros(self.share.shape)

@@ -22,27 +22,27 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 RelaxationTerms = tuple[tuple[float, ...], tuple[float, ...]]
-"""Relaxation times [s], increasing, and the share of the instantaneous modulus of each [-]."""
+"""Increasing relaxation times [s], and the share of the instantaneous modulus for each time [-]."""
 
 MAX_TERMS = 64
 _ROUNDING = 1e-12
-"""A long-time share below this value is rounding error of the sum of the shares."""
+"""A long-time share below this value is a rounding error of the sum of the shares."""
 _MAX_TIME = 1e15
 """Longest relaxation time [s]."""
 _NEGLIGIBLE = 1e-9
-"""Fitted share that counts as rounding error."""
+"""A fitted share below this value counts as a rounding error."""
 _POOR_FIT = 0.05
-"""Largest relative difference of a fitted complex modulus without a warning."""
+"""Largest relative error of a fitted complex modulus that does not cause a warning."""
 
 
 def long_time_share(terms: RelaxationTerms) -> float:
-    """Return the share of the modulus that does not relax; 0 for a fluid."""
+    """Return the share of the instantaneous modulus that does not relax; 0 for a fluid."""
     rest = 1.0 - math.fsum(terms[1])
     return rest if rest > _ROUNDING else 0.0
 
 
 def checked_relaxation(given: Any) -> RelaxationTerms:
-    """Check times and shares, and return them in the order of increasing times."""
+    """Check relaxation times and shares, and return them in the order of increasing times."""
     if not isinstance(given, (list, tuple)) or len(given) != 2:
         raise ValueError(f"relaxation_terms must contain times and shares, got {in_short(given)}")
     times, shares = (
@@ -81,7 +81,7 @@ def _relaxation(terms: RelaxationTerms, t: FloatArray) -> FloatArray:
 
 
 def complex_ratio(terms: RelaxationTerms, omega: FloatArray) -> Any:
-    """Return the ratio of complex to instantaneous modulus at angular frequencies [rad/s]."""
+    """Return complex modulus/instantaneous modulus [-] at angular frequencies omega [rad/s]."""
     x = omega[..., None] * np.asarray(terms[0])
     with np.errstate(divide="ignore", over="ignore"):
         loss, stored = 1.0 / (x + 1.0 / x), 1.0 / (1.0 + 1.0 / x**2)
@@ -92,13 +92,14 @@ def complex_ratio(terms: RelaxationTerms, omega: FloatArray) -> Any:
 def creep_terms(terms: RelaxationTerms) -> tuple[FloatArray, FloatArray, float]:
     """Return the terms of the creep function J(t) = 1 + sum J_j (1 - exp(-t/theta_j)) + rate t.
 
-    The retardation times theta interlace with the relaxation times: each is the root of r_inf =
-    sum r_i tau_i/(theta - tau_i) above one of them, found by bisection in log(theta/tau).
+    There is one retardation time theta between neighbouring relaxation times tau_i and, in a solid,
+    one above the longest. Each is a root of r_inf = sum r_i tau_i/(theta - tau_i), with the shares
+    r_i and the long-time share r_inf. It is found by bisection in log(theta/tau_i).
 
     Returns
     -------
     shares, times : ndarray, shape (n,)
-        J_j [-] and theta_j [s]; n is the number of relaxation times, less one for a fluid.
+        J_j [-] and theta_j [s]; n is the number of relaxation times, or one less for a fluid.
     rate : float
         Rate of flow of a fluid [1/s]; 0 for a solid.
     """
@@ -138,19 +139,21 @@ class HasRelaxation:
     def with_relaxation(self, times: ArrayLike, shares: ArrayLike) -> Self:
         """Return a copy that is linearly viscoelastic, by a generalised Maxwell model.
 
-        The modulus after a step of strain is E(t) = E (1 - sum of shares + sum of shares
-        exp(-t/times)): E of this material is the instantaneous modulus, under fast loads. Poisson's
-        ratio is constant. In rubber and other polymers the bulk modulus is constant instead: use
-        the long-time Poisson's ratio. The error is about 1e-3 if the bulk modulus is 1000 times the
-        instantaneous shear modulus, and 9 % (at short times) if it is 10 times this modulus.
+        After a step of strain, the modulus is
+        E(t) = E (1 - sum(shares) + sum(shares exp(-t/times))). Young's modulus E of the material is
+        therefore the instantaneous modulus, which applies under fast loads. Poisson's ratio is
+        constant. In rubber and other polymers the bulk modulus is constant instead: use the
+        long-time Poisson's ratio. The error is then about 1e-3 if the bulk modulus is 1000 times
+        the instantaneous shear modulus. If the bulk modulus is only 10 times the shear modulus, the
+        error is 9 % at short times.
 
         Parameters
         ----------
         times : array_like, shape (n,)
             Relaxation times [s], > 0, all different, at most 64.
         shares : array_like, shape (n,)
-            Share of E that relaxes with each time [-], > 0; their sum is at most 1. A sum of 1 is
-            a fluid, which flows under a constant load without limit.
+            Share of E that relaxes with each time [-], > 0; their sum is at most 1. With a sum of 1
+            the material is a fluid, which flows without limit under a constant load.
 
         Returns
         -------
@@ -161,7 +164,7 @@ class HasRelaxation:
         Raises
         ------
         ValueError
-            The material is rigid or plastic, the numbers of times and shares differ, or a value is
+            The material is rigid or plastic, times and shares differ in length, or a value is
             outside its range.
         TypeError
             A value is not a number.
@@ -183,15 +186,16 @@ class HasRelaxation:
 
         The relaxation times form a geometric sequence, from 1/omega of the fastest oscillation to
         1/omega of the slowest. The modulus of each relaxation time is found by non-negative least
-        squares of the differences, relative to the magnitude of the measured modulus. Times without
-        a share are omitted.
+        squares. The differences are relative to the magnitude of the measured complex modulus.
+        Relaxation times with zero modulus are omitted.
 
         Parameters
         ----------
         omega : array_like, shape (n,)
             Angular frequencies [rad/s], > 0: 2 pi times the frequencies in Hz.
         storage, loss : array_like, shape (n,)
-            Storage and loss modulus of Young's modulus [Pa] (for shear moduli: times 2 (1 + nu)).
+            Storage and loss part of Young's modulus [Pa]. Multiply moduli measured in shear by
+            2 (1 + nu).
         terms : int
             Number of relaxation times, 1 to 64; about one per decade is usual.
         nu : float, optional
@@ -205,7 +209,8 @@ class HasRelaxation:
         Raises
         ------
         ValueError
-            The arrays differ in shape, a value is outside its range, or nothing relaxes.
+            The arrays differ in shape, a value is outside its range, or the fitted material does
+            not relax.
         TypeError
             An argument is not a number.
 

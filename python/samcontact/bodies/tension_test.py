@@ -20,7 +20,7 @@ _ELASTIC_PART = (0.1, 0.5)
 _MAX_ELASTIC_STRAIN = 0.1
 """Maximum stress / E; a larger ratio means that the strain is in percent."""
 _MIN_STRESS = 1e5
-"""Minimum of the largest stress [Pa]; a smaller stress is probably in MPa or GPa."""
+"""Minimum of the largest stress [Pa]; below it, the stress is probably in MPa or GPa."""
 
 
 class FromTest:
@@ -47,14 +47,14 @@ class FromTest:
             Stress [Pa] at each strain; negative in compression.
         engineering : bool, optional
             Whether the strain is the elongation over the initial length, and the stress the force
-            over the initial area. If False, both are true (logarithmic strain, force over the
-            current area). Default: True.
+            over the initial area. If False, strain and stress are true values (logarithmic strain,
+            force over the current area). Default: True.
         E : float, optional
             Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
-            stress, by least squares. The strain at which this line meets zero stress is
-            subtracted. In a test without an extensometer, the strain includes the deformation of
-            the machine, so this slope is too small. Give E in this case; the plastic strain is
-            still measured from the fitted line.
+            stress, by least squares. The strain at which this line meets zero stress is subtracted
+            from all strains. In a test without an extensometer, the strain includes the deformation
+            of the machine, so this slope is too small. Give E in this case; the deviation of the
+            curve from the fitted line is still taken as the plastic strain.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional
@@ -161,7 +161,8 @@ def _elastic_line(
 ) -> tuple[float, float]:
     """Return the slope [Pa] of the elastic line and the strain at which it meets zero stress.
 
-    modulus: slope of a line through the origin if the curve has too few elastic points.
+    modulus: slope [Pa] of a line through the origin, which is returned if the curve has too few
+    points in the elastic range. With None, such a curve raises ValueError.
     """
     size, along = np.abs(s), np.sign(e[-1] - e[0])
     limit, found = 0.5 * float(size.max()), (0.0, 0.0)
@@ -218,7 +219,10 @@ def _require_no_percent(e: FloatArray, s: FloatArray, modulus: float, given: boo
 def _hardening(
     e: FloatArray, s: FloatArray, modulus: float, offset: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return plastic strains from 0, and true stresses [Pa]; constant up to the offset."""
+    """Return plastic strains, the first of them 0, and the true stress [Pa] at each strain.
+
+    The stress is constant up to the plastic strain `offset`.
+    """
     noise = noise_of(e, s)
     raw = e - s / modulus
     if not (raw > offset).any():
@@ -250,7 +254,10 @@ def _hardening(
 def _require_noise(
     name: str, changes: FloatArray, noise: float, plastic: FloatArray, stress: FloatArray
 ) -> None:
-    """Raise ValueError, with the place, if a fit changes a curve by more than its noise."""
+    """Raise ValueError if a fit changes a curve by more than its noise.
+
+    The message states the point of the curve with the largest change.
+    """
     worst = int(np.abs(changes).argmax())
     if abs(changes[worst]) > MAX_DEVIATIONS * noise:
         raise ValueError(

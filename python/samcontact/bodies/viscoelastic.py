@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Relaxation of a body: of its material, or of all its layers."""
+"""Viscoelastic relaxation of homogeneous and layered bodies."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def relaxation_of(body: Body) -> RelaxationTerms | None:
 
 
 def relaxes(*bodies: Body) -> bool:
-    """Whether a body is viscoelastic."""
+    """Whether at least one of the bodies is viscoelastic."""
     return any(relaxation_of(body) is not None for body in bodies)
 
 
@@ -32,14 +32,14 @@ def longest_creep_time(body: Body) -> float:
 
 
 def instantaneous(body: Body) -> Body:
-    """Return an elastic body with the instantaneous moduli of a body."""
+    """Return an elastic body with the instantaneous moduli of a viscoelastic body."""
     return _changed(body, lambda material: replace(material, relaxation_terms=None))
 
 
 def relaxed(body: Body) -> Body:
-    """Return an elastic body with the long-time moduli of a body.
+    """Return an elastic body with the long-time moduli of a viscoelastic body.
 
-    Raises ValueError for a fluid: its long-time modulus is 0.
+    Raises ValueError for a fluid, because its long-time modulus is 0.
     """
 
     def slow(material: Material) -> Material:
@@ -55,7 +55,10 @@ def relaxed(body: Body) -> Body:
 
 
 def vibrating(body: Body, omega: float) -> Body:
-    """Return the elastic body with the absolute values of the moduli at a frequency [rad/s]."""
+    """Return an elastic body with the magnitudes of the complex moduli of a viscoelastic body.
+
+    omega: angular frequency of the oscillation [rad/s].
+    """
     return _changed(
         body,
         lambda material: Material.elastic(
@@ -65,12 +68,15 @@ def vibrating(body: Body, omega: float) -> Body:
 
 
 def softened(body: Body, share: float) -> Body:
-    """Return an elastic body whose moduli are a fraction `share` of the instantaneous ones."""
+    """Return an elastic body whose moduli are a fraction `share` of the instantaneous moduli."""
     return _changed(body, lambda material: Material.elastic(share * material.E, material.nu))
 
 
 def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
-    """Return a viscoelastic body with other materials, except for a rigid base."""
+    """Apply a change to all materials of a viscoelastic body except a rigid base.
+
+    An elastic body is returned unchanged.
+    """
     if relaxation_of(body) is None:
         return body
     *layers, base = (m if m.is_rigid else change(m) for m in materials_of(body))
@@ -80,7 +86,7 @@ def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
 
 
 def require_no_relaxation(reason: str, *bodies: Any) -> None:
-    """Raise ValueError, with the reason, for viscoelastic bodies."""
+    """Raise ValueError, with the given reason, if a body is viscoelastic."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Body) and (terms := relaxation_of(body)) is not None:
             times = f"{len(terms[0])} relaxation time{'s' * (len(terms[0]) > 1)}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measured microstructures: labels or shares of materials in voxels, e.g. from tomography."""
+"""Measured microstructures: material labels or filled fractions of voxels, e.g. from tomography."""
 
 from __future__ import annotations
 
@@ -21,18 +21,19 @@ Ends = list[tuple[int, int]]
 
 
 class VoxelBlock:
-    """Block of voxels in a body, each of which has a label or a share of a material.
+    """Block of voxels in a body; each voxel has a material label or a filled fraction.
 
     Attributes
     ----------
     materials : tuple of Material or None
         Materials of the labels 1, 2, ...; None for a void.
     labels : ndarray, shape (n, m, l)
-        Label of each voxel, 0 in the matrix; or share of the only material.
+        Label of each voxel, 0 in the matrix; or, with a single material, the fraction of each voxel
+        that this material fills.
     size : tuple of float
         Edge lengths of a voxel [m].
     origin : tuple of float
-        Coordinates of the outer corner of the first voxel [m].
+        Coordinates of the corner of the block at which x, y and z are smallest [m].
     """
 
     materials: tuple[Material | None, ...]
@@ -62,7 +63,7 @@ class VoxelBlock:
         self._require_material_at_surface()
 
     def _require_material_at_surface(self) -> None:
-        """Raise ValueError for voids at the surface, and for blocks above it."""
+        """Raise ValueError if voids are at the surface, or the whole block is above the surface."""
         layers = self.labels.shape[2]
         bottom = self.origin[2] + self.size[2] * (1 + np.arange(layers))
         if bottom[-1] <= 0.0:
@@ -82,7 +83,7 @@ class VoxelBlock:
 
     @property
     def depths(self) -> tuple[float, float]:
-        """Depths of the top and the bottom of the block [m]; the part above the surface is cut."""
+        """Depths of the top and the bottom of the block [m], without any part above the surface."""
         top = self.origin[2]
         return max(top, 0.0), top + self.size[2] * self.labels.shape[2]
 
@@ -92,15 +93,15 @@ class VoxelBlock:
         return 0.5 * sum(self.depths)
 
     def _share(self, index: int) -> FloatArray:
-        """Share of a material in each voxel."""
+        """Fraction of each voxel that the material with this index fills."""
         if self.labels.dtype.kind == "f":
             return self.labels
         return np.asarray(self.labels == index + 1, dtype=np.float64)
 
     def ends(self, axes: Sequence[tuple[float, float]]) -> Ends:
-        """First cell of the block and the cell after its last one, along x, y and z.
+        """Index of the first cell of the block, and one past its last cell, along x, y and z.
 
-        axes: lower edge of the grid, and length of a cell [m].
+        axes: lower edge of the grid and length of a cell along each axis [m].
         """
         found = []
         for (low, step), origin, size, count in zip(
@@ -114,9 +115,11 @@ class VoxelBlock:
     def shares_on(
         self, axes: Sequence[tuple[float, float]]
     ) -> Iterator[tuple[int, Ends, FloatArray]]:
-        """Iterate over materials: number, range of cells along each axis, and share of each cell.
+        """Iterate over the materials that occur in the block.
 
-        The shares are exact: cells and voxels overlap in boxes.
+        Each item is the number of the material, the range of cells along each axis, and the
+        fraction of each of these cells that the material fills. The fractions are exact, because
+        cells and voxels overlap in boxes.
         """
         ends = self.ends(axes)
         weights = [
@@ -159,7 +162,7 @@ class VoxelBlock:
 
 
 def _checked_labels(labels: ArrayLike, count: int) -> NDArray[Any]:
-    """Check labels of voxels, or shares, and return a read-only copy."""
+    """Check the labels or filled fractions of voxels, and return a read-only copy."""
     if not isinstance(labels, np.ndarray):
         real_array("labels", labels)
     given = np.asarray(labels)

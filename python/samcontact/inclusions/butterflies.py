@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Butterfly maps: directions around inclusions in which a criterion is largest."""
+"""Butterfly maps: directions around inclusions in which a fatigue criterion is largest."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ class ButterflyMap(ShortRepr, HtmlTable):
     count : ndarray of int, shape (sectors,)
         Number of inclusions that have their largest value in the sector.
     relative : ndarray, shape (sectors,)
-        Largest value of the sector, relative to the largest value around the inclusion: mean over
-        all inclusions; 0 in a sector without cells.
+        Largest value of the criterion in the sector, divided by the largest value around the
+        inclusion; mean over all inclusions. A sector without cells counts as 0.
     numbers : tuple of int
-        Numbers of the inclusions.
+        Indices of the inclusions that the map includes.
     """
 
     angle: FloatArray
@@ -42,7 +42,10 @@ class ButterflyMap(ShortRepr, HtmlTable):
 
     @property
     def wings(self) -> FloatArray:
-        """Angles of sectors that exceed both neighbours and 90 % of the maximum [rad]."""
+        """Angles of the wings [rad].
+
+        A wing is a sector that exceeds both neighbours and 90 % of the maximum.
+        """
         r = self.relative
         above = (r >= np.roll(r, 1)) & (r >= np.roll(r, -1)) & (r > 0.9 * r.max())
         return np.asarray(self.angle[above])
@@ -55,18 +58,18 @@ class ButterflyMap(ShortRepr, HtmlTable):
 def butterflies(
     field: FatigueField, body: Heterogeneous, within: float = 1.5, sectors: int = 36
 ) -> ButterflyMap:
-    """Directions around inclusions in which a criterion is largest.
+    """Return a map of the directions around inclusions in which a fatigue criterion is largest.
 
     Butterflies are wings of altered steel at non-metallic inclusions below a raceway. The map uses
-    the cells of the matrix in a section through each inclusion along x and z, half a radius thick
-    on each side.
+    the cells of the matrix in a section parallel to x and z through each inclusion. The section
+    extends half a radius to each side.
 
     Parameters
     ----------
     field : FatigueField
         Criterion over a rolling pass along x, e.g. from `samcontact.fatigue.dang_van`.
     body : Heterogeneous
-        Body of the field.
+        Body for which the field was computed.
     within : float, optional
         Distance from the centre of an inclusion up to which cells count, in radii. Default: 1.5.
     sectors : int, optional
@@ -79,8 +82,8 @@ def butterflies(
     Raises
     ------
     ValueError
-        The field has other axes, no inclusion is inside the field, or an argument is outside its
-        range.
+        The field has axes other than x, y and z, no inclusion is inside the field, or an argument
+        is outside its range.
     TypeError
         An argument has the wrong type.
     """
@@ -113,7 +116,7 @@ def _of_one(
     where: BoolArray,
     sectors: int,
 ) -> FloatArray:
-    """Largest value of each sector around one inclusion."""
+    """Largest value of the criterion in each sector around one inclusion."""
     inclusion = body.inclusions[number]
     i, j, k = np.nonzero(where)
     dx, dy, dz = (

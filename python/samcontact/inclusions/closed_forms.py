@@ -21,19 +21,20 @@ MAX_DIRECTIONS = 20_000  # at which the largest stress of the interface is sough
 
 
 def thermal_misfit(inclusion: Material, matrix: Material, temperature_change: float) -> float:
-    """Misfit strain of an inclusion due to a uniform change of temperature [-].
+    """Misfit strain of an inclusion due to a uniform temperature change [-].
 
     Parameters
     ----------
     inclusion, matrix : Material
         Materials with thermal constants, see `Material.with_thermal`.
     temperature_change : float
-        Present temperature minus the temperature without stress [K].
+        Present temperature minus the stress-free temperature [K].
 
     Returns
     -------
     float
-        Difference of the expansion coefficients times the change of temperature.
+        Expansion coefficient of the inclusion minus that of the matrix, times the temperature
+        change.
 
     Raises
     ------
@@ -65,7 +66,8 @@ class EshelbySphere(HtmlTable):
     remote_stress : ndarray, shape (6,)
         Stress far from the sphere [Pa].
     eigenstrain : ndarray, shape (6,)
-        Uniform eigenstrain [-] that has the effect of the sphere if the body is homogeneous.
+        Equivalent uniform eigenstrain [-], which has the same effect as the sphere if the body is
+        homogeneous.
     radius : float
         Radius [m].
     """
@@ -77,7 +79,7 @@ class EshelbySphere(HtmlTable):
 
     @cached_property
     def interior_stress(self) -> FloatArray:
-        """Uniform stress of the sphere [Pa], shape (6,)."""
+        """Uniform stress in the sphere [Pa], shape (6,)."""
         bulk, shear = eshelby_factors(self.matrix.nu)
         e = self.eigenstrain
         strain = (bulk - 1) * mean(e) + (shear - 1) * deviator(e)
@@ -86,7 +88,7 @@ class EshelbySphere(HtmlTable):
     def stress(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
         """Stress at points [Pa], shape (6, ...); coordinates from the centre of the sphere [m].
 
-        The stress at the radius itself is that of the matrix. Ju and Sun (1999),
+        At points on the interface, the stress is that of the matrix. Ju and Sun (1999),
         doi:10.1115/1.2791090.
         """
         points = np.stack(together(x=x, y=y, z=z))
@@ -108,7 +110,10 @@ class EshelbySphere(HtmlTable):
 
     @property
     def concentration(self) -> float:
-        """Maximum von Mises stress of the matrix over the remote one; inf if that is 0."""
+        """Maximum von Mises stress of the matrix, relative to that far from the sphere [-].
+
+        Infinite if the von Mises stress far from the sphere is 0.
+        """
         remote = float(von_mises(self.remote_stress))
         return self.max_von_mises / remote if remote > 0.0 else float("inf")
 
@@ -124,7 +129,7 @@ class EshelbySphere(HtmlTable):
 
 
 def eshelby_factors(nu: float) -> tuple[float, float]:
-    """Factors of mean and deviator in Eshelby's tensor of a sphere, for Poisson's ratio nu."""
+    """Factors of Eshelby's tensor of a sphere for the mean and the deviator of an eigenstrain."""
     return (1 + nu) / (3 * (1 - nu)), 2 * (4 - 5 * nu) / (15 * (1 - nu))
 
 
@@ -180,7 +185,11 @@ def eshelby_sphere(
 
 
 def _equivalent(strain: FloatArray, misfit: FloatArray, ratio: float, factor: float) -> FloatArray:
-    """Equivalent eigenstrain of mean or deviator: ratio (e + S x - misfit) = e + S x - x."""
+    """Mean or deviator x of the equivalent eigenstrain.
+
+    It solves ratio (e + S x - misfit) = e + S x - x with the remote strain e, the modulus ratio of
+    inclusion and matrix, and the factor S of Eshelby's tensor.
+    """
     return (strain * (1 - ratio) + misfit * ratio) / (1 + factor * (ratio - 1))
 
 
@@ -268,7 +277,7 @@ class MisfitSphere:
     def surface_displacement(self, distance: ArrayLike) -> FloatArray:
         """Normal displacement of the surface [m], positive into the body.
 
-        distance: from the point of the surface above the centre [m].
+        distance: distance along the surface from the point above the centre of the sphere [m].
         """
         r = finite_array("distance", distance)
         strength = 4 * (1 - self.nu) * self._strength
@@ -292,7 +301,10 @@ class MisfitSphere:
 
 
 def _derivatives(points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Second derivatives of 1/R, shape (3, 3, ...), and their derivatives along z."""
+    """Second derivatives of 1/R, shape (3, 3, ...), and their derivatives along z.
+
+    R is the distance of the points from the origin.
+    """
     distance = np.linalg.norm(points, axis=0)
     n = points / distance
     unit = _unit(distance.ndim)

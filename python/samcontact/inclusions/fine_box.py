@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress around small inclusions on fine cells, and criteria over a cycle of it."""
+"""Stress around small inclusions on fine cells, and fatigue criteria over a cycle of it."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ class FineBox(ShortRepr, HtmlTable):
     Attributes
     ----------
     body : Heterogeneous
-        Matrix and inclusions of the box, at the position of the state in the frame of its grid.
+        Matrix and inclusions of the box, at their positions in the state, in the frame of its grid.
     numbers : tuple of int
-        Numbers of these inclusions in the given list.
+        Indices of these inclusions in the list given to `fine_boxes`.
     x, y, z : ndarray
         Cell centres [m] in the frame of the grid.
     share : ndarray, shape (nx, ny, nz)
-        Share of each cell that the inclusions fill, 0 to 1.
+        Fraction of each cell that the inclusions fill, 0 to 1.
     phase : ndarray of int, shape (nx, ny, nz)
         Index in `numbers` of the inclusion that fills most of a cell; -1 in the matrix.
     given_stress : ndarray, shape (6, nx, ny, nz)
@@ -44,15 +44,15 @@ class FineBox(ShortRepr, HtmlTable):
     stress : ndarray, shape (6, nx, ny, nz)
         Stress with the inclusions [Pa].
     eigenstrain : ndarray, shape (6, nx, ny, nz)
-        Strain that the homogeneous matrix needs to have this stress [-].
+        Equivalent eigenstrain [-], which causes the same stress in a homogeneous matrix.
     interpolation_error : float
         Largest difference between cubic and linear interpolation of the given stress, relative to
-        its largest component: an upper bound of the error of the interpolation.
+        the largest component of this stress. It is an upper bound of the interpolation error.
     pressure_change : float
         Estimate of the largest change of the contact pressure due to the inclusions [Pa], which is
         neglected.
     evaluations : int
-        Number of evaluations of the stress in the solution.
+        Number of stress evaluations in the iterative solution.
     """
 
     body: Heterogeneous
@@ -81,7 +81,7 @@ class FineBox(ShortRepr, HtmlTable):
 
     @property
     def is_matrix(self) -> BoolArray:
-        """Cells that contain the matrix only, shape (nx, ny, nz)."""
+        """Mask of the cells that contain the matrix only, shape (nx, ny, nz)."""
         return np.asarray(self.share == 0.0)
 
     @property
@@ -109,11 +109,12 @@ class FineBox(ShortRepr, HtmlTable):
         return found
 
     def eigenstrain_on(self, grid: Grid) -> FloatArray:
-        """Eigenstrain as means over the cells of a coarse grid, shape (6, nx, ny, layers).
+        """Eigenstrain averaged over the cells of a coarse grid, shape (6, nx, ny, layers).
 
-        With `Simulation.add_eigenstrain` it returns the effect of the inclusions to the contact:
-        their moment, and so their displacement of the surface, is kept. The layers end at the
-        bottom of the box. Raises ValueError for a grid without dz, or too small for the box.
+        Pass the result to `Simulation.add_eigenstrain` to include the effect of the inclusions on
+        the contact. Averaging preserves the volume integral of the eigenstrain, and therefore its
+        effect on the surface displacement. The last layer contains the bottom of the box. Raises
+        ValueError if the grid has no dz or does not contain the box.
         """
         require_type("grid", grid, Grid)
         if grid.dz is None:
@@ -155,7 +156,7 @@ class FineBox(ShortRepr, HtmlTable):
 def fine_field(
     boxes: Sequence[FineBox], criterion: Callable[[FloatArray], FatigueField]
 ) -> FatigueField:
-    """Fatigue criterion over a cycle of fine boxes of the same inclusions.
+    """Fatigue criterion over a cycle of fine boxes around the same inclusions.
 
     Parameters
     ----------
@@ -168,13 +169,13 @@ def fine_field(
     Returns
     -------
     FatigueField
-        With the coordinates of the last box: use it with `peaks`, `butterflies` or `matrix_field`
-        and the `body` of this box.
+        Field with the coordinates of the last box. Use it in `peaks`, `butterflies` or
+        `matrix_field`, together with the attribute `body` of this box.
 
     Raises
     ------
     ValueError
-        The boxes are not those of the same inclusions, or there are none.
+        The boxes contain different inclusions or cells, or there is no box.
     TypeError
         An argument has the wrong type.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small inclusions in boxes of finer cells, under the stress of a state without them."""
+"""Small inclusions in boxes of fine cells, under the stress of a state that excludes them."""
 
 from __future__ import annotations
 
@@ -47,10 +47,10 @@ def fine_boxes(
     """Solve inclusions that are small compared with the cells of a state, each in a fine box.
 
     The stress of the state, which does not contain these inclusions, acts on them. Their effect on
-    the contact and on the plastic flow of the state is neglected: it decreases with the cube of
-    their radius over their depth. Inclusions closer than three times the sum of their radii are
-    solved together. The free surface is taken into account. The cost is proportional to the number
-    of inclusions.
+    the contact and on the plastic flow of the state is neglected. This effect decreases as
+    (radius/depth)^3. Inclusions whose centres are closer than three times the sum of their radii
+    are solved together. The free surface is taken into account. The cost is proportional to the
+    number of inclusions.
 
     Parameters
     ----------
@@ -60,11 +60,12 @@ def fine_boxes(
         Elastic inclusions and voids, with their positions at the start of the simulation; they move
         with the body.
     body : {1, 2}, optional
-        Body that contains them; not rigid and not layered. Default: 2.
+        Body that contains the inclusions; neither rigid nor layered. Default: 2.
     cells_per_radius : float, optional
         Cells per smallest radius of a box, at least 2; a warning is issued below 4. Default: 8.
     within : float, optional
-        Extent of a box around each inclusion, in radii, above 1 and at most 10. Default: 2.
+        Distance from the centre of each inclusion to the sides of its box, in radii, above 1 and at
+        most 10. Default: 2.
     tol : float, optional
         Tolerance of the eigenstrain, relative to its norm, in [1e-6, 1e-2]; at least 1e-3 is used
         if moduli differ by a factor above 20. Default: 1e-4.
@@ -72,13 +73,14 @@ def fine_boxes(
     Returns
     -------
     list of FineBox
-        One for each group of inclusions.
+        One box for each group of inclusions that are solved together.
 
     Raises
     ------
     ValueError
-        An inclusion yields, lies outside of the grid or in another inclusion; the body is layered,
-        rigid, or does not lie on the cells of the grid; an argument is outside its range.
+        An inclusion can yield, lies outside the grid, or lies in another inclusion. The body is
+        layered or rigid, or its fields are offset from the cells of the grid. An argument is
+        outside its range.
     TypeError
         An argument has the wrong type.
     ConvergenceError
@@ -91,7 +93,7 @@ def fine_boxes(
     ResolutionWarning
         There are fewer than 4 cells per radius.
     ElasticStrainWarning
-        The stress of the matrix exceeds its yield stress: the box is elastic.
+        The stress of the matrix exceeds its yield stress, although the box is solved elastically.
     """
     require_type("state", state, State)
     which = choice("body", body, (1, 2))
@@ -126,7 +128,7 @@ def fine_boxes(
 
 
 def groups(inclusions: Sequence[Inclusion]) -> list[list[int]]:
-    """Numbers of inclusions that are so close that they are solved together."""
+    """Indices of the inclusions in each group that is solved together, because they are close."""
     left, found = list(range(len(inclusions))), []
     while left:
         group = [left.pop(0)]
@@ -143,7 +145,7 @@ def _are_close(a: Inclusion, b: Inclusion) -> bool:
 
 
 def _matrix_of(state: State, which: int) -> Material:
-    """Return the material of the body of a state, or of its matrix."""
+    """Return the material of a body, or of the matrix of a heterogeneous body, after a check."""
     described = state.setup.bodies[which - 1]
     matrix = matrix_of(described)
     if not isinstance(matrix, Material):
@@ -165,7 +167,7 @@ def _matrix_of(state: State, which: int) -> Material:
 
 
 def _at_state(n: int, inclusion: Inclusion, state: State, which: int) -> Inclusion:
-    """Return an inclusion at its position in a state."""
+    """Return an inclusion at its position in a state, to which it has moved with the body."""
     if inclusion.material is not None and inclusion.material.is_plastic:
         raise ValueError(
             f"inclusions[{n}] must be elastic or a void, got {in_short(inclusion.material)}: fine "
@@ -195,13 +197,13 @@ class _Lattice(NamedTuple):
         return self.plane.nx, self.plane.ny, self.layers
 
     def axes(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Cell centres along x, y and z."""
+        """Cell centres along x, y and z [m]."""
         x, y = self.plane.x + self.middle[0], self.plane.y + self.middle[1]
         z = (self.above + np.arange(self.layers) + 0.5) * self.plane.dx
         return np.asarray(x), np.asarray(y), np.asarray(z, dtype=np.float64)
 
     def cells(self, matrix: Material, inclusions: Sequence[Inclusion]) -> InclusionCells:
-        """Cells of inclusions, counted from the first one of the box."""
+        """Cells that inclusions fill, with indices counted from the first cell of the box."""
         shift = (-float(self.middle[0]), -float(self.middle[1]))
         local = Heterogeneous(matrix, [_moved(one, *shift) for one in inclusions])
         cells = local.cells_on(self.plane, check=False)
@@ -215,7 +217,7 @@ def _moved(one: Inclusion, along_x: float, along_y: float) -> Inclusion:
 
 
 def _lattice(low: FloatArray, high: FloatArray, h: float) -> _Lattice:
-    """Return the cells of edge h of a box from `low` to `high`, below the surface."""
+    """Return cells with the edge length h [m] for a box from `low` to `high` [m]."""
     nx, ny = (2 * math.ceil((high[a] - low[a]) / 2 / h) for a in (0, 1))
     above = max(0, math.floor(low[2] / h))
     layers = math.ceil(high[2] / h) - above
@@ -262,7 +264,7 @@ def _solved(
 
 
 def _moduli(cells: InclusionCells, shape: tuple[int, int, int]) -> tuple[Any, Moduli]:
-    """Indices k, i and j of the cells that differ from the matrix, and their constants."""
+    """Indices k, i and j of the cells that differ from the matrix, and the moduli of the cells."""
     differs = np.moveaxis(cells.over_grid(cells.is_deformed, shape, False), -1, 0)
     where = np.nonzero(differs)
 

@@ -49,7 +49,10 @@ class Solution(NamedTuple):
 
 
 class _Law:
-    """Step of all cells to the eigenstrain that keeps s + p C e*, see `MixedLaw` of the core."""
+    """Update of the eigenstrain e* of all cells at constant s + p C e*.
+
+    Here s is the stress, C the stiffness of the matrix and p a factor, see `MixedLaw` of the core.
+    """
 
     def __init__(self, cells: Moduli, E: float, nu: float) -> None:
         strong = cells.are_strong
@@ -63,14 +66,17 @@ class _Law:
     def _kept(
         ratio: FloatArray, sphere: float, stiffness: float, strong: bool
     ) -> tuple[FloatArray, FloatArray]:
-        """p times the stiffness of the matrix, and the share of the kept value that is stress."""
+        """Return p times the stiffness of the matrix, and the share of s in s + p C e*."""
         p = np.full_like(ratio, sphere)
         if strong:
             p = np.where(ratio < 1, 1.0, np.where(ratio > 1, 0.5 * sphere, p))
         return p * stiffness, ratio / ((1 - p) * ratio + p)
 
     def step(self, stress: FloatArray, eigenstrain: FloatArray) -> FloatArray:
-        """Eigenstrain that follows from the stress of an estimate, both of shape (6, n)."""
+        """Return the eigenstrain that follows from an estimate of stress and eigenstrain.
+
+        All arrays have the shape (6, n).
+        """
         found = np.zeros_like(stress)
         for part, (stiffness, share) in ((mean, self.bulk), (deviator, self.shear)):
             kept = part(stress) + stiffness * part(eigenstrain)
@@ -86,7 +92,7 @@ class _Anderson:
         self.steps: list[FloatArray] = []
 
     def next(self, x: FloatArray, step: FloatArray) -> FloatArray:
-        """Return the next estimate from the last one and the step of the iteration there."""
+        """Return the next estimate from the last estimate x and the step of the iteration at x."""
         self.points = [*self.points, x][-_DEPTH - 1 :]
         self.steps = [*self.steps, step][-_DEPTH - 1 :]
         if len(self.points) == 1:

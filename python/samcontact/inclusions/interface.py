@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Stress of the matrix at the interface of an inclusion, and tractions that open the interface.
 
-The traction is continuous at a bonded interface, and so is the strain within its plane (Hadamard).
-Both determine the stress of the matrix from the stress inside and the total strain inside
-(interface operator of Hill, 1983, doi:10.1017/S0305004100061478). For an ellipsoid, the mean
-values inside approximate the uniform field of Eshelby.
+At a bonded interface, the traction and the strain within the plane of the interface are continuous
+(Hadamard). The stress of the matrix therefore follows from the stress and the total strain inside
+the inclusion (interface operator of Hill, 1983, doi:10.1017/S0305004100061478). For an ellipsoid,
+the mean values inside approximate the uniform fields of Eshelby's solution.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ def interface_stress(
     Parameters
     ----------
     stress : array_like, shape (6,)
-        Stress of the inclusion at the interface, or its mean value [Pa].
+        Stress inside the inclusion at the interface, or mean stress of the inclusion [Pa].
     eigenstrain : array_like, shape (6,)
-        Eigenstrain that has the effect of the inclusion if the body is homogeneous [-], see
+        Equivalent eigenstrain, which has the effect of the inclusion in a homogeneous body [-], see
         `State.eigenstrain`.
     normal : array_like, shape (3, n)
         Unit normals of the interface.
@@ -49,7 +49,7 @@ def interface_stress(
     Returns
     -------
     ndarray, shape (6, n)
-        Stress [Pa].
+        Stress of the matrix at the interface, for each normal [Pa].
 
     Raises
     ------
@@ -87,15 +87,16 @@ class Interface(HtmlTable):
     number : int
         Number of the inclusion in `Heterogeneous.inclusions`.
     max_tension : float
-        Largest normal stress of the interface [Pa]; negative if it is compressed everywhere.
+        Largest normal stress of the interface [Pa]; negative if the interface is compressed
+        everywhere.
     tension_normal : tuple of float
-        Outward normal at this place.
+        Outward normal at the place of the largest normal stress.
     max_shear : float
         Largest shear stress of the interface [Pa].
     max_von_mises : float
         Largest von Mises stress of the matrix at the interface [Pa].
     von_mises_normal : tuple of float
-        Outward normal at this place.
+        Outward normal at the place of the largest von Mises stress.
     """
 
     number: int
@@ -124,7 +125,10 @@ def normals_of(inclusion: Inclusion, count: int = DIRECTIONS) -> FloatArray:
 def interface_of(
     number: int, inclusion: Inclusion, stress: FloatArray, eigenstrain: FloatArray, matrix: Material
 ) -> Interface:
-    """Return the largest tractions of an inclusion with these mean values inside, shape (6,)."""
+    """Return the largest tractions at the interface of an inclusion.
+
+    stress, eigenstrain: mean values inside the inclusion, shape (6,).
+    """
     normal = normals_of(inclusion)
     inner = np.zeros(6) if inclusion.is_void else stress
     outside = von_mises(interface_stress(inner, eigenstrain, normal, matrix))
@@ -157,7 +161,7 @@ def interfaces(
     body : {1, 2}, optional
         Heterogeneous body. Default: 2.
     numbers : sequence of int, optional
-        Numbers of the inclusions. Default: all inclusions that lie entirely in the fields of the
+        Indices of the inclusions. Default: all inclusions that lie entirely in the fields of the
         state.
 
     Returns
@@ -167,8 +171,8 @@ def interfaces(
     Raises
     ------
     ValueError
-        The fields of the body are offset from the cells of the grid, or an inclusion is not inside
-        them.
+        The fields of the body are offset from the cells of the grid, or an inclusion in `numbers`
+        is not entirely inside the fields.
     TypeError
         The body is not heterogeneous.
     """
@@ -224,8 +228,8 @@ class MeanFields:
         """Mean stress of the full cells [Pa], and mean eigenstrain of all cells [-].
 
         The mean eigenstrain is the sum over full and cut cells divided by the filled volume. The
-        sum does not include the plastic strain of the matrix in cut cells. It is more accurate than
-        the mean of the full cells, and unique in a void.
+        sum does not include the plastic strain of the matrix in cut cells. This mean eigenstrain is
+        more accurate than the mean of the full cells, and unique in a void.
         """
         mine = self.phase == number
         share = self.share[mine]

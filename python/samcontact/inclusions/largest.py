@@ -63,7 +63,7 @@ class LargestInclusion(HtmlTable):
         maxima : array_like, shape (n,)
             Square root of the area of the largest inclusion in each of n >= 6 inspected areas [m].
         area : float
-            Each inspected area [m^2], e.g. 150e-6 according to ASTM E2283.
+            Size of each inspected area [m^2], e.g. 150e-6 according to ASTM E2283.
 
         Returns
         -------
@@ -100,14 +100,13 @@ class LargestInclusion(HtmlTable):
 
     @property
     def mean(self) -> float:
-        """Mean largest square root of the area in one inspected area [m]."""
+        """Mean of sqrt(area) of the largest inclusion in one inspected area [m]."""
         return self.location + _EULER * self.scale
 
     def return_period(self, volume: float) -> float:
         """Number of inspected areas that correspond to a volume [m^3].
 
-        One inspected area represents a volume of this area times the mean of sqrt(area) of the
-        largest inclusions (Murakami).
+        One inspected area represents a volume equal to this area times `mean` (Murakami).
         """
         periods = positive("volume", volume) / (self.area * self.mean)
         if periods <= 1.0:
@@ -125,7 +124,7 @@ class LargestInclusion(HtmlTable):
         return -math.log(-math.log1p(-1.0 / self.return_period(volume)))
 
     def interval(self, volume: float) -> tuple[float, float]:
-        """Interval of `expected_in` of about 95 % confidence [m], according to ASTM E2283."""
+        """Confidence interval (about 95 %) of `expected_in` [m], according to ASTM E2283."""
         if self.fields == 0:
             raise ValueError(
                 "fields must be known for an interval, got 0: use LargestInclusion.fit"
@@ -136,7 +135,7 @@ class LargestInclusion(HtmlTable):
         return middle - 2 * error, middle + 2 * error
 
     def draw(self, volume: float, count: int, seed: int) -> FloatArray:
-        """Draw radii of spheres for the largest inclusion of a volume.
+        """Draw random radii of spheres that represent the largest inclusion of a volume.
 
         Parameters
         ----------
@@ -155,7 +154,8 @@ class LargestInclusion(HtmlTable):
         Raises
         ------
         ValueError
-            A value is outside its range, or the volume is less than the inspected one.
+            A value is outside its range, or the volume is less than the volume that one inspected
+            area represents.
         TypeError
             A value is not a number.
         """

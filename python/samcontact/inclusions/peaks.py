@@ -38,9 +38,10 @@ class Peak(HtmlTable):
     number : int
         Number of the nearest inclusion; -1 if none is near.
     distance : float
-        Distance from the centre of this inclusion in radii; infinite if none is near.
+        Distance from the centre of the nearest inclusion in radii; infinite if none is near.
     angle : float
-        Direction from this centre in the plane x-z [rad]: 0 along x, pi/2 towards the surface.
+        Direction from this centre in the plane x-z [rad]: 0 along x, pi/2 towards the surface; NaN
+        if no inclusion is near.
     """
 
     value: float
@@ -97,15 +98,16 @@ def statistics(
 ) -> MatrixStatistics:
     """Largest von Mises stress, Dang Van stress and plastic strain of the matrix.
 
-    Only cells without any inclusion count: the stress of a partly filled cell is a mean over both
-    materials. The maxima depend on the number of cells per radius; compare bodies on equal grids.
+    Only cells that contain no part of an inclusion are considered, because the stress of a partly
+    filled cell is a mean over both materials. The maxima depend on the number of cells per radius;
+    compare bodies on equal grids.
 
     Parameters
     ----------
     states : State, sequence of State, or samcontact.fatigue.Cycle
         States of a simulation with a heterogeneous body, e.g. of a rolling pass.
     body : {1, 2}, optional
-        Heterogeneous body. Default: 2; a cycle has its own.
+        Heterogeneous body. Default: 2. Not used for a cycle, which refers to one body.
     within : float, optional
         Distance from the centre of an inclusion up to which a cell is near, in radii. Default: 1.5.
     slope : float, optional
@@ -164,19 +166,20 @@ def peaks(field: FatigueField, body: Heterogeneous, within: float = 1.5) -> list
     field : FatigueField
         Criterion over a cycle of states, with the axes x, y and z.
     body : Heterogeneous
-        Body of the field.
+        Body for which the field was computed.
     within : float, optional
         Distance from the centre of an inclusion up to which a cell is near, in radii. Default: 1.5.
 
     Returns
     -------
     list of Peak
-        In the order of the inclusions, of those with cells of the matrix around them.
+        One peak for each inclusion that has cells of the matrix around it, in the order of the
+        inclusions.
 
     Raises
     ------
     ValueError
-        The field has other axes, or `within` is outside its range.
+        The field has axes other than x, y and z, or `within` is outside its range.
     TypeError
         An argument has the wrong type.
     """
@@ -216,7 +219,7 @@ def _peak(
     around: Surroundings,
     body: Heterogeneous,
 ) -> Peak:
-    """Largest value among some points."""
+    """Largest value among the points that `where` selects."""
     flat = int(np.where(where, values, -np.inf).argmax())
     index = np.unravel_index(flat, values.shape)
     x, y, z = (float(axis[i]) for axis, i in zip(axes, index, strict=True))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress of a state at the points of a finer lattice."""
+"""Stress of a state, interpolated to the points of a finer grid."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class StressAtPoints:
         self._state, self._which, self._grid = state, which, state.grid
 
     def require_matrix(self, ends: Sequence[FloatArray], numbers: Sequence[int]) -> None:
-        """Raise ValueError for a box outside of the grid or on inclusions of the state."""
+        """Raise ValueError if a box extends beyond the grid or contains inclusions of the state."""
         low, high = ends
         grid = self._grid
         sides = (("x", grid.nx * grid.dx, grid.along_x), ("y", grid.ny * grid.dy, grid.along_y))
@@ -46,7 +46,7 @@ class StressAtPoints:
             )
 
     def at(self, x: FloatArray, y: FloatArray, z: FloatArray) -> tuple[FloatArray, float]:
-        """Stress [Pa], shape (6, nx, ny, nz), and a bound of its relative error."""
+        """Stress at points [Pa], shape (6, nx, ny, nz), and a bound of its relative error."""
         axes = [self._axis(axis, points) for axis, points in enumerate((x, y, z))]
         cells = [cells for cells, _, _ in axes]
         state = self._at_layers(int(cells[2][-1]) + 1)
@@ -85,7 +85,10 @@ class StressAtPoints:
         return cells if axis == 2 else cells[cells < count]
 
     def _axis(self, axis: int, points: FloatArray) -> tuple[np.ndarray, FloatArray, FloatArray]:
-        """Cells of the state near some points, and cubic and linear weights (points, cells)."""
+        """Cells of the state near some points, and their cubic and linear interpolation weights.
+
+        The weights have the shape (points, cells).
+        """
         step, _, periodic, edge = self._step(axis)
         cells = self._cells(axis, float(points[0]), float(points[-1]), _MARGIN)
         if cells.size == 1:

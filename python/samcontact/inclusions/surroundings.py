@@ -20,11 +20,11 @@ from ..bodies.inclusion import Inclusion
 from ..fatigue.field import FatigueField
 
 MAX_WITHIN = 10.0
-"""Largest distance of surroundings, in radii."""
+"""Largest distance from the centre of an inclusion that may count as near, in radii."""
 
 
 def checked_within(within: float) -> float:
-    """Check a distance in radii: above 1, because the surface of an inclusion is at 1."""
+    """Check a distance from the centre of an inclusion in radii; its surface is at 1."""
     ratio = number("within", within)
     if not 1.0 < ratio <= MAX_WITHIN:
         raise ValueError(
@@ -35,18 +35,21 @@ def checked_within(within: float) -> float:
 
 
 class Surroundings(NamedTuple):
-    """Points of a field with the axes x, y and z, relative to the nearest inclusion."""
+    """Positions of the points of a field relative to the nearest inclusion.
+
+    The axes of the arrays are x, y and z.
+    """
 
     number: NDArray[np.int32]
     """Number of the nearest inclusion; -1 if none is near."""
     distance: FloatArray
-    """Distance from its centre in radii: 1 at its surface; infinite if none is near."""
+    """Distance from the centre of this inclusion, 1 at its surface; infinite if none is near."""
     is_matrix: BoolArray
-    """Whether the cell of the point is filled by the matrix only."""
+    """Whether the cell around the point contains the matrix only."""
 
 
 def checked_field(field: FatigueField, body: Heterogeneous) -> list[FloatArray]:
-    """Check a field over x, y and z, and return its coordinates."""
+    """Check that a field has the axes x, y and z, and return its coordinates [m]."""
     require_type("field", field, FatigueField)
     require_type("body", body, Heterogeneous)
     if tuple(field.coordinates) != ("x", "y", "z"):
@@ -99,7 +102,7 @@ def surroundings(
 
 
 def _distance(inclusion: Inclusion, local: Sequence[FloatArray]) -> FloatArray:
-    """Distance of points from the centre of an ellipsoid, 1 at its surface."""
+    """Distance of points from the centre of an ellipsoid in radii, 1 at its surface."""
     points = np.stack(np.meshgrid(*local, indexing="ij"), -1)
     return np.asarray(np.linalg.norm(points @ np.linalg.cholesky(inclusion.metric()), axis=-1))
 
@@ -125,19 +128,19 @@ def matrix_field(
 ) -> FatigueField:
     """Field of a criterion in the matrix only: 0 in cells that an inclusion fills or cuts.
 
-    Use it with `samcontact.fatigue.life`, whose integral then extends over the matrix: the ratio to
-    the life of the same body without inclusions shows how clean a steel must be. The integral
-    depends less on the cell size than the maximum does.
+    Pass the result to `samcontact.fatigue.life`, whose integral then extends over the matrix only.
+    The ratio of this life to the life of the same body without inclusions shows how clean a steel
+    must be. The integral depends less on the cell size than the maximum does.
 
     Parameters
     ----------
     field : FatigueField
         Criterion over a cycle of states, with the axes x, y and z.
     body : Heterogeneous
-        Body of the field.
+        Body for which the field was computed.
     within : float, optional
-        Distance from the centres of inclusions, in radii, beyond which the field is 0 too; above 1.
-        Default: the whole matrix.
+        Distance from the centres of inclusions, in radii, > 1. Cells farther away are set to 0 as
+        well. Default: no limit.
 
     Returns
     -------
@@ -146,7 +149,7 @@ def matrix_field(
     Raises
     ------
     ValueError
-        The field has other axes, or `within` is outside its range.
+        The field has axes other than x, y and z, or `within` is outside its range.
     TypeError
         An argument has the wrong type.
     """
@@ -158,6 +161,6 @@ def matrix_field(
 
 
 def names_near(near: Surroundings) -> list[int]:
-    """Numbers of the inclusions that have points of the matrix in their surroundings."""
+    """Indices of the inclusions that have points of the matrix near them."""
     found = np.unique(near.number[near.is_matrix])
     return list(itertools.compress(found.tolist(), found >= 0))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Weibull distributions of lives over random microstructures or tests, with exact confidence.
+"""Weibull distributions of lives in tests or random microstructures, with confidence limits.
 
-Confidence limits follow from two quantities: the ratio of the estimated to the true shape, and the
-estimated shape times the logarithm of the ratio of an estimated to the true quantile. Their
-distributions depend only on the number of lives (Thoman, Bain and Antle, 1969,
-doi:10.1080/00401706.1969.10490706), and are simulated here.
+The confidence limits are exact. They follow from two quantities: the ratio of the estimated to the
+true shape, and the estimated shape times the logarithm of the ratio of an estimated to the true
+quantile. The distributions of both depend only on the number of lives (Thoman, Bain and Antle,
+1969, doi:10.1080/00401706.1969.10490706), and are simulated here.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class WeibullFit(ShortRepr, HtmlTable):
     shape : float
         Weibull slope [-].
     scale : float
-        Life at which 63.2 % have failed, in the unit of the lives.
+        Life at which a fraction of 63.2 % has failed, in the unit of the lives.
     lives : ndarray, shape (n,)
         Lives in increasing order.
     """
@@ -44,12 +44,12 @@ class WeibullFit(ShortRepr, HtmlTable):
     lives: FloatArray
 
     def life(self, failed: float = 0.1) -> float:
-        """Life at which a share has failed: 0.1 for the life L10. The share must be in (0, 1)."""
+        """Life at which the fraction `failed`, in (0, 1), has failed; 0.1 gives the life L10."""
         return float(self.scale * (-math.log1p(-_share("failed", failed))) ** (1 / self.shape))
 
     @cached_property
     def median_ranks(self) -> FloatArray:
-        """Shares that have failed at each of `lives`, by Benard's formula (i - 0.3)/(n + 0.4)."""
+        """Fractions failed at each of `lives`, by Benard's formula (i - 0.3)/(n + 0.4)."""
         n = len(self.lives)
         return np.asarray((np.arange(1, n + 1) - 0.3) / (n + 0.4))
 
@@ -65,7 +65,7 @@ class WeibullFit(ShortRepr, HtmlTable):
         return float(self.shape / high), float(self.shape / low)
 
     def life_interval(self, failed: float = 0.1, confidence: float = 0.9) -> tuple[float, float]:
-        """Confidence interval of the life at which a share has failed, see `life`."""
+        """Confidence interval of the life at which the fraction `failed` has failed, see `life`."""
         risk = math.log(-math.log1p(-_share("failed", failed)))
         shape, log_scale = self._pivots
         pivot = shape * log_scale + risk  # shape times log(estimated/true quantile), true shape 1
@@ -102,8 +102,8 @@ def weibull_fit(lives: ArrayLike) -> WeibullFit:
     Parameters
     ----------
     lives : array_like, shape (n,)
-        At least three lives in any unit, > 0 and not all equal, all of them failures: e.g. of one
-        load over random microstructures that differ by their seeds.
+        At least three lives in any unit, > 0 and not all equal. Each life must end with a failure.
+        Example: lives under one load of random microstructures with different seeds.
 
     Returns
     -------
@@ -130,7 +130,10 @@ def weibull_fit(lives: ArrayLike) -> WeibullFit:
 
 
 def _fitted(logs: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Shapes and logarithms of scales of samples, shape (samples, n), by Newton's iteration."""
+    """Fit Weibull shapes and logarithms of scales to samples of lives, by Newton's method.
+
+    logs: logarithms of lives, shape (samples, n); each sample is fitted separately.
+    """
     middle = logs.mean(axis=1, keepdims=True)
     x = logs - middle
     shape = np.pi / np.sqrt(6) / x.std(axis=1, ddof=1)

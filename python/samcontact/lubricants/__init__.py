@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lubricants: viscosity, density and shear stress over pressure and temperature.
+"""Lubricants: viscosity, density and shear stress as functions of pressure and temperature.
 
 oil = sc.Lubricant.roelands(viscosity=0.04, pressure_viscosity=22e-9)
 oil.viscosity(1e9)          # at 1 GPa [Pa s]

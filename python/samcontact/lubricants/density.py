@@ -36,7 +36,7 @@ class DensityLaw(ABC):
 
 
 def pressures(p: ArrayLike) -> FloatArray:
-    """Return pressures as an array; raise ValueError for negative ones."""
+    """Return pressures as an array; raise ValueError for negative pressures."""
     found = finite_array("p", p)
     if found.size and found.min() < 0.0:
         raise ValueError(f"p must be >= 0 Pa everywhere, got {found.min():.4g}")
@@ -87,7 +87,7 @@ class Tait(DensityLaw):
     Attributes
     ----------
     bulk_modulus : float
-        Bulk modulus K without pressure [Pa].
+        Bulk modulus K at zero pressure [Pa].
     modulus_slope : float
         Derivative K' of the bulk modulus with respect to the pressure, > 0 [-].
     """
@@ -155,7 +155,7 @@ class TabulatedDensity(ShortRepr, DensityLaw):
 
 
 def density_law(density: DensityLaw | str | None) -> DensityLaw:
-    """Return the law of an argument `density`: a law, "dowson-higginson", or None."""
+    """Return the density law for an argument: a law, "dowson-higginson", or None (constant)."""
     if density is None:
         return Incompressible()
     if isinstance(density, DensityLaw):

@@ -20,7 +20,7 @@ TYPICAL_100 = "typical value of mineral oils, lubesolut.com/en/herramientas/tabl
 COLD, HOT = 313.15, 373.15
 """Temperatures of both viscosities of a grade [K]: 40 and 100 °C."""
 RANGE = 253.15, 423.15
-"""Temperatures for which the law is used [K]; a mineral oil solidifies below, cracks above."""
+"""Temperature range of the law [K]; mineral oils solidify below it and decompose above it."""
 DENSITY = 870.0
 """Density of mineral oils [kg/m^3], 850 to 900."""
 
@@ -57,7 +57,8 @@ class Oil(HtmlTable):
     nu40, nu100 : float
         Kinematic viscosity at 40 and 100 °C [m^2/s].
     density : float
-        Density [kg/m^3], taken as constant; it falls by about 4 % from 40 to 100 °C.
+        Density [kg/m^3], taken as constant; the real density decreases by about 4 % from 40 to
+        100 °C.
     source : str
         Sources of the values.
     """
@@ -89,7 +90,7 @@ class Oil(HtmlTable):
         return cold + slope * math.log10(COLD), slope
 
     def kinematic_viscosity(self, T: ArrayLike) -> FloatArray:
-        """Return the kinematic viscosity [m^2/s] at temperatures T of 253 to 423 K, same shape.
+        """Return the kinematic viscosity [m^2/s] at temperatures T of 253 to 423 K, in their shape.
 
         Raises ValueError for other temperatures.
         """
@@ -98,14 +99,14 @@ class Oil(HtmlTable):
         return 1e-6 * nu
 
     def viscosity(self, T: ArrayLike) -> FloatArray:
-        """Return the viscosity [Pa s] at temperatures T of 253 to 423 K, same shape.
+        """Return the viscosity [Pa s] at temperatures T of 253 to 423 K, in their shape.
 
         Raises ValueError for other temperatures.
         """
         return self.density * self.kinematic_viscosity(T)
 
     def beta(self, T: float) -> float:
-        """Return the relative decrease of the viscosity at a temperature T [K], in 1/K.
+        """Return the relative decrease of the viscosity per kelvin at a temperature T [K], in 1/K.
 
         Raises ValueError unless the temperature is 253 to 423 K.
         """
@@ -147,8 +148,9 @@ def iso_vg(grade: int | str) -> Oil:
     """Return a typical mineral oil of an ISO viscosity grade.
 
     grade: e.g. 68 or "ISO VG 68". The viscosity at 40 °C is the midpoint of the grade, from which
-    oils deviate by up to 10 %; the viscosity at 100 °C is a typical value. Prefer both values of
-    the data sheet (`oil`). Raises ValueError for other grades, TypeError for other types.
+    oils deviate by up to 10 %; the viscosity at 100 °C is a typical value. If a data sheet states
+    both viscosities, use `oil` instead. Raises ValueError for other grades, TypeError for other
+    types.
     """
     known = ", ".join(map(str, GRADES))
     if isinstance(grade, bool) or not isinstance(grade, (int, str)):

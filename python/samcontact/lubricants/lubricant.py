@@ -19,14 +19,14 @@ from .tables import LubricantTables, reduced_pressure
 from .viscosity import Barus, Doolittle, Tabulated, ViscosityLaw, roelands
 
 MAX_VISCOSITY, MAX_PRESSURE_VISCOSITY, MAX_LIMITING_COEFFICIENT = 10.0, 1e-7, 0.3
-"""Largest plausible viscosity without pressure [Pa s], pressure-viscosity coefficient [1/Pa] and
-ratio of limiting shear stress to pressure [-]; ISO VG 3200 has 3 Pa s at 40 °C."""
+"""Largest plausible viscosity at p = 0 [Pa s], pressure-viscosity coefficient [1/Pa] and ratio of
+limiting shear stress to pressure [-]; ISO VG 3200 has 3 Pa s at 40 °C."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
 """Range of the volumetric heat capacity of liquids [J/(m^3 K)]."""
 CONDUCTIVITY_RANGE = 0.01, 10.0
 """Range of the conductivity of liquids that are not metals [W/(m K)]."""
 MAX_LOGARITHM = 250.0
-"""Largest ln(viscosity ratio); at larger ones the lubricant is solid in any contact."""
+"""Largest ln(viscosity ratio); at larger values the lubricant is solid in any contact."""
 
 
 NEWTONIAN = Newtonian()
@@ -68,7 +68,7 @@ class Lubricant(HtmlTable):
     Attributes
     ----------
     eta0 : float
-        Viscosity without pressure [Pa s].
+        Viscosity at zero pressure [Pa s].
     law : ViscosityLaw
         Viscosity versus pressure.
     density_law : DensityLaw
@@ -141,8 +141,8 @@ class Lubricant(HtmlTable):
     ) -> Lubricant:
         """Lubricant with Doolittle's law of free volume and Tait's equation of state.
 
-        viscosity: that at p = 0 [Pa s]; B: Doolittle's constant [-]; R0: occupied volume as a share
-        of the volume at p = 0 [-]; bulk_modulus: K at p = 0 [Pa]; modulus_slope: dK/dp [-].
+        viscosity: value at p = 0 [Pa s]; B: Doolittle's constant [-]; R0: occupied volume as a
+        share of the volume at p = 0 [-]; bulk_modulus: K at p = 0 [Pa]; modulus_slope: dK/dp [-].
         Doolittle (1951, doi:10.1063/1.1699894); Dymond & Malhotra (1988, doi:10.1007/BF01133262).
         Raises ValueError for values outside their range.
         """
@@ -197,8 +197,8 @@ class Lubricant(HtmlTable):
 
         conductivity [W/(m K)]; capacity: heat capacity per volume [J/(m^3 K)]; beta: relative
         decrease of the viscosity with the temperature [1/K], as eta(p) exp(-beta (T - T0));
-        temperature: T0 of the given viscosity [K]. Raises ValueError for values outside their
-        range.
+        temperature: T0, for which the viscosity is given [K]. Raises ValueError for values outside
+        their range.
         """
         return replace(self, heat=LubricantHeat(conductivity, capacity, beta, temperature))
 
@@ -220,8 +220,9 @@ class Lubricant(HtmlTable):
     def viscosity(self, p: ArrayLike, T: ArrayLike | None = None) -> FloatArray:
         """Return the viscosity at small shear rates [Pa s].
 
-        p: pressures >= 0 [Pa]; T: temperatures [K] (needs `with_thermal`), None for the temperature
-        of the given viscosity; broadcast. Raises ValueError outside the range of a table.
+        p: pressures >= 0 [Pa]; T: temperatures [K] (require `with_thermal`), or None for the
+        temperature for which the viscosity is given. p and T are broadcast. Raises ValueError
+        outside the range of a table.
         """
         given = pressures(p)
         if given.size and given.max() > self.max_pressure:
@@ -244,14 +245,14 @@ class Lubricant(HtmlTable):
         return viscosity
 
     def density(self, p: ArrayLike) -> FloatArray:
-        """Return the density relative to that without pressure [-] at pressures p >= 0 [Pa]."""
+        """Return the density relative to the density at p = 0 [-], at pressures p >= 0 [Pa]."""
         return self.density_law.ratio(p)
 
     def shear_stress(self, rate: ArrayLike, p: ArrayLike, T: ArrayLike | None = None) -> FloatArray:
         """Return the shear stress [Pa], with the sign of the shear rate.
 
-        rate: shear rates [1/s]; p: pressures >= 0 [Pa]; T: temperatures [K] or None; broadcast.
-        Includes shear thinning and the limiting shear stress of the lubricant.
+        rate: shear rates [1/s]; p: pressures >= 0 [Pa]; T: temperatures [K] or None. The arguments
+        are broadcast. Shear thinning and the limiting shear stress of the lubricant are included.
         """
         rate, pressure = finite_array("rate", rate), pressures(p)
         try:
@@ -269,8 +270,8 @@ class Lubricant(HtmlTable):
         """Return tables of density and reduced pressure versus pressure, up to a pressure [Pa].
 
         The reduced pressure is the integral of density/viscosity over the pressure from 0 to p.
-        Choose a pressure that no iterate exceeds, not only the solution. Raises ValueError for a
-        pressure that is not > 0.
+        Choose `max_pressure` so large that no iterate of a solver exceeds it. Raises ValueError if
+        it is not > 0.
         """
         return reduced_pressure(
             positive("max_pressure", max_pressure), self._fluidity, self.density_law
@@ -299,7 +300,7 @@ _KINDS = {"law": ViscosityLaw, "density_law": DensityLaw, "thinning": ShearThinn
 def _plausible(
     viscosity: float, pressure_viscosity: float, name: str = "pressure_viscosity"
 ) -> tuple[float, float]:
-    """Return both constants; warn of likely unit errors."""
+    """Return viscosity and pressure-viscosity coefficient; warn of likely unit errors."""
     eta0 = positive("viscosity", viscosity)
     alpha = non_negative(name, pressure_viscosity)
     if eta0 > MAX_VISCOSITY:

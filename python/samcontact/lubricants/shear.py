@@ -12,9 +12,9 @@ import numpy as np
 from .._util.checks import FloatArray, non_negative, positive
 
 MAX_ARGUMENT, SMALL_ARGUMENT = 300.0, 1e-2
-"""Largest stress in Eyring stresses, and that below which a series takes the place of the law."""
+"""Largest ratio of stress to Eyring stress, and ratio below which a series replaces the law."""
 MAX_STEPS = 60
-"""Largest number of Newton steps of the inverse of Carreau's law."""
+"""Maximum number of Newton steps in the inversion of Carreau's law."""
 LIMIT_EXPONENT = 6.0
 """Exponent with which the shear stress approaches its limit."""
 
@@ -48,12 +48,12 @@ class Newtonian(ShearThinning):
         return newtonian
 
     def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return 1 and 0."""
+        """Return f = 1 and f'/stress = 0."""
         return np.ones_like(stress), np.zeros_like(stress)
 
     @property
     def scale(self) -> float:
-        """Infinity."""
+        """Infinite, because there is no shear thinning."""
         return math.inf
 
 
@@ -99,7 +99,7 @@ class Carreau(ShearThinning):
     Attributes
     ----------
     critical_stress : float
-        Shear stress G at which the viscosity begins to fall [Pa].
+        Shear stress G at which the viscosity begins to decrease [Pa].
     n : float
         Exponent of the shear rate in the shear stress at high rates, in [0, 1] [-].
     """
@@ -156,7 +156,9 @@ def limited(stress: FloatArray, limit: FloatArray) -> FloatArray:
 def thinned(
     law: ShearThinning, coefficient: float | None, newtonian: FloatArray, p: FloatArray
 ) -> FloatArray:
-    """Return the shear stress [Pa] by a law and a limit, for Newtonian shear stresses [Pa].
+    """Return the shear stress [Pa] by a law of thinning and a limiting shear stress.
+
+    newtonian: Newtonian shear stresses [Pa].
 
     coefficient: ratio of the limiting shear stress to the pressure p [Pa], or None.
     """

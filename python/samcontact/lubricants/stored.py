@@ -22,12 +22,12 @@ _KINDS: dict[str, Any] = {
 
 
 def stored(lubricant: Lubricant) -> str:
-    """Return the constants of a lubricant as text (JSON), from which `restored` makes it again."""
+    """Return the constants of a lubricant as text (JSON), from which `restored` recreates it."""
     return json.dumps(_plain(lubricant))
 
 
 def restored(text: str) -> Lubricant:
-    """Return the lubricant of a text from `stored`.
+    """Return the lubricant that a text from `stored` describes.
 
     Raises ValueError for other texts.
     """

@@ -14,7 +14,7 @@ from .._util.frozen import read_only
 from .density import DensityLaw
 
 PRESSURE_SCALE = 1e6
-"""Pressure [Pa] below which the nodes are equidistant; above, their logarithm is."""
+"""Pressure [Pa] below which the nodes are equidistant; above it, their logarithms are."""
 POINTS = 40_001
 """Number of nodes."""
 
@@ -23,14 +23,15 @@ POINTS = 40_001
 class LubricantTables(ShortRepr):
     """Reduced pressure and density of a lubricant, from `Lubricant.tables`.
 
-    Node n has the pressure scale (exp(n step) - 1). Values between the nodes are cubic (Hermite).
+    Node n has the pressure scale (exp(n step) - 1). Between the nodes, values are interpolated by
+    cubic Hermite polynomials.
 
     Attributes
     ----------
     scale : float
         Pressure below which the nodes are nearly equidistant [Pa].
     step : float
-        Distance of the nodes in ln(1 + p/scale) [-].
+        Distance between neighbouring nodes in ln(1 + p/scale) [-].
     reduced : ndarray
         Reduced pressure at the nodes, the integral of `fluidity` over the pressure [1/s].
     fluidity : ndarray
@@ -58,7 +59,7 @@ class LubricantTables(ShortRepr):
 def reduced_pressure(
     max_pressure: float, fluidity: Callable[[FloatArray], FloatArray], density: DensityLaw
 ) -> LubricantTables:
-    """Return the tables up to a pressure [Pa]; Gauss quadrature with four points per interval."""
+    """Return the tables up to a pressure [Pa], by four-point Gauss quadrature in each interval."""
     step = float(np.log1p(max_pressure / PRESSURE_SCALE)) / (POINTS - 1)
     p = PRESSURE_SCALE * np.expm1(step * np.arange(POINTS))
     nodes, weights = np.polynomial.legendre.leggauss(4)

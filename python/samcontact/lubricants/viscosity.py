@@ -16,9 +16,9 @@ from .._util.lazy_scipy import scipy
 from .density import Tait
 
 ROELANDS_LOGARITHM = 9.67
-"""Negative logarithm of Roelands' viscosity at the pole, 6.31e-5 Pa s."""
+"""Negative logarithm of the viscosity at the pole of Roelands' law, 6.31e-5 Pa s."""
 ROELANDS_PRESSURE = 1.98e8
-"""Constant of Roelands' law [Pa] that follows from lines through one point (Roelands 1966)."""
+"""Constant p0 of Roelands' law [Pa]: all isotherms meet in a pole at p = -p0 (Roelands 1966)."""
 
 
 class ViscosityLaw(ABC):
@@ -27,15 +27,15 @@ class ViscosityLaw(ABC):
     @property
     @abstractmethod
     def pressure_viscosity(self) -> float:
-        """Slope d(ln viscosity)/dp without pressure [1/Pa]."""
+        """Slope d(ln viscosity)/dp at zero pressure [1/Pa]."""
 
     @abstractmethod
     def logarithm(self, p: FloatArray) -> FloatArray:
-        """Return ln(viscosity/viscosity without pressure) at pressures >= 0 [Pa]."""
+        """Return ln(viscosity/viscosity at zero pressure) at pressures >= 0 [Pa]."""
 
     @property
     def max_pressure(self) -> float:
-        """Largest pressure for which the law has been given [Pa]."""
+        """Largest pressure for which the law is defined [Pa]."""
         return math.inf
 
 
@@ -56,7 +56,7 @@ class Barus(ViscosityLaw):
 
     @property
     def pressure_viscosity(self) -> float:
-        """Slope d(ln viscosity)/dp without pressure [1/Pa]."""
+        """Slope d(ln viscosity)/dp at zero pressure [1/Pa]."""
         return self.alpha
 
     def logarithm(self, p: FloatArray) -> FloatArray:
@@ -71,9 +71,9 @@ class Roelands(ViscosityLaw):
     Attributes
     ----------
     scale : float
-        ln(viscosity without pressure [Pa s]) + 9.67 [-].
+        ln(viscosity at zero pressure [Pa s]) + 9.67 [-].
     pressure : float
-        Constant of the law [Pa].
+        Constant p0 of the law [Pa].
     z : float
         Exponent [-].
     """
@@ -88,11 +88,11 @@ class Roelands(ViscosityLaw):
 
     @property
     def pressure_viscosity(self) -> float:
-        """Slope d(ln viscosity)/dp without pressure [1/Pa]."""
+        """Slope d(ln viscosity)/dp at zero pressure [1/Pa]."""
         return self.scale * self.z / self.pressure
 
     def logarithm(self, p: FloatArray) -> FloatArray:
-        """Return ln(viscosity/viscosity without pressure) at pressures [Pa]."""
+        """Return ln(viscosity/viscosity at zero pressure) at pressures [Pa]."""
         return self.scale * np.expm1(self.z * np.log1p(p / self.pressure))
 
 
@@ -107,7 +107,7 @@ class Doolittle(ViscosityLaw):
     B : float
         Constant of Doolittle [-].
     R0 : float
-        Occupied volume as a share of the volume without pressure, in (0, 1) [-].
+        Occupied volume as a share of the volume at zero pressure, in (0, 1) [-].
     volume : Tait
         Volume versus pressure.
     """
@@ -124,11 +124,11 @@ class Doolittle(ViscosityLaw):
 
     @property
     def pressure_viscosity(self) -> float:
-        """Slope d(ln viscosity)/dp without pressure [1/Pa]."""
+        """Slope d(ln viscosity)/dp at zero pressure [1/Pa]."""
         return self.B * self.R0 / ((1.0 - self.R0) ** 2 * self.volume.bulk_modulus)
 
     def logarithm(self, p: FloatArray) -> FloatArray:
-        """Return ln(viscosity/viscosity without pressure); infinite without free volume."""
+        """Return ln(viscosity/viscosity at zero pressure); infinite without free volume."""
         free = 1.0 / self.volume.ratio(p) - self.R0
         with np.errstate(divide="ignore"):
             inverse = np.where(free > 0.0, 1.0 / np.maximum(free, 0.0), np.inf)
@@ -161,7 +161,7 @@ class Tabulated(ShortRepr, ViscosityLaw):
 
     @property
     def pressure_viscosity(self) -> float:
-        """Slope d(ln viscosity)/dp without pressure [1/Pa]."""
+        """Slope d(ln viscosity)/dp at zero pressure [1/Pa]."""
         return float(self._curve.derivative()(0.0))
 
     @property
@@ -174,7 +174,7 @@ class Tabulated(ShortRepr, ViscosityLaw):
         return scipy.interpolate.PchipInterpolator(self.p, np.log(self.eta))
 
     def logarithm(self, p: FloatArray) -> FloatArray:
-        """Return ln(viscosity/viscosity without pressure) at pressures [Pa]."""
+        """Return ln(viscosity/viscosity at zero pressure) at pressures [Pa]."""
         curve, last = self._curve, self.max_pressure
         inside = curve(np.minimum(p, last)) - curve(0.0)
         beyond: FloatArray = inside + curve.derivative()(last) * np.maximum(p - last, 0.0)
@@ -194,7 +194,7 @@ def increasing_pressures(p: ArrayLike) -> FloatArray:
 
 
 def roelands(viscosity: float, pressure_viscosity: float, z: float | None) -> ViscosityLaw:
-    """Return Roelands' law with a slope at p = 0; a slope of 0 is a constant viscosity."""
+    """Return Roelands' law with a slope alpha at p = 0; a slope of 0 is a constant viscosity."""
     if pressure_viscosity == 0.0:
         return Barus(0.0)
     scale = math.log(viscosity) + ROELANDS_LOGARITHM

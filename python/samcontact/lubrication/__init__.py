@@ -5,7 +5,7 @@
     contact = sc.hertz.point(R=0.01, E_star=113.7e9, load=20.0)
     sc.lubrication.estimate(contact, (1.0, 1.0), oil)
 
-The speeds (u1, u2) of the surfaces are those in the frame of the contact, along x.
+The speeds (u1, u2) are the surface velocities along x in the frame of the contact.
 """
 
 from .boundary import Boundary

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Balance of mass, inlet and resolution of a lubricated contact, from its fields."""
+"""Mass balance, pressure at the edges, and resolution of a lubricated contact."""
 
 from __future__ import annotations
 
@@ -15,13 +15,14 @@ from .film_solution import FilmSolution
 from .nested import face_velocities, table_of
 
 WEIGHTS = 1.5, 2.0, 0.5
-"""Weights of the content now, one step ago and two steps ago, in a step of second order."""
+"""Weights in the second-order time derivative: content now, one step (minus) and two steps ago."""
 
 
 def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> FloatArray:
-    """Return the volume at zero pressure that flows out of each cell [m^3/s], shape (nx, ny).
+    """Return the net volume flow of lubricant out of each cell [m^3/s], shape (nx, ny).
 
-    order, supply: as given to `steady`. A steady film has no outflow in any cell.
+    Volumes are those at zero pressure. order, supply: as given to `steady`. In a steady film the
+    net outflow of every cell is zero.
     """
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     fields = (film.fluid_pressure, film.film, 1.0 - film.filling)
@@ -35,16 +36,19 @@ def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> 
 
 
 def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = None) -> float:
-    """Return the net outflow of the grid, relative to the flow of the central film [-].
+    """Return the net outflow from the grid, relative to the flow through the central film [-].
 
-    order, supply: as given to `steady`. It measures the balance of mass between the edges of the
-    grid.
+    order, supply: as given to `steady`. The result measures the mass balance between the edges of
+    the grid.
     """
     return abs(float(outflow(film, order, supply).sum())) / swept(film)
 
 
 def swept(film: FilmSolution) -> float:
-    """Return the volume that the central film moves into the grid in a unit of time [m^3/s]."""
+    """Return the reference volume flow into the grid [m^3/s].
+
+    The film is taken to have its central thickness everywhere.
+    """
     grid, mean = film.grid, np.abs(film.velocities.mean(axis=0))
     length, width = grid.nx * grid.dx, grid.ny * grid.dy
     speeds = float(mean[0]) * width + float(mean[1]) * length + abs(film.spin) * length * width
@@ -52,11 +56,12 @@ def swept(film: FilmSolution) -> float:
 
 
 def storage_imbalance(films: Sequence[FilmSolution]) -> FloatArray:
-    """Return the net outflow of the grid plus the rate of the oil on it, at each time [-].
+    """Return the relative imbalance of the oil on the grid at each time [-].
 
-    films: start and steps of a history, equally spaced in time; the film before the start is
-    steady. The sum is relative to the largest flow through the central film, or without motion to
-    the largest rate of the oil.
+    The imbalance is the net outflow from the grid plus the rate of change of the oil volume on it.
+    Its reference is the largest flow through the central film or, if larger, the largest rate of
+    change. films: start and steps of a history, equally spaced in time. The film is assumed to be
+    steady before the start.
     """
     stored = np.array([float(film.content.sum()) for film in films]) * films[0].grid.cell_area
     before = np.concatenate([stored[:1], stored[:-1]])
@@ -71,17 +76,26 @@ def storage_imbalance(films: Sequence[FilmSolution]) -> FloatArray:
 
 
 def inlet_pressure(film: FilmSolution) -> float:
-    """Return the largest pressure next to an edge through which lubricant enters, relative [-]."""
+    """Return the largest pressure next to an edge through which lubricant enters [-].
+
+    It is relative to the maximum pressure.
+    """
     return _edge_pressure(film, 1.0)
 
 
 def outlet_pressure(film: FilmSolution) -> float:
-    """Return the largest pressure next to an edge through which lubricant leaves, relative [-]."""
+    """Return the largest pressure next to an edge through which lubricant leaves [-].
+
+    It is relative to the maximum pressure.
+    """
     return _edge_pressure(film, -1.0)
 
 
 def _edge_pressure(film: FilmSolution, sign: float) -> float:
-    """Return the largest pressure next to edges at which sign times the inward velocity is > 0."""
+    """Return the largest pressure in the edge cells where sign times inward velocity is > 0 [-].
+
+    It is relative to the maximum pressure.
+    """
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     p = film.fluid_pressure
     edges = [(p[0], along_x[0]), (p[-1], -along_x[-1])]
@@ -92,10 +106,10 @@ def _edge_pressure(film: FilmSolution, sign: float) -> float:
 
 
 def cells_per_radius(pressure: FloatArray, grid: Grid) -> float:
-    """Return the smaller ratio of the semi-axes of a contact to the sizes of a cell [-].
+    """Return the number of cells per semi-axis of a contact; the smaller of both axes [-].
 
-    The semi-axes are those of a Hertz contact with the second moments of the pressure. pressure: on
-    cells that cover the area of the grid.
+    The semi-axes are those of the Hertz contact whose pressure has the same second moments.
+    pressure: values on any number of cells that together cover the area of the grid.
     """
     total = float(pressure.sum())
     is_line = grid.ny == 1 or "y" in grid.periodic

@@ -12,9 +12,9 @@ from .._util.checks import non_negative, positive
 class Boundary:
     """Layer adsorbed on the surfaces, which carries load where the film is thin.
 
-    Its pressure is p_b (h_b/(h - h_b))^3 at a film thickness h > h_b. It also stands for asperities
-    smaller than a cell. The share of the load that it bears depends on this law; pressure and film
-    hardly do.
+    The pressure of the layer is p_b (h_b/(h - h_b))^3 at a film thickness h > h_b. The layer also
+    represents asperities smaller than a cell. The share of the load that the layer carries depends
+    on this law; total pressure and film thickness hardly depend on it.
 
     Attributes
     ----------
@@ -23,7 +23,8 @@ class Boundary:
     friction : float
         Coefficient of friction of the layer [-], >= 0.
     pressure : float, or None
-        Pressure p_b at the film 2 h_b [Pa]. None: the largest pressure of the dry contact.
+        Pressure p_b of the layer at a film thickness of 2 h_b [Pa]. None: the maximum pressure of
+        the dry contact.
     """
 
     thickness: float

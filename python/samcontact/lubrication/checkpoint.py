@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checkpoints of films: a file for each step in time, or for each load."""
+"""Checkpoints of lubricated contacts: one file for each time step, or for each load."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _NUMBERS = "approach", "load", "residual"
 
 
 class Kept:
-    """Films of one run in a folder.
+    """Stored films of one run, in a folder.
 
     Parameters
     ----------
@@ -68,8 +68,9 @@ class Kept:
     def film(self, index: int, like: FilmSolution) -> FilmSolution | None:
         """Film of the step with this index; None if it has not been written.
 
-        like: film of the same run, with what all its films share. A damaged file is ignored with a
-        warning. Raises CheckpointError if the file was written by another run.
+        like: any film of the same run, from which the data common to all its films are taken. A
+        damaged file is ignored with a warning. Raises CheckpointError if the file was written by
+        another run.
         """
         file = self._file(index)
         require_marked(file)
@@ -145,7 +146,7 @@ def _plain(value: FloatArray | float) -> Any:
 
 @contextmanager
 def kept_in(folder: str | os.PathLike[str] | None, run: Identity) -> Iterator[Kept | None]:
-    """Context manager: lock a folder and provide the kept films; None if no folder."""
+    """Context manager that locks a folder and provides its stored films; None without a folder."""
     if folder is None:
         yield None
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Estimate of the film of a contact, of a bearing or of a pair of gears."""
+"""Estimate of the film thickness in a contact, a bearing or a pair of gears."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class FilmEstimate(HtmlTable):
     numbers: MoesNumbers
 
     def lambda_ratio(self, roughness1: float, roughness2: float = 0.0) -> float:
-        """Ratio of the minimum film to the roughness of both surfaces; see `lambda_ratio`."""
+        """Ratio of the minimum film to the combined roughness; see the function `lambda_ratio`."""
         return lambda_ratio(self.minimum, roughness1, roughness2)
 
     def _rows(self) -> Rows:
@@ -54,12 +54,13 @@ class FilmEstimate(HtmlTable):
 def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstimate:
     """Return the film thickness by the formula for the regime of a contact.
 
-    Line contacts: `dowson_higginson`, or the formula of another regime (Herrebrugh, Martin, Blok);
-    elliptic contacts: `hamrock_dowson`, for soft bodies if their regime is elastic-isoviscous, or
-    `rigid_isoviscous`. contact: from `samcontact.hertz`,
-    `Bearing.hertz` or `FlankContact.hertz`; speed: (u1, u2) along x [m/s].
-    Raises TypeError or ValueError outside the range of the formulas, and warns of hard bodies with
-    an isoviscous lubricant, to which the formula for soft bodies was not fitted.
+    For line contacts, the formula is `dowson_higginson` or that of another regime (Herrebrugh,
+    Martin, Blok). For elliptic contacts, it is `rigid_isoviscous`, or `hamrock_dowson` (with
+    material "soft" in the elastic-isoviscous regime).
+
+    contact: from `samcontact.hertz`, `Bearing.hertz` or `FlankContact.hertz`; speed: (u1, u2) along
+    x [m/s]. Raises TypeError or ValueError outside the range of the formulas. Warns if hard bodies
+    have an isoviscous lubricant, because the formula for soft bodies was not fitted to them.
     """
     numbers = moes(contact, speed, lubricant)
     if type(contact) is LineContact:
@@ -74,12 +75,12 @@ def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstim
 
 
 def lambda_ratio(film: float, roughness1: float, roughness2: float = 0.0) -> float:
-    """Return film/(Rq1^2 + Rq2^2)^(1/2) [-], the ratio of a film to the roughness.
+    """Return the ratio of film thickness to roughness, film/(Rq1^2 + Rq2^2)^(1/2) [-].
 
     film: smooth film thickness [m]; roughness1, roughness2: rms heights of both surfaces [m]. Above
-    about 3 the surfaces are separated, below 1 asperities carry load. Heavily loaded contacts
-    flatten the asperities, so these limits are lower there. Raises ValueError if both surfaces are
-    smooth.
+    a ratio of about 3 the surfaces are separated; below 1 asperities carry load. In heavily loaded
+    contacts these limits are lower, because the asperities are flattened. Raises ValueError if both
+    surfaces are smooth.
     """
     film = positive("film", film)
     heights = non_negative("roughness1", roughness1), non_negative("roughness2", roughness2)
@@ -89,11 +90,13 @@ def lambda_ratio(film: float, roughness1: float, roughness2: float = 0.0) -> flo
 
 
 def bearing_speeds(bearing: Bearing, inner: float, outer: float = 0.0) -> Speeds:
-    """Return the speeds (u, u) of race and element at both contacts of a bearing [m/s].
+    """Return the surface speeds (u, u) of raceway and rolling element of a bearing [m/s].
 
-    inner, outer: angular velocities of the rings about the axis of the bearing [rad/s]. Pure
-    rolling: u = (inner - outer) dm/4 (1 - gamma^2), gamma = D cos(contact angle)/dm; Harris &
-    Kotzalas (2006), section 10.2. Raises ValueError unless the rings turn relative to each other.
+    inner, outer: angular velocities of the rings about the axis of the bearing [rad/s]. In pure
+    rolling, the speed at the contacts with both rings is u = abs(inner - outer) dm/4 (1 - gamma^2),
+    where gamma = D cos(contact angle)/dm, with the element diameter D and the pitch diameter dm;
+    Harris & Kotzalas (2006), section 10.2. Raises ValueError unless the rings turn relative to each
+    other.
     """
     require_type("bearing", bearing, Bearing)
     rate = finite("inner", inner) - finite("outer", outer)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Films to a prescribed accuracy, by refinement and enlargement of the grid."""
+"""Film thickness to a prescribed accuracy, by refinement and enlargement of the grid."""
 
 from __future__ import annotations
 
@@ -26,25 +26,28 @@ _logger = logging.getLogger("samcontact")
 RATIO = 2.0**0.5
 """Ratio of the cell sizes of successive grids."""
 ORDER = 1.5
-"""Lowest order of convergence that is assumed; central films have 1.5 to 3."""
+"""Assumed order of convergence, the lowest measured: central films have orders of 1.5 to 3."""
 SAFETY = 1.5
-"""Estimated error over the sum of all further differences with this order."""
+"""Safety factor on the error that is extrapolated from the differences between grids."""
 ENLARGEMENT = 1.5
-"""Ratio of the sides of successive grids."""
+"""Ratio of the side lengths of successive grids when the grid is enlarged."""
 WINDOW_SHARE = 0.5
-"""Share of the accuracy that the area of the grid may use."""
+"""Share of the prescribed accuracy that errors due to the edges of the grid may use."""
 WINDOW_ORDER = 3.0
-"""Decrease of the error with the length of the inlet; measured at M = 20, where it is largest."""
+"""Exponent n of the edge error, which decreases as 1/(inlet length)^n; measured at M = 20."""
 MIN_GRIDS, MAX_GRIDS, MAX_ENLARGEMENTS = 3, 20, 4
 MAX_CELLS, MAX_CELLS_OF_LINE = 420**2, 2**14
-"""Largest numbers of cells of a grid."""
+"""Largest number of cells of a grid, in general and for line contacts."""
 MIN_ACCURACY, MAX_ACCURACY = 1e-4, 0.2
 
 Solve = Callable[[FilmTask, Grid], FilmSolution]
 
 
 def checked_accuracy(accuracy: Any, task: FilmTask) -> FloatArray:
-    """Return the relative accuracies of central and minimum film [-]; infinite if not given."""
+    """Return the prescribed relative accuracies of central and minimum film [-].
+
+    An accuracy that is not given is infinite.
+    """
     if not callable(task.gap):
         raise TypeError(
             "gap must be a function of a grid with accuracy, which needs other grids, got "
@@ -69,7 +72,7 @@ def checked_accuracy(accuracy: Any, task: FilmTask) -> FloatArray:
 
 @dataclass(frozen=True)
 class _Window:
-    """Grid that is large enough, and the relative errors due to its edges."""
+    """Grid that is large enough, the solution on it, and the relative errors due to its edges."""
 
     grid: Grid
     solution: FilmSolution
@@ -77,9 +80,9 @@ class _Window:
 
 
 def to_accuracy(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) -> FilmSolution:
-    """Return the solution on a grid whose estimated errors are below the accuracies.
+    """Return a solution whose estimated film errors are below the prescribed accuracies.
 
-    Issues an `AccuracyWarning`, with the errors that were reached, if this needs too many cells.
+    If this needs too many cells, an `AccuracyWarning` states the errors that were reached.
     """
     window = _large_enough(task, _resolved(task, grid, solve), accuracy, solve)
     found, values = window.solution, [_values(window.solution)]
@@ -107,7 +110,7 @@ def to_accuracy(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) 
 
 
 def _resolved(task: FilmTask, grid: Grid, solve: Solve) -> Grid:
-    """Return the given grid, or one with smaller cells that resolve the film."""
+    """Return the given grid if it resolves the film, or else a grid with smaller cells."""
     while True:
         try:
             solve(task, grid)
@@ -125,10 +128,12 @@ def _too_many(grid: Grid) -> bool:
 
 
 def grid_errors(values: FloatArray) -> FloatArray:
-    """Return the relative errors of values on grids refined by `RATIO`, the last the finest.
+    """Return the estimated relative errors of the values on the finest of several grids [-].
 
-    The sum of all further differences, if they decrease with `ORDER`, of the largest of the last
-    three differences, each scaled to the finest grid.
+    values: results on grids refined by `RATIO` each time, the finest last. The last three
+    differences between successive grids are scaled to the finest grid with `ORDER`. The largest of
+    these three is extrapolated: the differences between all still finer grids are assumed to
+    decrease with `ORDER`, and the error is `SAFETY` times their sum.
     """
     steps = np.abs(np.diff(values, axis=0))[::-1][:3]
     ages = np.arange(len(steps))[:, None]
@@ -139,7 +144,11 @@ def grid_errors(values: FloatArray) -> FloatArray:
 
 
 def _large_enough(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) -> _Window:
-    """Return a grid, the given one or larger, whose edges change the films little enough."""
+    """Return the given grid or a larger one whose edges change the films little enough.
+
+    The limit is `WINDOW_SHARE` of the accuracy. After `MAX_ENLARGEMENTS`, the last grid is
+    returned.
+    """
     here, less = solve(task, grid), ENLARGEMENT**-WINDOW_ORDER
     for _ in range(MAX_ENLARGEMENTS):
         larger = _larger(grid)
@@ -166,7 +175,7 @@ def _finer(grid: Grid, factor: float) -> Grid:
 
 
 def _larger(grid: Grid) -> Grid:
-    """Return a grid of the same cells with a larger area, along directions without a period."""
+    """Return a grid with cells of the same size and a larger area, along non-periodic axes."""
     nx = 2 * round(0.5 * ENLARGEMENT * grid.nx)
     ny = grid.ny if grid.along_y else 2 * round(0.5 * ENLARGEMENT * grid.ny)
     return replace(grid, nx=nx, ny=ny)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Temperature of a lubricant film and of the surfaces that it heats.
 
-Heat crosses the film by conduction. The viscosity decreases as exp(-beta T), so that with a uniform
-shear stress tau the temperature over the relative height t in (-1, 1) has the closed form
-(Gruntfest 1963) beta T = 2 ln(cosh D/cosh(D t)) above that of the walls, with
-D tanh D = beta q h/(8 k), the heat q per area, the film h and the conductivity k.
+Heat is conducted across the film to the surfaces (walls). The viscosity decreases as exp(-beta T)
+with the temperature rise T above the walls. If the shear stress is uniform across the film, T has a
+closed form (Gruntfest 1963): beta T = 2 ln(cosh D/cosh(D t)) at the relative height t in (-1, 1).
+The parameter D follows from D tanh D = beta q h/(8 k), where q is the heat generated in the film
+per area, h the film thickness and k the thermal conductivity of the lubricant.
 """
 
 from __future__ import annotations
@@ -21,17 +22,17 @@ from ..lubricants.shear import thinned
 from .through_film import HEIGHTS
 
 FLOW_SHARE = 5.0 / 7.0
-"""Uniform heat that changes the flow as much as one unit of heat of the pressure flow, which is
-released near the walls [-]."""
+"""Uniformly released heat that changes the flow as much as one unit of heat from the pressure flow,
+which is released near the walls [-]."""
 BISECTIONS = 50
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class FilmHeat(HtmlTable):
-    """Heat of a lubricated contact, from `steady` with `thermal=True`.
+    """Temperatures and heat fluxes of a lubricated contact, from `steady` with `thermal=True`.
 
-    Temperatures are rises above the temperature of bodies and inlet, which is that of the given
-    viscosity. Fields have the shape (nx, ny).
+    Temperature rises are relative to the temperature of the bodies and the inlet. This is the
+    temperature for which the viscosity is given. Fields have the shape (nx, ny).
 
     Attributes
     ----------
@@ -42,7 +43,9 @@ class FilmHeat(HtmlTable):
     flux : ndarray, shape (2, nx, ny)
         Heat flux into bodies 1 and 2 [W/m^2].
     depth : ndarray
-        Solution D of D tanh D = beta q h/(8 k) [-].
+        Parameter D of the temperature profile across the film [-], the root of
+        D tanh D = beta q h/(8 k). Here beta is the temperature coefficient of the viscosity, q the
+        heat per area, h the film thickness and k the conductivity.
     middle_rise : ndarray
         Temperature rise in the middle of the film [K].
     cell_area : float
@@ -64,7 +67,7 @@ class FilmHeat(HtmlTable):
 
     @property
     def power(self) -> float:
-        """Heat that enters both bodies [W]."""
+        """Total heat flow into both bodies [W]."""
         return float(self.flux.sum()) * self.cell_area
 
     @property
@@ -91,7 +94,7 @@ class FilmHeat(HtmlTable):
 
 @dataclass(frozen=True)
 class Conduction:
-    """Film with fixed pressure and thickness, whose heat is sought."""
+    """Heat conduction across a film of given pressure and thickness."""
 
     lubricant: Lubricant
     pressure: FloatArray
@@ -119,11 +122,15 @@ class Conduction:
 
     @cached_property
     def _newtonian(self) -> FloatArray:
-        """Newtonian shear stress of a film without heat [Pa]."""
+        """Newtonian shear stress of the film without heating [Pa]."""
         return self.lubricant.viscosity(self.pressure) * (self.sliding / self.film)
 
     def shear(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
-        """Return the shear stress [Pa] of a film with these temperatures."""
+        """Return the shear stress [Pa] of the film at the given temperatures.
+
+        wall_rise: temperature rise of the walls [K]; depth: parameter D of the temperature profile
+        [-].
+        """
         warm = shear_factor(depth) / wall_fluidity(self.constants, wall_rise)
         oil = self.lubricant
         stress = thinned(
@@ -132,14 +139,18 @@ class Conduction:
         return self.filling * stress
 
     def warming(self, depth: FloatArray, wall_rise: FloatArray) -> FloatArray:
-        """Return beta q h/(8 k) of the heat that warms the middle of the film [-]."""
+        """Return the dimensionless heating beta q h/(8 k) of the film [-].
+
+        q is the heat per area that warms the middle of the film, beta the temperature coefficient
+        of the viscosity, h the film thickness and k the conductivity.
+        """
         found: FloatArray = self.constants.beta * self._power(wall_rise, depth) * self._resistance
         return found
 
     def depth(self, wall_rise: FloatArray) -> FloatArray:
-        """Return the root D of D tanh D = `warming(D)`.
+        """Return the parameter D of the temperature profile, the root of D tanh D = `warming(D)`.
 
-        It is unique, because the right-hand side decreases with D.
+        The root is unique, because `warming` decreases with D.
         """
         low = np.zeros_like(wall_rise)
         high = 1.0 + self.warming(low, wall_rise)
@@ -151,7 +162,7 @@ class Conduction:
         return found
 
     def middle_rise(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
-        """Return the temperature rise of the mid-plane [K]."""
+        """Return the temperature rise in the mid-plane of the film [K]."""
         parabola = self._power(wall_rise, depth) * self._resistance
         # 2 ln cosh D/beta, over the value D tanh D/beta of the parabola
         with np.errstate(invalid="ignore", divide="ignore"):
@@ -161,13 +172,16 @@ class Conduction:
 
 
 def wall_fluidity(constants: LubricantHeat, rise: FloatArray) -> FloatArray:
-    """Return (viscosity without heat)/(viscosity at a temperature rise of the walls) [-]."""
+    """Return (viscosity without heating)/(viscosity at the walls) [-].
+
+    rise: temperature rise of the walls [K].
+    """
     found: FloatArray = np.exp(constants.beta * rise)
     return found
 
 
 def warm_fluidity(depth: FloatArray) -> FloatArray:
-    """Return the ratio of wall viscosity to viscosity at the Gauss points, shape (8, ...)."""
+    """Return (viscosity at the walls)/(viscosity at the Gauss points `HEIGHTS`), shape (8, ...)."""
     heights = HEIGHTS.reshape(-1, *(1,) * depth.ndim)
     found: FloatArray = (np.cosh(depth) / np.cosh(heights * depth)) ** 2
     return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limits of the theory and of the grid for a lubricated contact, from the film of a formula."""
+"""Limits of theory and grid for a lubricated contact, based on the film that a formula predicts."""
 
 from __future__ import annotations
 
@@ -13,22 +13,24 @@ from ..problem.grid import Grid
 from .nested import DryContact, FilmTask
 
 MAX_FILM_OF_RADIUS = 0.1
-"""Largest film for which Reynolds' equation is solved, relative to the radius of the gap."""
+"""Largest film thickness for which Reynolds' equation is solved, relative to the gap radius."""
 FEW_ITERATIONS = 15
-"""Limit of `max_iterations` below which the message of a failure names this limit as the cause."""
+"""If `max_iterations` is below this number, the message of a failure names it as the cause."""
 USUAL_REMEDY = "use smaller cells, a longer inlet, or order = 1"
 MIN_FILM_OF_RISE = 0.2
-"""Ratio of the predicted film to the increase of the dry gap over one cell at the contact edge;
-below this ratio, the message of a failure names the cell size as the cause."""
+"""Ratio of the predicted film to the increase of the dry gap over one cell at the contact edge.
+
+Below this ratio, the message of a failure names the cell size as the cause."""
 
 
 def require_thin_film(task: FilmTask, dry: DryContact) -> None:
-    """Refuse a film that is not thin, before the work.
+    """Raise ValueError, before the solution begins, if the predicted film is not thin.
 
     Raises
     ------
     ValueError
-        The film that a formula predicts is larger than a tenth of the radius of the gap.
+        The film that a formula predicts is thicker than a tenth of the radius of curvature of the
+        gap.
     """
     if not task.is_load or min(dry.film, task.supply) <= MAX_FILM_OF_RADIUS * dry.gap_radius:
         return
@@ -52,7 +54,7 @@ def require_thin_layer(task: FilmTask, dry: DryContact) -> None:
 
 
 def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
-    """Return a remedy, as text, for a film that did not converge."""
+    """Return the text of a remedy for a solution that did not converge."""
     if task.max_iterations < FEW_ITERATIONS:
         return f"increase max_iterations, now {task.max_iterations}"
     film = min(dry.film, task.supply)
@@ -77,7 +79,11 @@ def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
 
 
 def _inlet_length(task: FilmTask, pressure: FloatArray, grid: Grid) -> float:
-    """Return the smallest distance of the centre from an edge through which lubricant enters."""
+    """Return the smallest distance of the contact centre from a main inlet edge [m].
+
+    The centre is the place of maximum pressure. An edge is a main inlet if its mean inward velocity
+    exceeds half of the largest mean inward velocity of all edges.
+    """
     i, j = np.unravel_index(int(np.argmax(pressure)), pressure.shape)
     along_x, along_y = task.face_velocities(grid)
     nx, ny = pressure.shape

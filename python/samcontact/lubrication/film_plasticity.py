@@ -13,7 +13,7 @@ from .._util.display import ShortRepr
 class FilmPlasticity(ShortRepr):
     """Stress and plastic strain of both bodies under a film, from `press_loads`.
 
-    The first index of fields is the body; those of a rigid body are 0.
+    The first index of a field is the body. The fields of a rigid body are 0.
 
     Attributes
     ----------
@@ -22,11 +22,11 @@ class FilmPlasticity(ShortRepr):
     residual_displacement : ndarray, shape (2, nx, ny)
         Residual normal displacement of the surfaces [m], positive into the body.
     z : ndarray, shape (nz,)
-        Depths of the fields below [m].
+        Depths at which stress and strain are given [m].
     von_mises : ndarray, shape (2, nx, ny, nz)
         Von Mises stress under the film [Pa].
     residual_von_mises : ndarray, shape (2, nx, ny, nz)
-        Von Mises stress of the stress that remains after elastic unloading [Pa].
+        Von Mises equivalent of the residual stress, which remains after elastic unloading [Pa].
     equivalent_plastic_strain : ndarray, shape (2, nx, ny, nz)
         Accumulated equivalent plastic strain [-].
     """

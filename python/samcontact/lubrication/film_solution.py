@@ -22,26 +22,26 @@ from .film_plasticity import FilmPlasticity
 
 
 class FilmLevel(NamedTuple):
-    """Solution on one of the nested grids, from the coarsest to the given one."""
+    """Summary of the solution on one of the nested grids."""
 
     cells: tuple[int, int]
     iterations: int
-    """Newton iterations."""
+    """Number of Newton iterations."""
     krylov_steps: int
-    """Steps of GMRES in all Newton iterations."""
+    """Number of GMRES steps in all Newton iterations."""
     operator_applications: float
-    """Applications of the elastic operator."""
+    """Number of applications of the elastic operator."""
     residual: float
     central_film: float
-    """Film at the centre [m]."""
+    """Film thickness at the contact centre [m]."""
 
 
 class FilmNotResolvedError(ValueError):
-    """Film that is not positive, because the cells are too large."""
+    """Error: the film thickness is not positive everywhere, because the cells are too large."""
 
 
 class FilmErrors(NamedTuple):
-    """Estimated absolute errors due to the grid, with `accuracy` of `steady` [m]."""
+    """Estimated absolute errors due to the grid [m], if `accuracy` was given to `steady`."""
 
     central_film: float
     minimum_film: float
@@ -56,9 +56,9 @@ class FilmPast:
     ways: FloatArray
     """Travels of the surfaces of bodies 1 and 2 along x and y since the start [m]."""
     content: FloatArray
-    """Content of the film at the preceding instant [m]."""
+    """Content of the film at the preceding instant [m], see `FilmSolution.content`."""
     gap: FloatArray
-    """Gap of the undeformed surfaces without moving reliefs [m]."""
+    """Gap of the undeformed surfaces without topography that moves with a body [m]."""
     peak: float
     """Largest pressure at the start [Pa]."""
 
@@ -80,7 +80,7 @@ class FilmSolution(HtmlTable):
     fluid_pressure, boundary_pressure : ndarray
         Pressure of the fluid, and of the boundary layer [Pa].
     film : ndarray
-        Film thickness [m]: the distance of the surfaces.
+        Film thickness [m]: the distance between the surfaces.
     filling : ndarray
         Share of the film that is filled with lubricant [-]; below 1 in cavitated cells.
     approach : float
@@ -88,19 +88,19 @@ class FilmSolution(HtmlTable):
     load : float
         Normal load [N].
     residual : float
-        Largest imbalance of the flow of a cell, relative to the flow through the central film, or
-        of the load [-].
+        Larger of two relative errors [-]: the imbalance of the flow of a cell, relative to the flow
+        through the central film, and the imbalance of the load.
     levels : tuple of FilmLevel
-        Nested grids; the last is the given grid.
+        Summaries of the nested grids, from the coarsest to the given grid.
     boundary : Boundary, or None
     spin : float
         Mean angular velocity of the surfaces about z [rad/s].
     bodies : tuple of Material or Layered
         Upper and lower body.
     past : FilmPast, or None
-        Past of a transient contact.
+        Data of earlier instants of a transient contact.
     order : int
-        Order of the film at the faces of the cells.
+        Order of the interpolation of the film thickness to the cell faces.
     supply : float
         Thickness of the film that arrives at the inlet [m]; infinite if fully flooded.
     shear_thinning : bool
@@ -138,7 +138,7 @@ class FilmSolution(HtmlTable):
 
     @cached_property
     def pressure(self) -> FloatArray:
-        """Pressure of fluid and boundary layer [Pa], shape (nx, ny)."""
+        """Sum of the pressures of fluid and boundary layer [Pa], shape (nx, ny)."""
         return self.fluid_pressure + self.boundary_pressure
 
     @property
@@ -148,21 +148,24 @@ class FilmSolution(HtmlTable):
 
     @property
     def content(self) -> FloatArray:
-        """Product of filling, relative density and film, a thickness at p = 0 [m]."""
+        """Content of the film [m]: filling times relative density times film thickness.
+
+        This is the thickness that the lubricant would have at zero pressure.
+        """
         density = self.lubricant.density(self.fluid_pressure)
         content: FloatArray = self.filling * density * self.film
         return content
 
     @property
     def smooth_gap(self) -> FloatArray:
-        """Gap of the undeformed surfaces without moving reliefs [m], shape (nx, ny)."""
+        """Gap of the undeformed surfaces without topography that moves with a body [m]."""
         return self.gap if self.past is None else self.past.gap
 
     @property
     def central_film(self) -> float:
         """Film thickness where the gap of the undeformed surfaces is smallest [m].
 
-        Moving reliefs do not change this place.
+        Topography that moves with a body does not change this place.
         """
         return film_at_centre(self.film, self.smooth_gap)
 
@@ -173,12 +176,12 @@ class FilmSolution(HtmlTable):
 
     @property
     def boundary_share(self) -> float:
-        """Share of the load that the boundary layer bears [-]."""
+        """Share of the load that the boundary layer carries [-]."""
         return float(self.boundary_pressure.sum() / self.pressure.sum())
 
     @property
     def iterations(self) -> int:
-        """Newton iterations on the given grid."""
+        """Number of Newton iterations on the given grid."""
         return self.levels[-1].iterations
 
     @property
@@ -200,7 +203,7 @@ class FilmSolution(HtmlTable):
         return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]
 
     def _with_error(self, film: float, number: int) -> str:
-        """Text of a film, with its estimated error."""
+        """Text of a film thickness, with its estimated error if known."""
         text = quantity(film, "m")
         return text if self.errors is None else f"{text} ± {quantity(self.errors[number], 'm')}"
 
@@ -210,7 +213,10 @@ class FilmSolution(HtmlTable):
 
 
 def film_at_centre(film: FloatArray, gap: FloatArray) -> float:
-    """Return the film where a gap has its minimum, which may lie between the centres of cells."""
+    """Return the film thickness at the minimum of a gap [m].
+
+    The position of the minimum is interpolated between cell centres.
+    """
     index = np.unravel_index(int(np.argmin(gap)), gap.shape)
     place = []
     for axis, (i, n) in enumerate(zip(index, gap.shape, strict=True)):
@@ -228,5 +234,5 @@ def film_at_centre(film: FloatArray, gap: FloatArray) -> float:
 
 
 def _line(index: tuple[np.intp, ...], axis: int) -> tuple[slice | int, ...]:
-    """Return the index of the line through a cell along an axis."""
+    """Return the index that selects the line of cells through a given cell along an axis."""
     return tuple(slice(None) if k == axis else int(i) for k, i in enumerate(index))

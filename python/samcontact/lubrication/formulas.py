@@ -16,7 +16,7 @@ Speeds = tuple[float, float]
 SOFT_SPEEDS, SOFT_LOADS = (5e-9, 5e-8), (2e-4, 2e-3)
 """Ranges of U and W to which the formula for soft bodies was fitted."""
 MARGIN = 50.0
-"""Factor by which a group may be outside, without a warning: the film then changes by 10 %."""
+"""Factor by which U or W may be outside these ranges without a warning."""
 
 
 class FilmThickness(NamedTuple):
@@ -27,7 +27,7 @@ class FilmThickness(NamedTuple):
 
 
 class Limits(NamedTuple):
-    """Films of the four limits of lubrication, in one unit."""
+    """Film thickness by the formula of each of the four regimes, all in the same unit."""
 
     rigid_isoviscous: float
     elastic_isoviscous: float
@@ -42,10 +42,10 @@ def hamrock_dowson(
 
     contact: point or elliptic contact with a_y >= a_x; speed: (u1, u2) along x [m/s]; material:
     "hard" for a viscosity that increases with the pressure (1977, doi:10.1115/1.3453074), "soft"
-    for an isoviscous lubricant and soft bodies (1978, doi:10.1115/1.3453152). The minimum film of
-    the hard formula is too thick at heavy loads. Raises ValueError outside this range, and warns of
-    bodies that are not soft: U and W must be within a factor of 50 of the fitted 5e-9 to 5e-8 and
-    2e-4 to 2e-3.
+    for an isoviscous lubricant and soft bodies (1978, doi:10.1115/1.3453152). The minimum film by
+    the formula for "hard" is too thick at heavy loads. Raises ValueError for other contacts. With
+    "soft", warns if the speed group U or the load group W (see `FilmGroups`) differs by more than a
+    factor of 50 from the fitted ranges 5e-9 to 5e-8 and 2e-4 to 2e-3.
     """
     choice("material", material, ("hard", "soft"))
     found = _wide_ellipse(contact, speed, lubricant)
@@ -68,9 +68,10 @@ def hamrock_dowson(
 def nijenbanning(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
     """Return the central film of an elliptic contact in all regimes of lubrication [m].
 
-    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Fit for an
-    incompressible lubricant: divide by its relative density at the Hertz pressure. Nijenbanning,
-    Venner & Moes (1994, doi:10.1016/0043-1648(94)90150-3). Raises ValueError outside this range.
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. The formula was
+    fitted for an incompressible lubricant. To account for compressibility, divide the result by the
+    relative density of the lubricant at the Hertz pressure. Nijenbanning, Venner & Moes (1994,
+    doi:10.1016/0043-1648(94)90150-3). Raises ValueError for other contacts.
     """
     found = _wide_ellipse(contact, speed, lubricant)
     return found.scale * film_parts(*found.moes, found.D).film
@@ -85,7 +86,7 @@ class FilmParts(NamedTuple):
 
 
 def film_parts(M: float, L: float, D: float) -> FilmParts:
-    """Return the film of Nijenbanning, Venner & Moes (1994) for numbers M, L and the ratio D."""
+    """Return the central film by Nijenbanning, Venner & Moes (1994) for M, L and D = Rx/Ry."""
     limits = _nijenbanning_limits(M, L, D)
     s = 1.5 * (1.0 + math.exp(-1.2 * limits.elastic_isoviscous / limits.rigid_isoviscous))
     longest = 1.8 / D
@@ -102,7 +103,10 @@ def film_parts(M: float, L: float, D: float) -> FilmParts:
 
 
 def _nijenbanning_limits(M: float, L: float, D: float) -> Limits:
-    """Return central films divided by Moes' scale; Nijenbanning, Venner & Moes (1994)."""
+    """Return the central films of the four regimes, divided by Moes' scale [-].
+
+    Source: Nijenbanning, Venner & Moes (1994).
+    """
     shape = 1.0 + 0.006 * math.log(D) + 0.63 * D ** (4.0 / 7.0)
     return Limits(
         145.0 * (1.0 + 0.796 * D ** (14.0 / 15.0)) ** (-15.0 / 7.0) / D * M**-2,
@@ -113,10 +117,10 @@ def _nijenbanning_limits(M: float, L: float, D: float) -> Limits:
 
 
 def rigid_isoviscous(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
-    """Return the film between rigid bodies with a constant viscosity [m].
+    """Return the film thickness between rigid bodies at constant viscosity [m].
 
     contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Brewe, Hamrock
-    & Taylor (1979, doi:10.1115/1.3453338). Raises ValueError outside this range.
+    & Taylor (1979, doi:10.1115/1.3453338). Raises ValueError for other contacts.
     """
     found = _wide_ellipse(contact, speed, lubricant)
     D = found.D
@@ -130,10 +134,13 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
     After Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02).
     contact: line contact, or point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x
     [m/s]. The result is "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or
-    "elastic-piezoviscous": elastic if the Hertz approach is larger than the central film of
-    `nijenbanning`, piezoviscous if the piezoviscous part of this film is larger than the isoviscous
-    part. A line contact is elastic if b^2/(2 R) of its half-width b is larger than the film, by the
-    films of the four limits. Raises ValueError outside this range.
+    "elastic-piezoviscous". A contact is elastic if its Hertz approach is larger than the central
+    film by `nijenbanning`. It is piezoviscous if the piezoviscous part of this film is larger than
+    the isoviscous part.
+
+    A line contact is classified by the films of the four regimes instead. It is elastic if
+    b^2/(2 R), with the half-width b, is larger than these films. Raises ValueError for other
+    contacts.
     """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:
@@ -143,7 +150,10 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
 
 
 def regime_of(M: float, L: float, D: float, approach: float) -> str:
-    """Return the regime; `approach` is the Hertz approach divided by Moes' scale."""
+    """Return the regime of an elliptic contact with Moes' numbers M, L and D = Rx/Ry.
+
+    approach: Hertz approach divided by Moes' scale [-].
+    """
     parts = film_parts(M, L, D)
     solid = "elastic" if approach > parts.film else "rigid"
     fluid = "piezoviscous" if parts.piezoviscous > parts.isoviscous else "isoviscous"
@@ -171,12 +181,12 @@ def dowson_higginson(contact: Contact, speed: Speeds, lubricant: Lubricant) -> f
 
 
 def dowson_higginson_of(groups: FilmGroups) -> float:
-    """Return the minimum film of Dowson & Higginson [m]; 0 for an isoviscous lubricant."""
+    """Return the minimum film by Dowson & Higginson [m]; 0 for an isoviscous lubricant."""
     return groups.radius * float(2.65 * groups.U**0.70 * groups.G**0.54 * groups.W**-0.13)
 
 
 def _line(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
-    """Return the groups of a line contact."""
+    """Return the groups of a line contact; raise ValueError for other contacts."""
     found = film_groups(contact, speed, lubricant)
     if found.D > 0.0:
         raise ValueError(
@@ -186,7 +196,7 @@ def _line(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
 
 
 def line_limits(groups: FilmGroups) -> Limits:
-    """Return the films of the limits of a line contact [m].
+    """Return the films of a line contact by the formulas of the four regimes [m].
 
     Martin (1916), Herrebrugh (1968, doi:10.1115/1.3601554), Blok (1952), and Dowson & Higginson.
     """
@@ -210,7 +220,7 @@ def _line_regime(groups: FilmGroups) -> str:
 
 
 def line_film(contact: Contact, speed: Speeds, lubricant: Lubricant) -> tuple[float, str, str]:
-    """Return the film of a line contact by the limit of its regime [m], regime and formula."""
+    """Return the minimum film of a line contact [m], its regime, and the name of the formula."""
     groups = _line(contact, speed, lubricant)
     regime = _line_regime(groups)
     name = regime.replace("-", "_")
@@ -224,7 +234,7 @@ _LINE_FORMULAS = {
 
 
 def _warn_unless_soft(found: FilmGroups) -> None:
-    """Warn if speed or load are far from those to which the formula for soft bodies was fitted."""
+    """Warn if U or W is far from the range to which the formula for soft bodies was fitted."""
     for name, value, (low, high) in (("U", found.U, SOFT_SPEEDS), ("W", found.W, SOFT_LOADS)):
         if not low / MARGIN <= value <= high * MARGIN:
             warnings.warn(
@@ -239,9 +249,9 @@ def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
     """Return the ratio of the film with inlet heating to the isothermal film, in pure rolling [-].
 
     speed: (u1, u2) along x [m/s]; lubricant: with thermal constants. The ratio is 3.94/(3.94 +
-    L^0.62) with L = beta eta0 u^2/k and the mean speed u (Murch & Wilson 1975, J. Lubr. Technol.
-    97, 212-216).
-    Raises ValueError without thermal constants.
+    L^0.62) with the thermal loading L = beta eta0 u^2/k, where beta is the temperature coefficient
+    of the viscosity, eta0 the viscosity, u the mean speed and k the conductivity (Murch & Wilson
+    1975, J. Lubr. Technol. 97, 212-216). Raises ValueError without thermal constants.
     """
     require_type("lubricant", lubricant, Lubricant)
     if lubricant.heat is None:
@@ -252,7 +262,10 @@ def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
 
 
 def _wide_ellipse(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
-    """Return the groups of an ellipse that is not longer along the motion than across it."""
+    """Return the groups of a point or elliptic contact; raise ValueError for other contacts.
+
+    The ellipse must not be longer along the motion than across it.
+    """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:
         raise ValueError("contact must be a point or elliptic contact: use dowson_higginson")

@@ -23,7 +23,7 @@ class FilmFriction(HtmlTable):
     Attributes
     ----------
     fluid_shear, boundary_shear : ndarray, shape (2, nx, ny)
-        Shear of fluid and boundary layer along x and y [Pa], on body 2; it has the direction
+        Shear stress of fluid and boundary layer on body 2, along x and y [Pa]. It has the direction
         of the velocity of body 1 relative to body 2.
     traction : ndarray, shape (2,)
         Force on body 2 along x and y [N].
@@ -32,8 +32,8 @@ class FilmFriction(HtmlTable):
     boundary_share : float
         Share of the boundary layer in the traction [-]; zero without sliding.
     rolling_resistance : float
-        Force of the flow on each body against the mean velocity [N], the integral of half the film
-        times the pressure gradient; it remains without sliding.
+        Force of the pressure flow on each body, against the mean velocity [N]: the integral of half
+        the film thickness times the pressure gradient. It also acts in pure rolling.
     power : float
         Dissipated power [W].
     """
@@ -59,12 +59,12 @@ class FilmFriction(HtmlTable):
 
 
 def friction(film: FilmSolution) -> FilmFriction:
-    """Return shear, traction, rolling resistance and power of a lubricated contact.
+    """Return shear stress, traction, rolling resistance and power of a lubricated contact.
 
-    The shear between the surfaces is that of the lubricant (`Lubricant.shear_stress`) at the rate
-    ``|v1 - v2|``/film, times the filled fraction of the film, at the temperatures of a heated film.
-    The boundary layer adds its coefficient of friction times its pressure. The sliding due to spin
-    is not included.
+    The shear stress of the fluid is `Lubricant.shear_stress` at the shear rate ``|v1 - v2|``/film,
+    times the filled fraction of the film. In a heated film, it is evaluated at the computed
+    temperatures. The boundary layer adds its coefficient of friction times its pressure. The
+    sliding due to spin is not included.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def friction(film: FilmSolution) -> FilmFriction:
     speed = float(np.hypot(*sliding))
     direction = sliding / speed if speed > 0.0 else np.zeros(2)
     cell = film.grid.dx * film.grid.dy
-    # an iterate in suction has no place in a law of viscosity
+    # iterates may have negative pressures, for which no law of viscosity is defined
     pressure = np.maximum(film.fluid_pressure, 0.0)
     if film.heat is None:
         fluid = film.filling * film.lubricant.shear_stress(speed / film.film, pressure)
@@ -106,7 +106,10 @@ def friction(film: FilmSolution) -> FilmFriction:
 
 
 def _flow_power(film: FilmSolution, mean: FloatArray) -> float:
-    """Return the power of the pressure flow [W], the integral of film, gradient and velocity."""
+    """Return the power of the pressure flow [W].
+
+    It is the integral of film thickness times pressure gradient times mean velocity.
+    """
     steps = film.grid.dx, film.grid.dy
     power = 0.0
     for axis, (step, speed) in enumerate(zip(steps, mean, strict=True)):
@@ -120,7 +123,7 @@ def _flow_power(film: FilmSolution, mean: FloatArray) -> float:
 
 
 def _require_thinning(film: FilmSolution, coefficient: float) -> None:
-    """Raise ValueError if a Newtonian lubricant has an impossible friction."""
+    """Raise ValueError if a Newtonian lubricant has more friction than an oil can transmit."""
     if coefficient > MAX_FLUID_COEFFICIENT and film.lubricant.is_newtonian:
         raise ValueError(
             f"film must have a lubricant with shear thinning or a limiting shear stress, got a "

@@ -25,24 +25,28 @@ class MoesNumbers(NamedTuple):
 
 @dataclass(frozen=True)
 class FilmGroups:
-    """Groups of a lubricated contact, with E' = 2 E* and the mean speed u of the surfaces.
+    """Dimensionless groups of a lubricated contact.
+
+    They contain the modulus E' = 2 E*, the mean speed u of the surfaces, the viscosity eta0 and the
+    pressure-viscosity coefficient alpha.
 
     Attributes
     ----------
     U : float
-        Speed eta0 u/(E' Rx) [-].
+        Speed group eta0 u/(E' Rx) [-].
     G : float
-        Lubricant alpha E' [-].
+        Lubricant group alpha E' [-].
     W : float
-        Load F/(E' Rx^2), for a line contact F'/(E' R) [-].
+        Load group F/(E' Rx^2) with the load F, or F'/(E' R) for a line contact with the load per
+        length F' [-].
     k : float
         Ellipticity a_y/a_x; infinite for a line contact [-].
     D : float
         Ratio of the radii Rx/Ry; zero for a line contact [-].
     radius : float
-        Radius along the direction of motion [m].
+        Reduced radius of curvature along the direction of motion [m].
     approach : float
-        Approach of the dry contact [m]; NaN for a line contact, whose approach has no limit.
+        Approach of the dry contact [m]; NaN for a line contact, whose approach is undefined.
     """
 
     U: float
@@ -55,13 +59,13 @@ class FilmGroups:
 
     @property
     def moes(self) -> MoesNumbers:
-        """Moes' numbers, with the sum of the speeds."""
+        """Moes' numbers M and L, which contain the sum of both speeds instead of the mean."""
         power = 0.5 if self.D == 0.0 else 0.75
         return MoesNumbers(self.W / (2.0 * self.U) ** power, self.G * (2.0 * self.U) ** 0.25)
 
     @property
     def scale(self) -> float:
-        """Length R (2 U)^(1/2) by which Moes divides films [m]."""
+        """Length R (2 U)^(1/2) by which films are divided in Moes' formulas [m]."""
         return self.radius * math.sqrt(2.0 * self.U)
 
 
@@ -136,9 +140,9 @@ def moes(contact: Contact, speed: tuple[float, float], lubricant: Lubricant) -> 
     """Return Moes' numbers M and L [-] of a lubricated Hertz contact.
 
     contact: from `samcontact.hertz`, a bearing or a pair of gears; speed: speeds (u1, u2) of the
-    surfaces along x [m/s]; lubricant. With E' = 2 E* and us = u1 + u2, M = F/(E' R^2) (E' R/(eta0
-    us))^(3/4), for a line contact F'/(E' R) (E' R/(eta0 us))^(1/2), and L = alpha E' (eta0 us/(E'
-    R))^(1/4). Moes (1992, doi:10.1016/0043-1648(92)90010-H). Raises TypeError or ValueError for
-    other arguments.
+    surfaces along x [m/s]. With E' = 2 E*, us = u1 + u2, the load F and the radius R:
+    M = F/(E' R^2) (E' R/(eta0 us))^(3/4) and L = alpha E' (eta0 us/(E' R))^(1/4). For a line
+    contact with the load per length F', M = F'/(E' R) (E' R/(eta0 us))^(1/2). Moes (1992,
+    doi:10.1016/0043-1648(92)90010-H). Raises TypeError or ValueError for other arguments.
     """
     return film_groups(contact, speed, lubricant).moes

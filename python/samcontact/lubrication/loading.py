@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Several loads on elastic-plastic bodies under a film."""
+"""Elastic-plastic bodies under a lubricant film that carries several loads in turn."""
 
 from __future__ import annotations
 
@@ -49,18 +49,18 @@ def press_loads(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> tuple[FilmSolution, ...]:
-    """Advance a simulation by increments in which a steady film carries increasing loads.
+    """Advance a simulation by one increment for each load, which a steady film carries.
 
     Parameters
     ----------
     simulation : Simulation
-        As for `press`, on a grid with depth.
+        As for `press`, but with a grid that has depth (dz).
     loads : sequence of float
         Normal load of each increment [N], > 0.
     speed, lubricant, boundary, order, shear_thinning, thermal, tol, max_iterations
         As for `press`.
     checkpoint : path, optional
-        Folder for a file with film and state of each increment. Repeating the call resumes from
+        Folder in which film and state of each increment are stored. Repeating the call resumes from
         this folder, with bit-identical results.
     progress : bool, optional
         Whether to show the progress.
@@ -69,15 +69,15 @@ def press_loads(
     -------
     tuple of FilmSolution
         Film under each load, with stress and plastic strain of the bodies in `plasticity`. The
-        simulation remains at the last state.
+        simulation ends in the last state.
 
     Raises
     ------
     ValueError, TypeError
-        As for `press`; loads that are not a list of positive numbers; a grid without depth.
+        As for `press`, or if loads is not a list of positive numbers, or if the grid has no depth.
         CheckpointError if `checkpoint` contains files of another run.
     ConvergenceError
-        As for `press`; the attribute `result` contains the films under the loads before.
+        As for `press`; the attribute `result` contains the films under the preceding loads.
     """
     require_type("simulation", simulation, Simulation)
     boolean("progress", progress)
@@ -114,7 +114,7 @@ def press_loads(
 
 
 def _plasticity(simulation: Simulation, state: State) -> FilmPlasticity:
-    """Return stress and plastic strain of both bodies; 0 for a rigid one."""
+    """Return stress and plastic strain of both bodies; 0 for a rigid body."""
     layers = state.grid.surface_shape, (*state.grid.surface_shape, state.depths.size)
     found = {
         name: np.zeros((2, *layers[name != "residual_displacement"]))
@@ -136,7 +136,7 @@ def _plasticity(simulation: Simulation, state: State) -> FilmPlasticity:
 
 
 class _KeptLoads:
-    """Films and states of one run in a folder."""
+    """Stored films and states of one run, in a folder."""
 
     def __init__(
         self, folder: Path, simulation: Simulation, run: Identity, like: FilmSolution
@@ -145,7 +145,7 @@ class _KeptLoads:
         self._films, self._like = Kept(folder / _FILMS, run), like
 
     def film(self, index: int) -> FilmSolution | None:
-        """Restore the increment with this index and return its film; None if it was not kept."""
+        """Restore the increment with this index and return its film; None if it was not stored."""
         film = self._films.film(index, self._like)
         return None if film is None or self._journal.next() is None else film
 
@@ -160,7 +160,7 @@ class _KeptLoads:
 def _kept_in(
     folder: str | os.PathLike[str] | None, simulation: Simulation, **arguments: Any
 ) -> Iterator[_KeptLoads | None]:
-    """Context manager: lock a folder and provide the kept increments; None if no folder."""
+    """Context manager that locks a folder and provides its increments, or None without a folder."""
     if folder is None:
         yield None
         return

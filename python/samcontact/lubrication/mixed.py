@@ -16,17 +16,17 @@ from .film_solution import FilmLevel
 from .nested import DryContact, FilmTask, LevelSolver, dry_contact, state_of, table_of
 
 FILM_OF_DRY = 0.06
-"""Film that a formula predicts at the first speed, in thicknesses of the boundary layer."""
+"""Film that a formula predicts at the first speed, relative to the layer thickness."""
 LAYER_RATIO, MIN_LAYER_RATIO = 2.5, 1.1
-"""Ratio of successive thicknesses of the layer at the start, and the smallest after failures."""
+"""Ratio of successive layer thicknesses at the start: first value, and minimum after failures."""
 LAYER_OF_APPROACH = 2e-3
-"""Largest of these thicknesses, relative to the approach of the dry contact."""
+"""First layer thickness, relative to the approach plus gap variation of the dry contact."""
 FIRST_ITERATIONS = 60
-"""Newton iterations allowed for each of these thicknesses."""
+"""Newton iterations that are allowed for each layer thickness at the start."""
 MAX_RATIO, MIN_RATIO = 3.0, 1.02
 """Largest and smallest factor between successive speeds."""
 FEW_ITERATIONS = 12
-"""Newton iterations below which the factor grows."""
+"""Number of Newton iterations below which the factor between speeds is increased."""
 GROWTH = 1.3
 _FLUID_OF_DRY = 1e-3  # share of the dry pressure that the fluid bears at the start
 _TOL_ON_THE_WAY = 1e-5
@@ -34,14 +34,14 @@ _TOL_ON_THE_WAY = 1e-5
 
 @dataclass
 class Step:
-    """Solution at a speed relative to that of the task."""
+    """Solution at `factor` times the speed of the task."""
 
     factor: float
     found: Any
 
 
 class MixedFilm:
-    """Films of a task at increasing speeds, each from the solution at the last one."""
+    """Films of a task at increasing speeds; each solution starts from the preceding one."""
 
     def __init__(self, task: FilmTask, grid: Grid) -> None:
         self._task = task
@@ -54,11 +54,14 @@ class MixedFilm:
         self._last: Step | None = None
 
     def _first_factor(self, thickness: float) -> float:
-        """Return the speed, relative to the task, at which the boundary layer carries all load."""
+        """Return speed/(speed of the task) [-] at which the boundary layer carries the whole load.
+
+        thickness: thickness of the layer [m].
+        """
         return float((FILM_OF_DRY * thickness / self.dry.film) ** 1.5)
 
     def _begin(self) -> Any:
-        """Return the solution at a speed at which the layer carries the whole load.
+        """Return the solution at the first speed, at which the layer carries the whole load.
 
         Thicker layers are solved first, because they conform more closely to the dry contact.
         """
@@ -88,7 +91,7 @@ class MixedFilm:
             thickness = max(thin, thickness_of_last / ratio)
 
     def _first_solution(self, state: dict[str, Any], thickness: float) -> Any:
-        """Return the solution with a layer of some thickness at its first speed."""
+        """Return the solution for a layer thickness [m], at the speed of `_first_factor`."""
         task = self.task_at(self._first_factor(thickness))
         self._solver.task = replace(
             task, tol=_TOL_ON_THE_WAY, max_iterations=max(task.max_iterations, FIRST_ITERATIONS)
@@ -96,31 +99,31 @@ class MixedFilm:
         return self._solver.solve(state, (thickness, self.layer[1]), task.order)
 
     def task_at(self, factor: float) -> FilmTask:
-        """Return the task at a speed relative to its own."""
+        """Return the task with its velocities multiplied by a factor."""
         velocities, spin = factor * self._task.velocities, factor * self._task.spin
         return replace(self._task, velocities=velocities, spin=spin)
 
     def solver_of(self, task: FilmTask) -> LevelSolver:
-        """Return the solver, for a task."""
+        """Return the solver, set to a task."""
         self._solver.task = task
         return self._solver
 
     def level(self, found: Any) -> FilmLevel:
-        """Return the record of the grid of a solution."""
+        """Return the summary of a solution on this grid."""
         return self._solver.level(found)
 
     def at(self, factor: float) -> Any:
-        """Return the solution at a speed relative to that of the task.
+        """Return the solution at `factor` times the speed of the task.
 
-        The factors of successive calls must not decrease. The solution has not converged if even
-        the smallest step fails.
+        The factors of successive calls must not decrease. If even the smallest step in speed fails,
+        the returned solution has not converged.
         """
         if self._last is None and not (found := self._begin())["converged"]:
             return found
         while True:
             assert self._last is not None
             trial = self._last.factor * self._ratio
-            # A layer that bears all at a speed bears all at any lower one.
+            # If the layer carries the whole load at a speed, it does so at any lower speed.
             if trial > factor / math.sqrt(MIN_RATIO):
                 trial = factor
             tol = self._task.tol if trial == factor else max(self._task.tol, _TOL_ON_THE_WAY)

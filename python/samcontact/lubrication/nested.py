@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of a lubricated contact on nested grids, from the dry contact on the coarsest."""
+"""Solution of a lubricated contact on nested grids, starting from the dry contact."""
 
 from __future__ import annotations
 
@@ -30,12 +30,11 @@ COARSE_CELLS, COARSE_CELLS_OF_LINE = 5.0, 10.0
 """Smallest number of cells per contact radius, or half-width of a line contact, on a coarser
 grid."""
 TABLE_RANGE = 10.0
-"""Largest pressure of the tables of the lubricant, relative to that of the dry contact."""
+"""Largest pressure in the lubricant tables, relative to the maximum pressure of the dry contact."""
 MIN_TABLE_PRESSURE = 1e8
-"""Smallest range of these tables [Pa]."""
+"""Minimum of the largest pressure in the lubricant tables [Pa]."""
 MIN_FILM_SHARE = 1e-9
-"""Film thickness, relative to the range of the gap, below which the flow is that of this
-thickness."""
+"""Film thickness, relative to the range of the gap, that replaces smaller films in the flow."""
 _GHOST_CELLS = 3  # beyond the edges of a field that is resampled
 _FILMS_OF_SUPPLY = 9.0  # film of a starved contact that is not filled at the start, in supplies
 _ENTERING_VOID = 1e-6
@@ -83,11 +82,11 @@ class FilmTask:
 
     @property
     def is_sheared(self) -> bool:
-        """Whether the viscosity depends on more than the pressure."""
+        """Whether the viscosity also depends on the shear stress or the temperature."""
         return self.thins or self.thermal
 
     def gap_on(self, grid: Grid, finest: Grid) -> FloatArray:
-        """Return the gap on a grid that covers the same area as the given one [m]."""
+        """Return the gap [m] on `grid`, which covers the same area as the grid `finest`."""
         if callable(self.gap):
             return finite_array("gap", self.gap(grid), grid.surface_shape)
         given = finite_array("gap", self.gap, finest.surface_shape)
@@ -115,7 +114,7 @@ class FilmTask:
 
 @dataclass(frozen=True)
 class DryContact:
-    """Dry contact of the same bodies, from which a film starts."""
+    """Dry contact of the same bodies, from which the solution of the film starts."""
 
     pressure: FloatArray
     approach: float
@@ -148,7 +147,7 @@ def grids_up_to(finest: Grid) -> list[Grid]:
 
 
 def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], DryContact]:
-    """Return the nested grids that resolve the contact, and the dry contact on the coarsest."""
+    """Return the nested grids that resolve the contact, and the dry contact on the first grid."""
     grids = grids_up_to(finest)
     while True:
         dry = dry_contact(task, grids[0], task.gap_on(grids[0], finest))
@@ -159,9 +158,10 @@ def started(task: FilmTask, finest: Grid) -> tuple[list[Grid], DryContact]:
 
 
 def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> FloatArray:
-    """Return a field of cells on other cells of the same area, by splines of an order.
+    """Return a field interpolated to another number of cells on the same area, by splines.
 
-    Beyond the edges the field goes on as its odd reflection: a pressure then still falls to zero.
+    shape: new numbers of cells; order: order of the splines. Beyond the edges, the field is
+    continued by its odd reflection, so that a pressure still decreases to zero at the edge.
     """
     ghosts = [min(_GHOST_CELLS, n - 1) for n in field.shape]
     wide = np.pad(field, [(n, n) for n in ghosts], mode="reflect", reflect_type="odd")
@@ -175,7 +175,7 @@ def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> Floa
 
 
 def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
-    """Return the dry contact on a grid, and the film that is expected there."""
+    """Return the dry contact on a grid, with the film that a formula predicts for it."""
     solver = ContactSolver(grid, *task.bodies, tol=1e-6, on_border="warn")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a film needs more cells, and is checked by itself
@@ -212,7 +212,10 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
 
 
 def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> dict[str, Any]:
-    """Return the initial film and pressure: those of dry contact, wider under a light load."""
+    """Return the initial pressures, voids and approach of a film, based on the dry contact.
+
+    Under a light load, the initial pressure extends farther than that of the dry contact.
+    """
     pressure = dry.pressure
     peak = int(np.argmax(pressure))
     # half-width of the film at which the gap of the surfaces has grown by itself
@@ -242,7 +245,10 @@ def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> di
 
 
 def _height_at(gap: FloatArray, grid: Grid, radius: float) -> float:
-    """Return twice the mean height of a gap within a radius about its minimum, R^2/(2 R_x) [m]."""
+    """Return the height of a gap at a radius from its minimum, as if the gap were parabolic [m].
+
+    The height follows from the mean height of the gap within this radius.
+    """
     i, j = np.unravel_index(int(np.argmin(gap)), gap.shape)
     x, y = grid.x[:, None] - grid.x[i], grid.y[None, :] - grid.y[j]
     inside = x**2 + (0.0 if grid.ny == 1 or "y" in grid.periodic else 1.0) * y**2 <= radius**2
@@ -252,7 +258,7 @@ def _height_at(gap: FloatArray, grid: Grid, radius: float) -> float:
 
 
 def refined(state: dict[str, Any], shape: tuple[int, int]) -> dict[str, Any]:
-    """Return a state on a finer grid, as a start."""
+    """Return a state interpolated to a finer grid, as the initial state on that grid."""
     cavitated = resampled((state["void_fraction"] > 0).astype(np.float64), shape) > 0.5
     voids = np.clip(resampled(state["void_fraction"], shape), _ENTERING_VOID, 1.0)
     fluid = np.maximum(resampled(state["fluid_pressure"], shape), 0.0)
@@ -265,7 +271,7 @@ def refined(state: dict[str, Any], shape: tuple[int, int]) -> dict[str, Any]:
 
 
 def state_of(found: Any) -> dict[str, Any]:
-    """Return the state of a solution, as a start."""
+    """Return the state of a solution, as the initial state of another solution."""
     names = "fluid_pressure", "boundary_pressure", "void_fraction", "approach"
     return {name: found[name] for name in names}
 
@@ -280,9 +286,10 @@ class LevelSolver:
     def solve(
         self, start: dict[str, Any], layer: tuple[float, float], order: int, **more: Any
     ) -> Any:
-        """Return the solution from a start, as a dictionary; it may not have converged.
+        """Return a solution from an initial state, as a dictionary.
 
-        more: time step and earlier contents of a transient film, or the flow due to the pressure.
+        The solution may not have converged. more: time step and earlier contents of a transient
+        film, or coefficients of the pressure flow.
         """
         task = self.task
         along_x, along_y = task.face_velocities(self.grid)
@@ -298,7 +305,7 @@ class LevelSolver:
         )  # fmt: skip
 
     def level(self, found: Any) -> FilmLevel:
-        """Return the record of this grid."""
+        """Return the summary of a solution on this grid."""
         return FilmLevel(
             self.grid.surface_shape, found["iterations"], found["krylov_steps"],
             found["operator_applications"], found["error"],
@@ -307,7 +314,10 @@ class LevelSolver:
 
 
 def table_of(lubricant: Lubricant, peak: float) -> Any:
-    """Return the tables of a lubricant for the core; peak: largest pressure when dry [Pa]."""
+    """Return the tables of a lubricant for the compiled core.
+
+    peak: maximum pressure of the dry contact [Pa].
+    """
     tables = lubricant.tables(max(TABLE_RANGE * peak, MIN_TABLE_PRESSURE))
     return _core.LubricantTable(
         scale=tables.scale, step=tables.step, reduced=tables.reduced, fluidity=tables.fluidity,

@@ -29,19 +29,20 @@ def pass_stress(films: Sequence[FilmSolution], *, z: ArrayLike, body: int = 2) -
     z : array_like, shape (m,)
         Depths [m], > 0.
     body : {1, 2}, optional
+        Body whose stress is returned. Default: 2.
 
     Returns
     -------
     ndarray, shape (n, 6, nx, ny, m)
-        Components xx, yy, zz, yz, xz, xy of each film, tension positive. The points are on the
-        body, at time 0 at the cell centres of the grid; between cells the stress is linear, and
-        beyond the grid it is 0.
+        Stress components xx, yy, zz, yz, xz, xy under each film, tension positive. The points are
+        fixed to the body. At time 0 they are at the cell centres of the grid. The stress is
+        interpolated linearly between cell centres; beyond the grid it is 0.
 
     Raises
     ------
     ValueError, TypeError
-        There are fewer than two films, they are not of one history, or the body moves along y; the
-        body is rigid; the friction is impossible, see `friction`.
+        There are fewer than two films, the films do not belong to one history, the body moves along
+        y or is rigid, or the friction is higher than an oil can transmit, see `friction`.
     """
     number = choice("body", body, (1, 2))
     if not isinstance(films, Sequence):
@@ -59,7 +60,7 @@ def pass_stress(films: Sequence[FilmSolution], *, z: ArrayLike, body: int = 2) -
 
 
 def _stress(film: FilmSolution, solver: ContactSolver, z: ArrayLike, body: int) -> FloatArray:
-    """Return the stress of one film at the points of the body."""
+    """Return the stress under one film at the points of the body [Pa]."""
     assert film.past is not None
     along, across = film.past.ways[body - 1].tolist()
     if across != 0.0:
@@ -70,9 +71,9 @@ def _stress(film: FilmSolution, solver: ContactSolver, z: ArrayLike, body: int) 
 
 
 def moved(stress: FloatArray, way: float, grid: Grid) -> FloatArray:
-    """Return a field at places displaced along x by a way [m], shape as given; 0 off the grid.
+    """Return a field at points displaced by a distance `way` along x [m]; 0 outside the grid.
 
-    stress: field with the axes component, x, y and z.
+    stress: field with the axes component, x, y and z; the result has the same shape.
     """
     cells = way / grid.dx
     whole = int(np.floor(cells))
@@ -83,7 +84,10 @@ def moved(stress: FloatArray, way: float, grid: Grid) -> FloatArray:
 
 
 def _shifted(field: FloatArray, cells: int) -> FloatArray:
-    """Return a field whose value at i is that at i + cells."""
+    """Return a field shifted along x by a number of cells.
+
+    The value at index i is the given value at i + cells, or 0 if this index is outside the field.
+    """
     found, count = np.zeros_like(field), field.shape[1]
     first, last = max(0, -cells), min(count, count - cells)
     if first < last:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flow of a film due to its pressure, as changed by shear thinning and heat, at faces of cells."""
+"""Pressure flow of a film at the faces of the cells, with shear thinning and heating."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from .through_film import HEIGHTS, FlowTensor, flow_of_warmth, flow_tensor
 
 NODES = np.array([0.5 - 0.15**0.5, 0.5, 0.5 + 0.15**0.5])
 SHARES = np.array([5.0, 8.0, 5.0]) / 18.0
-"""Gauss points between the pressures of two cells, and their weights."""
+"""Gauss points between the pressures of two neighbouring cells, and their weights."""
 
 NEWTONIAN = 1.0, 0.0, 0.0, 0.0
-"""Factor, fluidity, slope and added flow at one temperature, without thinning."""
+"""Factor, fluidity, slope and added flow of an isothermal Newtonian film."""
 
 
 class PressureFlow(NamedTuple):
-    """Flow at the faces along x and y: see the header `film/reynolds.hpp` of the core."""
+    """Coefficients of the pressure flow at the faces, defined in `film/reynolds.hpp` (core)."""
 
     factor_x: FloatArray
     fluidity_x: FloatArray
@@ -38,7 +38,7 @@ class PressureFlow(NamedTuple):
 
 @dataclass(frozen=True)
 class Sheared:
-    """Film whose flow is to be found."""
+    """Film whose pressure flow is to be computed."""
 
     grid: Grid
     lubricant: Lubricant
@@ -49,16 +49,16 @@ class Sheared:
     film: FloatArray
     heat: FilmHeat | None
     thins: bool
-    """Whether the viscosity falls with the shear stress."""
+    """Whether the viscosity decreases with the shear stress."""
 
     @property
     def law(self) -> ShearThinning:
-        """Law of the shear thinning in the flow."""
+        """Law of shear thinning in the pressure flow."""
         return self.lubricant.thinning if self.thins else Newtonian()
 
 
 def pressure_flow(film: Sheared) -> PressureFlow:
-    """Return the flow due to the pressure."""
+    """Return the coefficients of the pressure flow at all faces."""
     parts: list[FloatArray] = []
     for axis in (0, 1):
         faces = _Faces(film, axis)
@@ -71,9 +71,10 @@ def pressure_flow(film: Sheared) -> PressureFlow:
 
 
 def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
-    """Return the power per area that the flow of a solution dissipates [W/m^2].
+    """Return the power per area that the pressure flow of a solution dissipates [W/m^2].
 
-    flow: with which the pressure was found, so that the power is that of the conserved flow.
+    flow: the coefficients with which the pressure was computed. With these, the power belongs to
+    the flow that conserves mass. None: isothermal Newtonian film.
     """
     power = np.zeros_like(film.pressure)
     for axis in (0, 1):
@@ -85,7 +86,7 @@ def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
 
 
 class _Faces:
-    """Faces between the cells along an axis; the axis is the first of the fields."""
+    """Faces between the cells along an axis; this axis is the first axis of all fields."""
 
     def __init__(self, film: Sheared, axis: int) -> None:
         self._film, self._axis = film, axis
@@ -112,14 +113,14 @@ class _Faces:
         return np.full(shape, value)
 
     def inside(self, field: FloatArray | float) -> FloatArray:
-        """Return the part of a field of faces that lies between cells."""
+        """Return the values of a face field at the faces between two cells."""
         first = 0 if self._closed else 1
         whole = self.spread(field) if isinstance(field, float) else field
         part: FloatArray = np.moveaxis(whole, self._axis, 0)[first : first + self.count]
         return part
 
     def add_to_cells(self, loss: FloatArray, power: FloatArray) -> None:
-        """Add half of the power of a face to each of its cells."""
+        """Add half of the power of each face to each of its two cells."""
         total = np.moveaxis(power, self._axis, 0)
         if self._closed:
             total += 0.5 * (loss + np.roll(loss, -1, axis=0))
@@ -130,7 +131,7 @@ class _Faces:
     def power(
         self, factor: FloatArray, fluidity: FloatArray, slope: FloatArray, added: FloatArray
     ) -> FloatArray:
-        """Return the power per area of a flow [W/m^2]."""
+        """Return the power per area of the pressure flow with these coefficients [W/m^2]."""
         whole = factor * self._fluidity.sum(axis=0) + fluidity
         difference = self._behind - self._before
         down = self._h**3 / 12.0 * whole * self._slope + slope * difference - added
@@ -138,7 +139,7 @@ class _Faces:
         return found
 
     def flow(self) -> tuple[FloatArray, ...]:
-        """Return factor, fluidity, slope and added flow."""
+        """Return the coefficients factor, fluidity, slope and added flow of `PressureFlow`."""
         tensor, warm, hot = self._tensor()
         many = self._fluidity.shape
 
@@ -163,7 +164,10 @@ class _Faces:
         return share * main / self._fluidity.sum(axis=0), (1.0 - share) * main, slope, added
 
     def _tensor(self) -> tuple[FlowTensor, FloatArray, FloatArray]:
-        """Return the tensor at all pressures, and the fluidity ratios along the film height."""
+        """Return the flow tensor, and the fluidity ratios over the film height and of the walls.
+
+        The tensor is given at all Gauss points between the pressures of two cells.
+        """
         film, h = self._film, self._h
         hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))
         if film.heat is not None:
@@ -182,7 +186,7 @@ class _Faces:
         return tensor, warm, hot
 
     def _sides(self, field: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the values before and behind the faces."""
+        """Return the values in the cells before and behind each face."""
         moved = np.moveaxis(field, self._axis, 0)
         if self._closed:
             return np.roll(moved, 1, axis=0), moved

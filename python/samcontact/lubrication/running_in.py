@@ -20,7 +20,7 @@ from .sheared import ShearedLevel, sheared_from
 from .steady import require_converged, solution_of
 
 MAX_STEP = 10.0
-"""Largest depth that a step may wear off, in thicknesses of the boundary layer."""
+"""Largest depth that may be worn off in a step, in thicknesses of the boundary layer."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -49,7 +49,7 @@ class RunningIn(ShortRepr):
 
     @property
     def boundary_share(self) -> FloatArray:
-        """Shares of the load that the boundary layer bears [-], shape (n,)."""
+        """Shares of the load that the boundary layer carries [-], shape (n,)."""
         return np.array([film.boundary_share for film in self.films])
 
 
@@ -64,12 +64,12 @@ def running_in(
     max_iterations: int = 40,
     progress: bool = False,
 ) -> RunningIn:
-    """Wear a surface by the share of the load that its boundary layer bears.
+    """Simulate running-in: wear of a surface in proportion to the pressure of its boundary layer.
 
     The depth grows by ``archard`` times the pressure of the boundary layer times the sliding
-    distance (Archard's law); the fluid causes no wear. The worn surface rests in the contact, as
-    that of a pin under a rotating disc, and each of its points wears at its place. The film follows
-    the worn gap as a steady film.
+    distance (Archard's law); the fluid causes no wear. The worn surface is at rest in the contact,
+    like the surface of a pin on a rotating disc, so each of its points wears continuously. After
+    each step, a steady film is solved on the worn gap.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def running_in(
         Invalid arguments, a film without boundary layer, a worn body that moves, no sliding, or a
         step that wears off too much.
     ConvergenceError
-        No convergence; the attribute `result` contains the steps before.
+        No convergence; the attribute `result` contains the completed steps.
     """
     require_type("film", film, FilmSolution)
     rate, duration = positive("archard", archard), positive("duration", duration)
@@ -157,7 +157,10 @@ def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
 
 
 class _Course:
-    """Films on gaps that grow, each from the one before, or else from the dry contact."""
+    """Steady films on a gap that grows by wear.
+
+    Each solution starts from the preceding film. If this fails, it starts from the dry contact.
+    """
 
     def __init__(self, film: FilmSolution, tol: float, max_iterations: int) -> None:
         assert film.boundary is not None
@@ -176,7 +179,7 @@ class _Course:
         self._last, self._depth, self._gap = film, np.zeros_like(film.gap), film.gap
 
     def at(self, depth: FloatArray) -> FilmSolution:
-        """Return the film after the surface has lost a depth [m]."""
+        """Return the film after a depth [m], shape (nx, ny), has been worn off the surface."""
         task = replace(self._task, gap=self._gap + depth)
         solver = self._solver
         solver.task, solver.gap = task, self._gap + depth
@@ -198,7 +201,11 @@ class _Course:
         return solver.solve(state, self._layer, task.order)
 
     def _start(self, depth: FloatArray) -> dict[str, Any]:
-        """Return the last film, with an approach that keeps the mean film of the layer."""
+        """Return the state of the last film, with the approach increased by the mean wear.
+
+        The mean is weighted by the pressure of the boundary layer, so that the mean film there is
+        unchanged.
+        """
         last = self._last
         layer = last.boundary_pressure
         removed = float((layer * (depth - self._depth)).sum() / layer.sum())

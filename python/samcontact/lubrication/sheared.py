@@ -24,15 +24,15 @@ from .pressure_flow import PressureFlow, Sheared, flow_power, pressure_flow
 from .surface_heat import HeatedSurfaces
 
 COUNTS = "iterations", "krylov_steps", "operator_applications"
-"""Numbers of a solution that are summed over all outer iterations."""
+"""Counts of a solution that are summed over all outer iterations."""
 MAX_OUTER = 60
-"""Largest number of solutions of the flow with given factors."""
+"""Maximum number of outer iterations: solutions with fixed coefficients of the pressure flow."""
 MAX_CARRIED_HEAT = 1.0
-"""Heat that a film carries along, relative to that which it conducts, that causes a warning."""
+"""Ratio of convected to conducted heat of the film above which a warning is issued."""
 MIN_FILM = 1e-12
-"""Smallest film whose flow is found [m]; an iterate may have none."""
+"""Smallest film thickness for which the flow is computed [m]; an iterate may be thinner."""
 HEAT_TOL = 1e-7
-"""Largest change of the temperature of the surfaces, relative to the largest."""
+"""Tolerance of the iteration for the surface temperatures, relative to the maximum rise."""
 DEPTH = 6
 """Number of earlier iterates in Anderson's acceleration."""
 MAX_HEAT_STEPS = 100
@@ -54,9 +54,10 @@ class ShearedLevel:
         self._flow: PressureFlow | None = None
 
     def solve(self, found: Any, layer: tuple[float, float]) -> Any:
-        """Return the solution of flow and heat from a state of the film.
+        """Solve for flow and heat, starting from a state of the film.
 
-        They agree when the flow needs no iteration after an update of its factors.
+        Flow and heat are consistent when the flow needs no further iteration after an update of its
+        coefficients.
         """
         task, counts = self._solver.task, dict.fromkeys(COUNTS, 0)
         for _ in range(MAX_OUTER):
@@ -71,7 +72,7 @@ class ShearedLevel:
         return found | counts | {"heat": self.heat, "converged": agrees}
 
     def flow(self, found: Any) -> PressureFlow:
-        """Return the flow due to the pressure at a state of the film."""
+        """Return the coefficients of the pressure flow at a state of the film."""
         task, film = self._solver.task, np.maximum(found["film"], MIN_FILM)
         pressure = np.maximum(found["fluid_pressure"], 0.0)
         sliding = task.velocities[0] - task.velocities[1]
@@ -85,7 +86,7 @@ class ShearedLevel:
         return self._flow
 
     def _warm(self, found: Any, sheared: Sheared) -> None:
-        """Find the temperatures of a film with fixed pressure and thickness."""
+        """Compute the temperatures of a film with fixed pressure and thickness."""
         task, grid = self._solver.task, self._solver.grid
         assert self._surfaces is not None
         assert task.lubricant.heat is not None
@@ -115,7 +116,7 @@ class ShearedLevel:
 def sheared_from(
     solver: LevelSolver, state: dict[str, Any], layer: tuple[float, float], **more: Any
 ) -> Any:
-    """Return the solution with shear thinning and heat from a state, e.g. of a coarser grid.
+    """Solve with shear thinning and heat, starting from a state, e.g. of a coarser grid.
 
     more: as for `ShearedLevel`.
     """
@@ -127,7 +128,7 @@ def sheared_from(
 
 
 def with_shear(task: FilmTask, grid: Grid, thins: bool, thermal: bool) -> FilmTask:
-    """Return a task with shear thinning and heat; check that it has all that they need."""
+    """Return a task with shear thinning or heating switched on, after checking its arguments."""
     for name, given in (("shear_thinning", thins), ("thermal", thermal)):
         if not isinstance(given, bool):
             raise TypeError(f"{name} must be True or False, got {in_short(given)}")
@@ -143,7 +144,7 @@ def with_shear(task: FilmTask, grid: Grid, thins: bool, thermal: bool) -> FilmTa
 
 
 def _require_heat(task: FilmTask, grid: Grid) -> None:
-    """Raise ValueError or TypeError unless film and bodies can be heated."""
+    """Raise ValueError or TypeError unless lubricant, grid and bodies allow heating."""
     if task.lubricant.heat is None:
         raise ValueError(
             "lubricant must have thermal constants with thermal = True, got none: use with_thermal"
@@ -171,9 +172,10 @@ def _require_heat(task: FilmTask, grid: Grid) -> None:
 
 
 def check_heated(film: FilmSolution, radius: float) -> None:
-    """Check the solution of a heated film: its friction, and heat that it carries along.
+    """Check the friction and the convected heat of a heated film.
 
-    radius: contact radius, or half-width of a line contact [m].
+    Raises ValueError as `friction`. Warns if more heat is convected along the film than conducted
+    across it. radius: contact radius, or half-width of a line contact [m].
     """
     friction(film)  # refuses that of a Newtonian oil that no oil can transmit
     assert film.heat is not None
@@ -191,7 +193,10 @@ def check_heated(film: FilmSolution, radius: float) -> None:
 
 
 def _fixed_point(function: Any, start: FloatArray) -> FloatArray:
-    """Return x = function(x) by Anderson's acceleration; the last call is at the solution."""
+    """Return the solution of x = function(x) by Anderson acceleration.
+
+    The last call of `function` is at the solution.
+    """
     first = function(start)
     size = max(float(np.abs(first).max()), 1e-12)
     if np.abs(first - start).max() <= HEAT_TOL * size:

@@ -56,12 +56,13 @@ CELLS_PER_RADIUS = 12.0
 MAX_CHANGE = 0.05
 """Relative change of the central film between the last two grids that causes a warning."""
 STARVED_ITERATIONS = 120
-"""Newton iterations allowed on each grid of a starved contact: the edge of the filled inlet
-moves by about a cell in each."""
+"""Newton iterations allowed on each grid of a starved contact.
+
+In each iteration, the edge of the filled inlet moves by about one cell."""
 THICK = 20.0
-"""Predicted film, in thicknesses of the layer, above which a full film is tried first."""
+"""Ratio of the predicted film to the boundary layer above which a full film is tried first."""
 MAX_SHARE = 1e-3
-"""Maximum share of the boundary layer for which the solution of a full film is accepted."""
+"""Maximum load share of the boundary layer for which the full-film solution is accepted."""
 MAX_EDGE_PRESSURE = 1e-3
 """Pressure next to the inlet edge of the grid, relative to the largest, that causes a warning."""
 
@@ -88,9 +89,9 @@ def steady(
 ) -> FilmSolution:
     """Solve a steady elastohydrodynamic contact: pressure, film and cavitation.
 
-    The film of the surfaces obeys Reynolds' equation with mass-conserving cavitation; the bodies
-    deform as in `ContactSolver`. The contact is solved on nested grids, each by Newton's method,
-    from the dry contact on the coarsest.
+    The film obeys Reynolds' equation with mass-conserving cavitation; the bodies deform as in
+    `ContactSolver`. The contact is solved by Newton's method on nested grids, starting from the dry
+    contact on the coarsest grid.
 
     Parameters
     ----------
@@ -110,26 +111,29 @@ def steady(
         Velocities (u1, u2) of the surfaces along x, or ((u1, v1), (u2, v2)) along x and y, in the
         frame of the contact [m/s].
     spin : float, optional
-        Mean angular velocity of the surfaces about z, through the centre of the grid [rad/s].
+        Mean angular velocity of the surfaces about the z axis through the centre of the grid
+        [rad/s]. Default: 0.
     lubricant : Lubricant
     supply : float, optional
         Thickness of the film that arrives at the inlet [m]. Default: fully flooded.
     boundary : Boundary, optional
-        Boundary layer, which carries load where the film is thin. Default: none, full film.
+        Boundary layer, which carries load where the film is thin. Default: no layer (full film).
     order : {1, 2, 3}, optional
-        Order of the film at the faces of the cells along the flow.
+        Order of the interpolation of the film thickness to the faces of the cells, along the flow.
+        Default: 3.
     shear_thinning : bool, optional
         Whether the law of `Lubricant.with_eyring` or `with_carreau` reduces the viscosity in the
         flow. By default, thinning and sliding do not change the film.
     thermal : bool, optional
-        Whether shear and flow heat the film and the surfaces, which reduces the viscosity. Needs
-        thermal constants of the lubricant and of both bodies. Bodies and inlet have the temperature
-        of the given viscosity.
+        Whether the film and the surfaces are heated by shear and flow, which reduces the viscosity.
+        Requires thermal constants of the lubricant and of both bodies. The bodies and the inlet are
+        at the temperature for which the viscosity is given.
     accuracy : float or dict, optional
         Largest estimated relative error of central and minimum film due to the grid [-], e.g. 0.01,
-        or errors by name, {"central_film": 0.01}. The cells of the given grid are the first; finer
-        and larger grids follow until the accuracy is reached. The result states its errors. Needs a
-        `gap` that is a function. Default: the given grid.
+        or a dictionary of errors by name, e.g. {"central_film": 0.01}. The given grid is solved
+        first; finer and larger grids follow until the accuracy is reached. The attribute `errors`
+        of the result states the estimated errors. Requires a `gap` that is a function. Default:
+        only the given grid is solved.
     tol : float, optional
         Largest residual of flow and load [-], in [1e-10, 1e-2].
     max_iterations : int, optional
@@ -142,7 +146,8 @@ def steady(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments, or a film that is not positive, for which the cells are too large.
+        Invalid arguments, or a film that is not positive everywhere because the cells are too
+        large.
     ConvergenceError
         No convergence; attributes `iterations` and `residual`.
 
@@ -152,7 +157,7 @@ def steady(
         Less than 12 cells per contact radius, or a central film that changes by more than 5 %
         between the last two grids.
     GridTooSmallWarning
-        Pressure at an edge through which lubricant enters.
+        Noticeable pressure at an edge of the grid through which lubricant enters.
     AccuracyWarning
         An accuracy that needs more than 420 x 420 cells; the result states the errors reached.
     UserWarning
@@ -161,7 +166,7 @@ def steady(
     Notes
     -----
     Cavitation: Elrod (1981), doi:10.1115/1.3251669. The pressure spike at the outlet converges
-    slowly with the cells. See docs/theory/lubrication.md.
+    slowly with decreasing cell size. See docs/theory/lubrication.md.
     """
     task = checked_task(
         grid, (body1, body2), gap, load, approach, speed, spin, lubricant, supply, boundary, order,
@@ -177,7 +182,7 @@ def steady(
 
 
 def _checked(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
-    """Return the solution and its dry contact, with the check of a heated film."""
+    """Return the solution and its dry contact; check the solution if the film is heated."""
     solution, dry, _ = solved_from_dry(task, grid)
     if task.thermal:
         check_heated(solution, dry.radius)
@@ -189,12 +194,12 @@ Found = tuple[FilmSolution, DryContact, Any]
 
 
 def solved_from_dry(task: FilmTask, grid: Grid) -> Found:
-    """Return the solution from the dry contact."""
+    """Return the solution with or without a boundary layer, starting from the dry contact."""
     return _full_film(task, grid) if task.boundary is None else _mixed_film(task, grid)
 
 
 def _full_film(task: FilmTask, grid: Grid) -> Found:
-    """Return the solution on nested grids, from a thick film."""
+    """Return the solution on nested grids, starting from a full film."""
     grids, dry = started(task, grid)
     require_thin_film(task, dry)
     table = table_of(task.lubricant, dry.peak)
@@ -223,7 +228,7 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
 
 
 def _mixed_film(task: FilmTask, grid: Grid) -> Found:
-    """Return the solution with a boundary layer, from a thick film or from the dry contact."""
+    """Return the solution with a boundary layer, starting from a full film or the dry contact."""
     assert task.boundary is not None
     mixed = MixedFilm(task, grid)
     require_thin_film(task, mixed.dry)
@@ -247,7 +252,7 @@ def checked_task(
     speed: Any, spin: float, lubricant: Lubricant, supply: float | None,
     boundary: Boundary | None, order: int, tol: float, max_iterations: int,
 ) -> FilmTask:  # fmt: skip
-    """Check the arguments of `steady`."""
+    """Return the task that the arguments of `steady` describe, after checking them."""
     require_type("grid", grid, Grid)
     require_bodies(*bodies)
     require_type("lubricant", lubricant, Lubricant)
@@ -296,7 +301,7 @@ def velocities_of(speed: Any) -> FloatArray:
 
 
 def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, float]) -> Any:
-    """Return the solution on a grid; if Newton fails, start from a solution of order 1."""
+    """Return the solution on a grid; if the iteration fails, retry from a solution of order 1."""
     found = solver.solve(start, layer, solver.task.order)
     if found["converged"] or solver.task.order == 1:
         return found
@@ -346,7 +351,7 @@ def solution_of(
 
 
 def _warn_of_grid(solution: FilmSolution, dry: DryContact) -> None:
-    """Warn of cells that are too large, and of a grid that cuts the inlet."""
+    """Warn if the cells are too large, or if the grid is too short at the inlet."""
     films = [level.central_film for level in solution.levels[-2:]]
     cells = cells_per_radius(dry.pressure, solution.grid)
     if cells < CELLS_PER_RADIUS:

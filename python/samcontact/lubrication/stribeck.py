@@ -39,22 +39,22 @@ class StribeckCurve(ShortRepr):
 
     @property
     def speed(self) -> FloatArray:
-        """Mean speeds of the surfaces [m/s], shape (n,)."""
+        """Mean speed (u1 + u2)/2 of the surfaces for each solution [m/s], shape (n,)."""
         return np.array([float(s.velocities[:, 0].mean()) for s in self.solutions])
 
     @property
     def boundary_share(self) -> FloatArray:
-        """Share of the load that the boundary layer bears [-], shape (n,)."""
+        """Share of the load that the boundary layer carries [-], shape (n,)."""
         return np.array([s.boundary_share for s in self.solutions])
 
     @property
     def central_film(self) -> FloatArray:
-        """Central films [m], shape (n,)."""
+        """Central film thicknesses [m], shape (n,)."""
         return np.array([s.central_film for s in self.solutions])
 
     @property
     def minimum_film(self) -> FloatArray:
-        """Minimum films [m], shape (n,)."""
+        """Minimum film thicknesses [m], shape (n,)."""
         return np.array([s.minimum_film for s in self.solutions])
 
 
@@ -77,8 +77,8 @@ def stribeck(
 ) -> StribeckCurve:
     """Solve a lubricated contact at several speeds, from the dry contact upwards.
 
-    The solution at each speed starts from that at the previous speed. Further speeds are solved
-    below the first speed, and between speeds that are far apart.
+    The solution at each speed starts from the solution at the previous speed. Additional speeds are
+    solved below the first speed, and between speeds that are far apart.
 
     Parameters
     ----------
@@ -87,13 +87,14 @@ def stribeck(
     speeds : sequence of float
         Mean speeds (u1 + u2)/2 of the surfaces along x, increasing [m/s], > 0.
     slide_to_roll : float, optional
-        Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) [-]. It changes films with `shear_thinning` or
-        `thermal` only.
+        Slide-to-roll ratio (u1 - u2)/((u1 + u2)/2) [-]. It affects the film only with
+        `shear_thinning` or `thermal`. Default: 0.
     boundary : Boundary
         Boundary layer, which carries the load at low speeds.
     order : {1, 2, 3}, optional
-        Order of the film at the faces of the cells. The share of the layer depends on it where it
-        is below 0.1: compare orders 1 and 3, or cells of half the size.
+        Order of the interpolation of the film thickness to the faces of the cells. If the boundary
+        layer carries less than 0.1 of the load, its share depends on the order: compare orders 1
+        and 3, or halve the cell size. Default: 3.
 
     Returns
     -------
@@ -102,9 +103,9 @@ def stribeck(
     Raises
     ------
     ValueError, TypeError
-        As `steady`; speeds that are not positive and increasing.
+        As for `steady`, or if the speeds are not positive and increasing.
     ConvergenceError
-        No convergence; its attribute `curve` contains the films at the speeds before, if any.
+        No convergence; its attribute `curve` contains the films at the preceding speeds, if any.
     """
     given = finite_array("speeds", speeds)
     if given.ndim != 1 or not given.size or given[0] <= 0 or np.any(np.diff(given) <= 0):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Temperature of surfaces that move through the heat of a film."""
+"""Temperature of moving surfaces that a lubricant film heats."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from ..bodies.material import Material
 from ..problem.grid import Grid
 
 EXCHANGE_TOL = 1e-8
-"""Relative residual of the heat that crosses the film from one body to the other."""
+"""Tolerance on the relative residual for the heat that crosses the film between the bodies."""
 MAX_CORRECTIONS, RESTART = 10, 60
-"""Largest number of solutions by GMRES, and its number of vectors."""
+"""Maximum number of calls of GMRES, and number of vectors after which it restarts."""
 
 
 class SurfaceHeat:
@@ -56,9 +56,10 @@ class SurfaceHeat:
 def line_source(
     x: FloatArray, a: float, conductivity: float, diffusivity: float, velocity: float
 ) -> FloatArray:
-    """Return the temperature rise [K m^2/W] at the surface due to a moving strip of width 2 a.
+    """Return the temperature rise per heat flux [K m^2/W] due to a moving strip of width 2 a.
 
-    Carslaw & Jaeger (1959), section 10.7: the integral of exp(s) K_0(|s|), in closed form.
+    x: distances of surface points from the middle of the strip [m]. Carslaw & Jaeger (1959),
+    section 10.7, with the integral of exp(s) K_0(|s|) in closed form.
     """
     speed = velocity / (2.0 * diffusivity)
 
@@ -75,7 +76,7 @@ def line_source(
 
 
 class HeatedSurfaces:
-    """Both surfaces of a film, between which heat also crosses the film."""
+    """Temperature rises of both surfaces of a film, which exchange heat across the film."""
 
     def __init__(self, grid: Grid, bodies: tuple[Body, Body], velocities: FloatArray) -> None:
         self._surfaces = [
@@ -85,10 +86,11 @@ class HeatedSurfaces:
         self._last: FloatArray | None = None
 
     def fluxes(self, heat: FloatArray, resistance: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the fluxes into both bodies, and the temperature rises, shape (2, nx, ny).
+        """Return heat fluxes into both bodies [W/m^2] and temperature rises [K], shape (2, nx, ny).
 
-        heat: heat of the film per area [W/m^2], half of which flows to each surface if both have
-        the same temperature; resistance: film over conductivity [K m^2/W].
+        heat: heat generated in the film per area [W/m^2], half of which flows to each surface if
+        both have the same temperature; resistance: film thickness divided by conductivity
+        [K m^2/W].
         """
         one, two = (surface.rise(0.5 * heat) for surface in self._surfaces)
         shape, difference = heat.shape, one - two
@@ -100,7 +102,10 @@ class HeatedSurfaces:
         return flux, np.array(moved)
 
     def _crossing(self, difference: FloatArray, resistance: FloatArray) -> FloatArray:
-        """Return the heat per area that crosses the film from body 1 to body 2 [W/m^2]."""
+        """Return the heat per area that crosses the film from body 1 to body 2 [W/m^2].
+
+        difference: temperature of surface 1 minus that of surface 2 without this heat [K].
+        """
         shape = difference.shape
         own = sum(float(s.rise(_unit(shape)).max()) for s in self._surfaces)
 
@@ -110,7 +115,7 @@ class HeatedSurfaces:
             return total.ravel()
 
         operator = scipy.sparse.linalg.LinearOperator((difference.size,) * 2, matvec=apply)
-        # nearly that of the last call, which had nearly the same heat
+        # start from the last call, whose heat was nearly the same
         found = np.zeros(difference.size) if self._last is None else self._last
         missing = difference.ravel() - apply(found)
         for _ in range(MAX_CORRECTIONS):

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flow of a film whose viscosity varies over its thickness: shear thinning, and temperature.
+"""Flow of a film whose viscosity varies over its thickness due to shear thinning and temperature.
 
-Over the relative height t in (-1, 1) the shear stress is tau_m + t w, with the stress tau_m of the
-mid-plane and w half the film times the pressure gradient. The shear rate is f(|tau|) g(t) tau/eta,
-with the fluidity ratio f of the law of thinning and the ratio g due to the temperature.
+At the relative height t in (-1, 1), the shear stress is tau = tau_m + t w, where tau_m is the shear
+stress in the mid-plane and w is half the film thickness times the pressure gradient. The shear rate
+is f(|tau|) g(t) tau/eta, where eta is the Newtonian viscosity at the walls, f the fluidity ratio of
+the shear-thinning law and g the fluidity ratio due to the temperature.
 """
 
 from __future__ import annotations
@@ -16,22 +17,22 @@ from .._util.checks import FloatArray
 from ..lubricants.shear import ShearThinning
 
 HEIGHTS, WEIGHTS = np.polynomial.legendre.leggauss(8)
-"""Gauss points of the relative height, and their weights in a mean."""
+"""Gauss points of the relative height in (-1, 1), and their weights in a mean over the height."""
 WEIGHTS = 0.5 * WEIGHTS
 MAX_STEPS = 60
-"""Largest number of Newton steps for the stress of the mid-plane."""
+"""Maximum number of Newton steps for the shear stress in the mid-plane."""
 TOLERANCE = 1e-11
 _NEGLIGIBLE = 1e-5  # stresses, relative to those of thinning, that change nothing
 
 
 class FlowTensor(NamedTuple):
-    """Flow due to the pressure gradient relative to that of a uniform film, symmetric [-]."""
+    """Symmetric tensor of the pressure flow, relative to an isothermal Newtonian film [-]."""
 
     xx: FloatArray
     yy: FloatArray
     xy: FloatArray
     steeper_x: FloatArray
-    """Change of the flow along x with the gradient along x, less xx."""
+    """Derivative of the flow along x with respect to the pressure gradient along x, minus xx."""
     steeper_y: FloatArray
 
 
@@ -40,10 +41,11 @@ def flow_tensor(
 ) -> FlowTensor:
     """Return the factors by which thinning and heat increase the flow due to the pressure.
 
-    law: of the shear thinning; newtonian: Newtonian shear stress eta (v1 - v2)/h along x and y
-    [Pa], shape (2, n); gradient: half the film times the pressure gradient [Pa], shape (2, n);
-    warm: ratio of viscosity at the walls to that at each of the heights, shape (8, n). The flow is
-    exact: h^2/12 eta times the tensor times the gradient is the integral over the thickness.
+    law: law of shear thinning; newtonian: Newtonian shear stress eta (v1 - v2)/h along x and y
+    [Pa], shape (2, n); gradient: half the film thickness times the pressure gradient [Pa], shape
+    (2, n); warm: viscosity at the walls divided by the viscosity at each of the 8 heights, shape
+    (8, n). The tensor is exact: h^2/(12 eta) times the tensor times the pressure gradient is the
+    mean of the flow velocity over the thickness.
     """
     plain = flow_of_warmth(warm)
     found = FlowTensor(plain.copy(), plain.copy(), *np.zeros((3, plain.size)))
@@ -57,7 +59,10 @@ def flow_tensor(
 
 
 def flow_of_warmth(warm: FloatArray) -> FloatArray:
-    """Return the flow of a Newtonian film relative to that of a uniform temperature [-]."""
+    """Return the pressure flow of a heated Newtonian film relative to an isothermal film [-].
+
+    warm: as for `flow_tensor`.
+    """
     flow: FloatArray = np.tensordot(3.0 * WEIGHTS * HEIGHTS**2, warm, axes=1)
     return flow
 
@@ -83,9 +88,9 @@ def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatA
 def _tangent(
     stress: FloatArray, ratio: FloatArray, change: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the derivatives of the flow along x and y with the gradient in this direction.
+    """Return the derivative of the flow along x to the gradient along x, and likewise along y.
 
-    The stress of the mid-plane changes with the gradient, so that the mean rate remains.
+    The mid-plane stress changes with the gradient so that the mean shear rate stays constant.
     """
     x, y = stress
 
@@ -108,7 +113,8 @@ def mid_plane_stress(
 ) -> FloatArray:
     """Return the shear stress in the middle of the film [Pa], shape (2, n), by Newton's method.
 
-    Arguments as for `flow_tensor`. The mean of the shear rate over the thickness is given.
+    Arguments as for `flow_tensor`. With this stress, the shear rate has the given mean over the
+    thickness.
     """
     size = np.hypot(*newtonian)
     mean_warmth = WEIGHTS @ warm

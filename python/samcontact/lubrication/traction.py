@@ -28,9 +28,9 @@ class TractionCurve(ShortRepr):
     coefficient : ndarray, shape (n,)
         Coefficients of friction, with the sign of the ratio [-].
     central_film : ndarray, shape (n,)
-        Central films [m].
+        Central film thicknesses [m].
     max_rise : ndarray, shape (n,)
-        Largest temperature rises in the film [K]; zeros without heat.
+        Largest temperature rises in the film [K]; zeros for a film without heating.
     """
 
     slide_to_roll: FloatArray
@@ -42,11 +42,13 @@ class TractionCurve(ShortRepr):
 def traction_curve(
     film: FilmSolution, slide_to_roll: ArrayLike, *, tol: float = 1e-6, max_iterations: int = 40
 ) -> TractionCurve:
-    """Return the friction of a contact versus slide-to-roll ratio, at constant mean velocity.
+    """Return the coefficient of friction versus slide-to-roll ratio at constant mean velocity.
 
     A film that was solved with `shear_thinning` or `thermal` is solved again at each ratio. Other
-    films do not depend on the sliding; their friction is too high at large ratios, where the film
-    is heated. slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean velocity [-], a list;
+    films do not depend on the sliding. Their friction is too high at large ratios, because the
+    heating of the film is neglected.
+
+    slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean velocity [-], a list;
     tol, max_iterations: as for `steady`. Raises TypeError or ValueError as `friction`, and
     ConvergenceError as `steady`.
     """
@@ -85,7 +87,7 @@ def _velocities(mean: FloatArray, ratio: float) -> FloatArray:
 
 
 class _ShearedFilms:
-    """Films with shear thinning or heat at several velocities, each from the one before."""
+    """Films with shear thinning or heat at several velocities; each starts from the last one."""
 
     def __init__(self, film: FilmSolution, tol: float, max_iterations: int) -> None:
         body1, body2 = film.bodies
@@ -104,7 +106,7 @@ class _ShearedFilms:
         }  # fmt: skip
 
     def at(self, velocities: FloatArray) -> FilmSolution:
-        """Return the film at velocities of the surfaces."""
+        """Return the film at the given velocities of the surfaces [m/s], shape (2, 2)."""
         task = replace(self._task, velocities=velocities)
         self._solver.task = task
         found = sheared_from(self._solver, self._state, self._layer)

@@ -34,7 +34,7 @@ from .steady import require_converged, solution_of, velocities_of
 
 @dataclass(frozen=True, repr=False, eq=False)
 class FilmHistory(ShortRepr):
-    """Films in time, from `transient`.
+    """Films over time, from `transient`.
 
     Attributes
     ----------
@@ -78,34 +78,36 @@ def transient(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> FilmHistory:
-    """March a lubricated contact in time: moving reliefs, and load or speeds that change.
+    """Solve a transient lubricated contact: moving topography, varying load or speeds.
 
-    Squeeze films, impact and reversal of the motion are included. Each step is of second order in
-    time (BDF2). The film before the start is assumed to be steady. If `start` belongs to a history,
-    this history is continued.
+    Squeeze films, impact and reversal of the motion are included. The time integration is of second
+    order (BDF2). The film is assumed to be steady before the start. If `start` belongs to a
+    history, this history is continued.
 
     Parameters
     ----------
     start : FilmSolution
-        Film at the start, from `steady` or `transient`, without heat. With `shear_thinning`, the
-        films of all steps have it too.
+        Film at the start, from `steady` or `transient`, without heat. If it was solved with
+        `shear_thinning`, all steps include shear thinning.
     duration : float
         Duration [s], > 0.
     steps : int
-        Number of time steps, >= 1. A relief should move by at most a cell in a step.
+        Number of time steps, >= 1. Moving topography should advance by at most one cell per step.
     relief1, relief2 : callable, optional
-        Heights of the surfaces of bodies 1 and 2 in addition to the gap of the start [m], as a
-        function of the coordinates x and y of its points at time 0. The points move with the
-        velocity of the body. Waves need 32 cells each.
+        Topography of bodies 1 and 2 that moves with the velocity of the body: function that returns
+        heights [m] at the coordinates x and y that its points have at time 0. The heights are
+        subtracted from the gap of the start. A wave needs 32 cells per wavelength.
     load : callable, optional
-        Load at a time since time 0 of the history [N]. Default: that of the start.
+        Function that returns the load [N] at a time since the beginning of the history [s].
+        Default: the load of the start.
     speed : callable, optional
-        Velocities of the surfaces at a time, as for `steady` [m/s]. Default: those of the start.
+        Function that returns the velocities of the surfaces [m/s] at a time since the beginning of
+        the history [s], in the form that `steady` accepts. Default: the velocities of the start.
     order, tol, max_iterations
         As in `steady`.
     checkpoint : path, optional
-        Folder for a file with the film of each step. Repeating the call resumes from this folder,
-        with bit-identical results.
+        Folder in which the film of each step is stored. Repeating the call resumes from this
+        folder, with bit-identical results.
     progress : bool, optional
         Whether to show the progress.
 
@@ -116,8 +118,8 @@ def transient(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments. CheckpointError if `checkpoint` contains files of another run; a damaged
-        file is solved again.
+        Invalid arguments. CheckpointError if `checkpoint` contains files of another run; the step
+        of a damaged file is solved again.
     ConvergenceError
         No convergence; its attribute `history` contains the solutions so far.
     """
@@ -159,9 +161,9 @@ def transient(
 
 
 def standing_on(film: FilmSolution, gap: FloatArray) -> FilmSolution:
-    """Return a steady film as the start of a history in which the reliefs of its gap move.
+    """Return a steady film as the start of a history in which part of its topography moves.
 
-    gap: gap of the film without the reliefs [m].
+    gap: gap of the film without the moving topography [m].
     """
     peak = float(film.pressure.max())
     return replace(film, past=FilmPast(0.0, np.zeros((2, 2)), film.content, gap, peak))
@@ -170,7 +172,7 @@ def standing_on(film: FilmSolution, gap: FloatArray) -> FilmSolution:
 def _films(
     march: _March, start: FilmSolution, steps: int, kept: Kept | None
 ) -> Iterator[FilmSolution]:
-    """Iterate over the films of all steps, kept or solved."""
+    """Iterate over the films of all steps, which are read from the checkpoint or solved."""
     last, like = start, replace(start, order=march.order, errors=None)
     for index in range(steps):
         found = None if kept is None else kept.film(index, like)
@@ -191,11 +193,11 @@ class _Instant(NamedTuple):
     """Travels of the surfaces since time 0 [m], shape (2, 2)."""
     load: float
     gap: FloatArray
-    """Gap of the undeformed surfaces, reliefs at their present positions [m]."""
+    """Gap of the undeformed surfaces with the moving topography at its present position [m]."""
 
 
 class _Course:
-    """Motion, load and reliefs over time."""
+    """Motion, load and moving topography over time."""
 
     def __init__(
         self, start: FilmSolution, step: float, reliefs: Sequence[_Heights | None],
@@ -206,13 +208,13 @@ class _Course:
         self._smooth = start.smooth_gap
 
     def first(self, start: FilmSolution) -> _Instant:
-        """Return the instant of a film."""
+        """Return motion, load and gap at the time of a film."""
         past = start.past
         time, ways = (0.0, np.zeros((2, 2))) if past is None else (past.time, past.ways)
         return _Instant(time, start.velocities, ways, start.load, start.gap)
 
     def after(self, last: _Instant) -> _Instant:
-        """Return the instant a step later."""
+        """Return motion, load and gap one step after an instant."""
         time = last.time + self.step
         velocities = last.velocities if self._speed is None else velocities_of(self._speed(time))
         ways = last.ways + 0.5 * self.step * (last.velocities + velocities)
@@ -228,7 +230,10 @@ class _Course:
         return gap
 
     def described(self, start: FilmSolution, steps: int) -> list[str]:
-        """Return what identifies all steps: functions are evaluated, because their code may not."""
+        """Return texts that identify all steps of a run.
+
+        The functions of time are evaluated, because their code may not identify them.
+        """
         instant, found = self.first(start), []
         for _ in range(steps):
             instant = self.after(instant)
@@ -237,7 +242,7 @@ class _Course:
 
 
 class _March:
-    """Steps of a transient film."""
+    """Solver for the steps of a transient film."""
 
     def __init__(self, start: FilmSolution, course: _Course, settings: dict[str, Any]) -> None:
         body1, body2 = start.bodies
@@ -253,7 +258,7 @@ class _March:
         self._solver = LevelSolver(self._task, start.grid, start.gap, table)
 
     def step(self, last: FilmSolution) -> FilmSolution:
-        """Return the film a step after another one."""
+        """Return the film one step after the film `last`."""
         content = last.content
         past = last.past or FilmPast(0.0, np.zeros((2, 2)), content, last.gap, self._peak)
         now = self._course.after(self._course.first(last))

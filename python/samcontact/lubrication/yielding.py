@@ -28,7 +28,7 @@ from .steady import checked_task, require_converged, solution_of, solved_from_dr
 DEPTH = 5
 """Number of earlier solutions that Anderson's acceleration uses."""
 MAX_EVALUATIONS = 40
-"""Largest number of solutions of film and plastic flow in an increment."""
+"""Maximum number of solutions of film and plastic flow in an increment."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -42,7 +42,7 @@ class FilmIncrement(ShortRepr):
     state : State
         State of the bodies under the pressure of the film.
     evaluations : int
-        Solutions of film and plastic flow.
+        Number of solutions of film and plastic flow.
     """
 
     film: FilmSolution
@@ -65,22 +65,23 @@ def press(
 ) -> FilmIncrement:
     """Advance a simulation by an increment in which a steady film carries the load.
 
-    The film takes the place of the dry contact: the pressure of the film causes plastic flow, and
-    the residual displacement of the surfaces changes the gap of the film, until both agree. The
-    simulation remains at the new state; a step without load then gives the residual imprint.
+    The film replaces the dry contact. The pressure of the film causes plastic flow, and the
+    residual displacement of the surfaces changes the gap of the film. Film and plastic flow are
+    solved in turn until they are consistent. The simulation then is in the new state; a step
+    without load gives the residual imprint.
 
     Parameters
     ----------
     simulation : Simulation
-        Bodies, gap and history, without friction, heat, adhesion and moving reliefs.
+        Bodies, gap and history, without friction, heat, adhesion and moving topography.
     load : float
         Normal load [N], > 0.
     speed, lubricant, boundary, order, shear_thinning, thermal, max_iterations
         As in `steady`. The heat of the film changes its viscosity only: it causes no stress in the
         bodies and does not soften them.
     tol : float, optional
-        Largest change of the residual displacement in the last evaluation, relative to the
-        approach of a Hertz contact with the same load and pressure [-].
+        Largest change of the residual displacement in the last evaluation, relative to the approach
+        of a Hertz contact with the same load and maximum pressure [-]. Default: 1e-4.
 
     Returns
     -------
@@ -89,7 +90,7 @@ def press(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments, or a simulation with friction, heat, adhesion or reliefs.
+        Invalid arguments, or a simulation with friction, heat, adhesion or moving topography.
     ConvergenceError
         No convergence of the film, or of film and plastic flow. The simulation keeps its previous
         state.
@@ -121,7 +122,10 @@ def press(
 
 
 def _require_film_alone(simulation: Simulation) -> None:
-    """Raise ValueError for moving reliefs, friction, heat and adhesion, which exclude a film."""
+    """Raise ValueError if a simulation has features that cannot be combined with a film.
+
+    These are moving topography, friction, heat and adhesion.
+    """
     setup = simulation.engine.setup
     if simulation.relief1 is not None or simulation.relief2 is not None:
         raise ValueError("simulation must not have reliefs: add their heights to the gap")
@@ -141,7 +145,7 @@ def _require_film_alone(simulation: Simulation) -> None:
 
 
 class _Coupling:
-    """Coupled film and plastic flow of an increment, solved for the residual displacement."""
+    """Iteration between film and plastic flow in an increment, for the residual displacement."""
 
     def __init__(self, simulation: Simulation, task: FilmTask) -> None:
         self._simulation, self._task = simulation, task
@@ -188,7 +192,10 @@ class _Coupling:
         return max(2.0 * float(near.max()), 1e-12)
 
     def _change(self, residual: FloatArray) -> FloatArray:
-        """Return the change of the residual displacement that the film causes [m]."""
+        """Return the residual displacement that a film causes, minus the assumed one [m].
+
+        residual: assumed residual displacement [m], which is added to the gap of the film.
+        """
         self.evaluations += 1
         gap = self._gap + residual
         self.film = self._film(gap)
@@ -215,7 +222,7 @@ class _Coupling:
 
 
 def _residual(state: State) -> FloatArray:
-    """Residual displacement that opens the gap, of both bodies [m], shape (nx, ny)."""
+    """Sum of the residual displacements of both bodies, which opens the gap [m], shape (nx, ny)."""
     total: FloatArray = np.zeros(state.grid.surface_shape)
     for body, material in enumerate(state.setup.bodies, 1):
         if material.is_plastic:

@@ -6,8 +6,9 @@
     steel.material("swift")     # with a hardening law
     steel.source("E")           # where the value is from
 
-Constants without a source are not in the library: a request for one is a ValueError. Strength
-depends on the treatment of a part, so prefer values of your own tests (`Material.from_test`).
+The library contains no constants without a source: a request for such a constant raises ValueError.
+Strength depends on the treatment of a part, so prefer values of your own tests
+(`Material.from_test`).
 """
 
 from .entry import MaterialData, SourcedValue

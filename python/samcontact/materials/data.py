@@ -263,4 +263,4 @@ DATA: dict[str, tuple[str, tuple[str, ...], tuple[Row, ...]]] = {
         ),
     ),
 }
-"""Description, other names and constants of each material."""
+"""Description, alternative names and constants of each material."""

@@ -73,7 +73,7 @@ class MaterialData(HtmlTable):
     description : str
         Kind of material and other designations.
     values : mapping of str to SourcedValue
-        Known constants; those without a source are absent.
+        Known constants by name. Constants without a known source are absent.
     aliases : tuple of str
         Other names that `get` accepts.
     """
@@ -105,7 +105,7 @@ class MaterialData(HtmlTable):
 
     @property
     def laws(self) -> tuple[str, ...]:
-        """Names of the laws whose constants are all known; arguments of `material`."""
+        """Names of the laws whose constants are all known; valid arguments of `material`."""
         return tuple(
             name
             for name, law in LAWS.items()
@@ -116,7 +116,7 @@ class MaterialData(HtmlTable):
     def thermal(self) -> tuple[float, float, float] | None:
         """Conductivity, expansion and diffusivity; None unless all of them are known.
 
-        The arguments of `Material.with_thermal`.
+        These are the arguments of `Material.with_thermal`.
         """
         if not set(_THERMAL) <= set(self.values):
             return None
