@@ -32,8 +32,8 @@ __all__ = [
 ]
 
 _MAX_SLOPE = 10.0
-"""Maximum slope. For metals, slopes are pure numbers below 1; a value above the maximum is probably
-a stress."""
+"""Maximum weight of the normal stress in a criterion. For metals, weights are pure numbers below 1;
+a value above the maximum is probably a stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
@@ -50,8 +50,8 @@ def dang_van(
     body : {1, 2}, optional
         Body of the states. Default: 2.
     slope : float
-        Weight of the mean normal stress sigma_h, in [0, 10] [-]: 3 (t/f - 1/2) for the fatigue
-        limits t in torsion and f in bending; the limit of the criterion is then t.
+        Weight of the mean normal stress sigma_h, in [0, 10] [-]. Use 3 (t/f - 1/2), where t is the
+        fatigue limit in torsion and f that in bending. The limit of the criterion is then t.
 
     Returns
     -------
@@ -87,8 +87,8 @@ def crossland(
     states, body
         As for `dang_van`.
     slope : float
-        Weight of the mean normal stress, in [0, 10] [-]: 3 t/f - sqrt(3) for the fatigue limits t
-        in torsion and f in bending; the limit of the criterion is then t.
+        Weight of the mean normal stress, in [0, 10] [-]. Use 3 t/f - sqrt(3), where t is the
+        fatigue limit in torsion and f that in bending. The limit of the criterion is then t.
 
     Returns
     -------
@@ -180,8 +180,8 @@ def findley(
     states, body
         As for `dang_van`.
     k : float
-        Weight of the maximum normal stress on the plane in the cycle, in [0, 10] [-]; 0.2 to 0.4
-        for ductile metals.
+        Weight of the normal stress, in [0, 10] [-]; 0.2 to 0.4 for ductile metals. The criterion
+        uses the maximum normal stress on each plane in the cycle.
 
     Returns
     -------
@@ -196,10 +196,10 @@ def findley(
     Notes
     -----
     The shear amplitude is the radius of the smallest circle that contains the path of the shear
-    stress in the plane. Planes are scanned 11 degrees apart, and the search continues from the best
-    planes to local maxima. The result is less than 0.11 % below the true maximum in 99 of 100
-    points, and never more than 1 % below it (theory page). W. N. Findley (1959), *J. Eng. Ind.* 81,
-    301-305.
+    stress in the plane. The search evaluates planes 11 degrees apart and then finds the local
+    maxima next to the best of these planes. The result is less than 0.11 % below the true maximum
+    in 99 of 100 points, and never more than 1 % below it (theory page). W. N. Findley (1959), *J.
+    Eng. Ind.* 81, 301-305.
     """
     number = _slope("k", k)
 
@@ -223,8 +223,8 @@ def fatemi_socie(
     states, body
         As for `dang_van`.
     k : float
-        Weight of the maximum normal stress on the plane in the cycle, in [0, 10] [-]; 0.3 to 1 for
-        metals.
+        Weight of the normal stress, in [0, 10] [-]; 0.3 to 1 for metals. The criterion uses the
+        maximum normal stress on each plane in the cycle.
     yield_stress : float, optional
         Yield stress by which the normal stress is divided [Pa], > 0. Default: initial yield stress
         of the body.
@@ -317,7 +317,10 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Evaluate a criterion in blocks of points whose `fields` tensor fields fit in memory."""
+    """Evaluate a criterion for one block of points after another, to limit the memory.
+
+    fields: number of tensor fields of a block that must fit into memory together.
+    """
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):

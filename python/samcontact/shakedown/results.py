@@ -43,13 +43,11 @@ class ShakedownResult(ShortRepr, HtmlTable):
         plastic flow cancels over each cycle. "ratcheting": each cycle adds as much plastic strain
         as the preceding one. "undecided": none of these responses is clear so far.
     rate : float
-        Maximum magnitude of the plastic strain change over the last cycle [-], the attribute `net`
-        of this cycle.
+        Maximum magnitude of the plastic strain change over the last cycle [-]: `cycles[-1].net`.
     flow : float
-        Maximum equivalent plastic strain added by the last cycle [-], the attribute `flow` of this
-        cycle.
+        Maximum equivalent plastic strain added by the last cycle [-]: `cycles[-1].flow`.
     cycles : tuple of Cycle
-        Solved cycles, without undone extrapolations.
+        Solved cycles, without those that followed an extrapolation which was undone.
     solved : int
         Number of all solved cycles, including cycles after extrapolations that were undone.
     error : float

@@ -41,7 +41,7 @@ from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_order
 
 YIELD_STRAIN = 20e-6
-"""Plastic strain at the conventional yield point [-]; a threshold must be larger.
+"""Plastic strain at the conventional yield point [-]; the threshold of wear must be larger.
 
 The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
 strain alone and is far beyond yield.
@@ -64,7 +64,8 @@ class WearSetup(WearProblem):
 
     @property
     def may_grow(self) -> bool:
-        """Whether the grid may be enlarged; a heat history belongs to its grid."""
+        """Whether the grid may be enlarged; not with `keep_heat`, as a heat history fits one grid.
+        """
         return super().may_grow and not self.keep_heat
 
     @property
@@ -72,7 +73,11 @@ class WearSetup(WearProblem):
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row and number of rows of a body that pass through the grid."""
+        """Return the first row, and the number of rows, in which a body can wear.
+
+        A row is a line of cells along y. The rows that pass through the grid are included, and on
+        both sides as many more as the filter needs.
+        """
         if self.grid.along_x:
             return 0, self.grid.nx
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
@@ -102,7 +107,10 @@ def make_setup(
     friction: float | FrictionLaw,
     settings: dict[str, Any],
 ) -> WearSetup:
-    """Check all arguments and return them; one elastic solution gives the size of the contact."""
+    """Check all arguments and return them.
+
+    The width of the filter is compared with the contact size, which one elastic solution gives.
+    """
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
@@ -147,7 +155,7 @@ def make_setup(
 
 
 def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
-    """Check `keep_heat`, which requires the history of the heat."""
+    """Check `keep_heat`, which requires `heat` with a history, and return it."""
     if boolean("keep_heat", keep_heat) and (heat is None or heat.history is None):
         raise ValueError(
             f"keep_heat requires heat with history, got heat = {in_short(heat)}: set "
@@ -159,7 +167,7 @@ def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Return the filter that smooths the edge of the wear, given by a length or a window."""
+    """Return the filter that smooths the edge of the worn area, defined by a length or a window."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
@@ -208,7 +216,7 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
 
 
 def _check_filter(setup: WearSetup) -> None:
-    """Raise ValueError for a filter wider than the contact; it would spread wear to other cells."""
+    """Raise ValueError if the filter is wider than the contact and would spread wear beyond it."""
     with warnings.catch_warnings():
         # in the cycles, bodies yield and do not reach this elastic pressure
         warnings.simplefilter("ignore", ElasticStrainWarning)
