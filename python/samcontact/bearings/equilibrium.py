@@ -74,7 +74,7 @@ def balls_in_equilibrium(
     between two races [N/m^1.5]. centre_distance: distance A between the centres of curvature of
     the grooves without load [m]. free_angle: contact angle without load [rad]. arm: radius of the
     circle of the centres of the inner groove [m]. clearance: diametral clearance [m]. tilts:
-    whether the rotation of the ring is unknown; if not, it is 0.
+    whether the inner ring can rotate; if not, its rotation is 0.
     """
     psi = 2.0 * np.pi * np.arange(balls) / balls
     zero = np.zeros(balls)
@@ -116,9 +116,9 @@ def rollers_in_equilibrium(
 ) -> ElementLoads:  # fmt: skip
     """Solve the equilibrium of a cylindrical roller bearing by slices (ISO/TS 16281).
 
-    forces: radial load [N], 0 and moment [N m]. clearance: diametral clearance [m]. slices, drop:
-    positions of the slices along the roller and drop of the profile there [m]. tilts: as for
-    `balls_in_equilibrium`.
+    forces: radial load [N], axial load 0 and moment [N m]. clearance: diametral clearance [m].
+    slices: positions of the slices along the roller [m]. drop: drop of the roller profile at these
+    positions [m]. tilts: as for `balls_in_equilibrium`.
     """
     psi = 2.0 * np.pi * np.arange(rollers) / rollers
     n, count = LINE_CONTACT_EXPONENT, len(slices)
@@ -143,15 +143,15 @@ def rollers_in_equilibrium(
 
 
 def _typical(forces: FloatArray, arm: float) -> float:
-    """Magnitude of the loads as a force [N]."""
+    """Largest magnitude of both forces and of the moment divided by `arm` [N]."""
     return float(max(abs(forces[0]), abs(forces[1]), abs(forces[2]) / arm))
 
 
 def _minimum(energy: Energy, forces: FloatArray, scales: FloatArray) -> FloatArray:
-    """Minimise an energy by Newton's method with damping; scales: size of each unknown.
+    """Return the displacements that minimise an energy, by Newton's method with damping.
 
-    An unknown whose scale is 0 is held at 0. Raises ValueError if forces and elements do not
-    balance.
+    scales: typical size of each displacement; a displacement whose scale is 0 is held at 0. Raises
+    ValueError if no equilibrium of the loads with the elements is found.
     """
     size = float(np.abs(scales * forces).max())
     u, damping = np.zeros(3), 1e-2

@@ -191,8 +191,8 @@ def load_zone(
     Raises
     ------
     ValueError
-        An argument is outside its range, or F_r tan(alpha) >= F_a: the thrust due to the radial
-        load alone exceeds the axial load, and the row would separate.
+        An argument is outside its range, or F_r tan(alpha) >= F_a: the axial load does not balance
+        the thrust due to the radial load, and the rings would separate.
 
     Notes
     -----

@@ -11,7 +11,7 @@ from .._util.checks import choice, finite, positive
 from .._util.errors import UnitWarning
 
 MAX_DIAMETER = 1.0
-"""Maximum diameter of rolling elements [m]; those of the largest bearings are smaller."""
+"""Maximum diameter of rolling elements [m]; even the largest bearings have smaller elements."""
 
 
 @dataclass(frozen=True)
@@ -167,7 +167,7 @@ def roller_on_race(
     Returns
     -------
     RaceContact
-        Ry = crown_radius.
+        Equivalent radii, with Ry = crown_radius.
 
     Raises
     ------

@@ -105,6 +105,6 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
 
 
 def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Divide each cell into equal parts, at most one step long; return the centres of the parts."""
+    """Return the centres of equal parts of each cell, each at most one sample spacing long."""
     count = max(1, int(np.ceil(cell / step - 1e-9)))
     return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

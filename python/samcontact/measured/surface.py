@@ -268,7 +268,7 @@ class MeasuredSurface(ShortRepr):
         average: bool = False,
         fill: float | None = None,
     ) -> Relief:
-        """Convert the surface, in its whole length along x, to a `Relief` that moves with a body.
+        """Convert the surface, over its whole length along x, to a `Relief` that moves with a body.
 
         Parameters
         ----------
@@ -292,7 +292,7 @@ class MeasuredSurface(ShortRepr):
         Raises
         ------
         ValueError
-            `on` raises an error, or the measured area is shorter than a cell.
+            One of the errors of `on` occurs, or the measured area is shorter than a cell.
         """
         require_surface(grid)
         centre = finite("x", x)

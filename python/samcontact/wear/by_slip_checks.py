@@ -59,8 +59,7 @@ class FrettingSetup(WearProblem):
 
     @cached_property
     def crept_share(self) -> float:
-        """Fraction of the slowest creep process that is completed in one loop [-]; 1 without creep.
-        """
+        """Fraction of the slowest creep that is completed in one loop [-]; 1 without creep."""
         duration = sum(step.get("duration") or 0.0 for step in self.cycle[closing(self.cycle) :])
         slowest = max(map(longest_creep_time, self.bodies))
         return -math.expm1(-duration / slowest) if slowest > 0 and duration > 0 else 1.0

@@ -64,7 +64,9 @@ class WearSetup(WearProblem):
 
     @property
     def may_grow(self) -> bool:
-        """Whether the grid may be enlarged; not with `keep_heat`, as a heat history fits one grid.
+        """Whether the grid may be enlarged.
+
+        With `keep_heat` it may not, because a heat history belongs to one grid.
         """
         return super().may_grow and not self.keep_heat
 

@@ -164,8 +164,7 @@ def _widened(kept: BodyStrain, rows: int, sides: tuple[int, int]) -> BodyStrain:
 
 
 def creep_after(problem: WearProblem, state: State) -> Tree:
-    """Return the tractions and creep of viscoelastic bodies in a state; empty without such bodies.
-    """
+    """Return the tractions and creep of viscoelastic bodies in a state; empty for other bodies."""
     return creep_of(state) if relaxes(*problem.bodies) else {}
 
 
