@@ -88,7 +88,7 @@ class Particle:
         return np.where(inside, r2 / (self.radius + height), math.inf)
 
     def path(self, increments: int) -> paths.Path:
-        """Steps of loading and unloading."""
+        """Return the steps that press the particle in and unload it, for `Simulation.run`."""
         loading = paths.ramp(load=self.load, approach=self.approach, increments=increments)
         return [*loading, {"load": 0.0}]
 
@@ -375,8 +375,8 @@ def roll_over(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range, body 2 or the cells of the grid differ from those of
-        `dented`, or `Simulation` raises an error.
+        An argument is outside its range, body 2 is not the dented body, the cells of the grid do
+        not coincide with those of `dented`, or `Simulation` raises an error.
     """
     require_type("grid", grid, Grid)
     require_type("dented", dented, Track)

@@ -14,8 +14,10 @@ from .._util.display import ShortRepr
 LINE_CONTACT_EXPONENT = 10.0 / 9.0
 """Exponent n of load ~ approach^n of a roller between two races."""
 LINE_STIFFNESS = 3.5948e10
-"""Stiffness of a steel roller between two races, 35948 L^(8/9) N/mm^(10/9) in ISO/TS 16281, in SI
-units: load [N] = LINE_STIFFNESS L^(8/9) approach^(10/9)."""
+"""Stiffness of a steel roller of length L between two races in SI units.
+
+load = LINE_STIFFNESS L^(8/9) approach^(10/9). ISO/TS 16281 gives 35948 L^(8/9) N/mm^(10/9).
+"""
 SLICES = 40
 """Number of slices of a roller."""
 _MAX_ITERATIONS = 300

@@ -43,11 +43,12 @@ class RaceContact:
 
 
 def _rolling_radius(diameter: float, pitch: float, contact_angle: float, race: str) -> float:
-    """Equivalent radius in the rolling direction [m], D (1 -+ gamma)/2 for the inner/outer ring.
+    """Equivalent radius in the rolling direction [m], on the inner or the outer ring.
 
-    gamma = D cos(alpha)/(pitch diameter). The formula is exact: the circumferential curvature of
-    the raceway, a surface of revolution, is cos(alpha) over the radius of the circle on which the
-    contact point lies (Meusnier).
+    It is D (1 - gamma)/2 on the inner ring and D (1 + gamma)/2 on the outer ring, where gamma =
+    D cos(alpha)/(pitch diameter), with the element diameter D and the contact angle alpha. The
+    formula is exact: the circumferential curvature of the raceway, a surface of revolution, is
+    cos(alpha) divided by the radius of the circle on which the contact point lies (Meusnier).
     """
     gamma = diameter * math.cos(contact_angle) / pitch
     if gamma >= 1.0:

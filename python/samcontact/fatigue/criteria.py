@@ -50,8 +50,8 @@ def dang_van(
     body : {1, 2}, optional
         Body of the states. Default: 2.
     slope : float
-        Weight of the mean normal stress sigma_h, in [0, 10] [-]. Use 3 (t/f - 1/2), where t is the
-        fatigue limit in torsion and f that in bending. The limit of the criterion is then t.
+        Weight of the mean normal stress sigma_h, in [0, 10] [-]. Use 3 (t/f - 1/2), where t and f
+        are the fatigue limits in torsion and in bending. The limit of the criterion is then t.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def dang_van(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range, or `cycle` raises an error.
+        The slope is missing or outside its range, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -87,8 +87,8 @@ def crossland(
     states, body
         As for `dang_van`.
     slope : float
-        Weight of the mean normal stress, in [0, 10] [-]. Use 3 t/f - sqrt(3), where t is the
-        fatigue limit in torsion and f that in bending. The limit of the criterion is then t.
+        Weight of the mean normal stress, in [0, 10] [-]. Use 3 t/f - sqrt(3), where t and f are the
+        fatigue limits in torsion and in bending. The limit of the criterion is then t.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def crossland(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range, or `cycle` raises an error.
+        The slope is missing or outside its range, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -132,7 +132,7 @@ def orthogonal_shear(
     Raises
     ------
     ValueError, TypeError
-        `cycle` raises an error, or the axis is unknown.
+        The stress history is invalid (see `cycle`), or the axis is unknown.
     """
     component = {"x": 4, "y": 3}[choice("axis", axis, ("x", "y"))]
 
@@ -161,7 +161,7 @@ def max_von_mises(
     Raises
     ------
     ValueError, TypeError
-        `cycle` raises an error.
+        The stress history is invalid (see `cycle`).
     """
 
     def maximum(stress: FloatArray) -> FloatArray:
@@ -191,7 +191,7 @@ def findley(
     Raises
     ------
     ValueError, TypeError
-        k is missing or outside its range, or `cycle` raises an error.
+        k is missing or outside its range, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -241,7 +241,7 @@ def fatemi_socie(
     ------
     ValueError, TypeError
         k is missing or outside its range; the yield stress or the material is missing, and the body
-        has none; or `cycle` raises an error.
+        has none; or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -344,7 +344,7 @@ def _over_blocks(
 
 
 def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
-    """Return the shear modulus [Pa] at each depth (last axis of points), or one for all points."""
+    """Return the shear modulus [Pa], one value for each depth or one for all points."""
     if material is not None:
         require_type("material", material, Material)
         if material.is_rigid:

@@ -132,7 +132,7 @@ def exposure(
     slope : float, optional
         Slope of Dang Van's criterion, in [0, 10] [-].
     axis : {"x", "y"}, optional
-        Rolling direction, which also selects the orthogonal shear stress.
+        Rolling direction, which is also the direction of the orthogonal shear stress.
     defect : float, optional
         Square root of the area of the largest inclusion [m], see
         `hardness.bending_limit_from_vickers`. Default: no inclusions, valid up to 400 HV only.

@@ -35,7 +35,7 @@ MODELS: Mapping[str, Mapping[str, float]] = {
 }
 """Default exponents of each model."""
 _MAX_SHARE = 0.5
-"""Largest share of the uppermost layer in the integral without a warning."""
+"""Fraction of the integral from the uppermost layer of points above which a warning is issued."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -53,8 +53,8 @@ class Life(ShortRepr, HtmlTable):
     log_integral : float
         Natural logarithm of the integral in SI units; -inf if no stress exceeds the limit.
     surface_share : float
-        Share of the uppermost layer of points in the integral [-]. If it is large, the integral
-        depends on the cell size.
+        Fraction of the integral that comes from the uppermost layer of points [-]. If this fraction
+        is large, the integral depends on the cell size.
     stressed_volume : float
         Volume in which the stress exceeds the limit [m^3]. It is proportional to `length`.
     """
@@ -291,7 +291,7 @@ def _volumes(field: FatigueField) -> FloatArray:
 
 
 def _extents(values: FloatArray, from_surface: bool) -> FloatArray:
-    """Return the extent of each point along an axis: half-way to both neighbouring points."""
+    """Return the length that each point represents on an axis, half-way to both neighbours."""
     if values.size == 1:
         return np.array([2 * values[0] if from_surface and values[0] > 0 else 1.0])
     middles = (values[1:] + values[:-1]) / 2

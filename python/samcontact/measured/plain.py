@@ -169,7 +169,7 @@ def _counts(column: FloatArray) -> bool:
 
 
 def _rises(column: FloatArray) -> float:
-    """Return the fraction of steps between successive values that have the more frequent sign."""
+    """Return the fraction of rising or of falling steps in a column, whichever is larger."""
     steps = np.diff(column)
     return float(max((steps > 0).mean(), (steps < 0).mean()))
 

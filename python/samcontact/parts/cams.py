@@ -58,7 +58,7 @@ class Cam:
 
     @classmethod
     def eccentric(cls, radius: float, eccentricity: float) -> Cam:
-        """Circular cam that turns about a point next to its centre.
+        """Circular cam that rotates about an eccentric axis.
 
         radius: radius of the circle [m]. eccentricity: distance between the centre of the circle
         and the axis of rotation [m], >= 0 and smaller than the radius. The lift is 0 at the angle
@@ -201,7 +201,7 @@ class TappetContact:
         Returns
         -------
         ndarray, shape (nx, ny)
-            Gap [m], 0 at the origin; inf beyond a quarter of a turn of the cam.
+            Gap [m], 0 at the origin; inf beyond a quarter of a turn of the cam to either side.
 
         Raises
         ------

@@ -101,7 +101,7 @@ def berkovich(
     tip_radius : float, optional
         Radius to which the tip and the edges are rounded [m], >= 0.
     angle : float, optional
-        Direction of the normal to one face, from the x axis [rad].
+        Angle from the x axis to the normal of one face, seen along the axis [rad].
     half_angle : float, optional
         Angle between the axis and each face [rad], in (0, pi/2), 65.27 degrees by default.
 
@@ -135,7 +135,7 @@ def vickers(
     tip_radius : float, optional
         Radius to which the tip and the edges are rounded [m], >= 0.
     angle : float, optional
-        Direction of the normal to one face, from the x axis [rad].
+        Angle from the x axis to the normal of one face, seen along the axis [rad].
     half_angle : float, optional
         Angle between the axis and each face [rad], in (0, pi/2), 68 degrees by default.
 
@@ -170,7 +170,7 @@ def _distance(grid: SurfaceGrid) -> FloatArray:
 def _pyramid(
     grid: SurfaceGrid, faces: int, half_angle: float, tip_radius: float, angle: float
 ) -> FloatArray:
-    """Return the gap of a pyramid with a sharp or rounded tip and edges.
+    """Return the gap of a pyramid whose tip and edges are sharp or rounded.
 
     The rounded pyramid is the envelope of all balls with the radius `tip_radius` that fit into the
     sharp one. It consists of planes, of cylinders along the edges and of a sphere at the tip, which

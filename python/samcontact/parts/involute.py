@@ -19,7 +19,7 @@ def involute(angle: float) -> float:
 
 
 def involute_angle(value: float) -> float:
-    """Return the angle [rad], in [0, pi/2), at which the function `involute` has a value >= 0."""
+    """Return the angle [rad], in [0, pi/2), at which `involute` equals a given value >= 0."""
     if value == 0.0:
         return 0.0
     t = max((3.0 * value) ** (1.0 / 3.0), value)  # tan(angle); inv is convex in it

@@ -22,7 +22,7 @@ _NEWTON_STEPS = 60
 
 
 class WheelRail:
-    """Rigid contact of a wheel and a rail, found by a direct search, and the gap next to it.
+    """Contact point of a rigid wheel and a rigid rail, found by direct search, and gap around it.
 
     Coordinates are in the frame of the track: x along the rail, y across, z down. The wheel is a
     surface of revolution, the rail a prism. The contact is the point of least vertical distance. If

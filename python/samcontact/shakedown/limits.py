@@ -36,7 +36,7 @@ EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 @dataclass(frozen=True)
 class ShakedownLimit(HtmlTable):
-    """Limit of the maximum Hertz pressure, and the depth at which it is determined.
+    """Limit of the maximum Hertz pressure, and the depth that determines this limit.
 
     Attributes
     ----------
@@ -115,7 +115,7 @@ def _both_signs(deviator: FloatArray) -> FloatArray:
 
 
 def _tresca(deviator: FloatArray) -> float:
-    """Return the minimum k for which some residual stresses xx and yy prevent yield, by Tresca."""
+    """Return the least k/p0 at which suitable residual stresses xx and yy prevent Tresca yield."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
     def required_k(shift: float) -> float:
@@ -192,8 +192,8 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
 def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     """Elastic shakedown limit of a line contact on a body with linear kinematic hardening.
 
-    The backstress can take any value at each point. The body therefore shakes down if the path of
-    the stress deviator at each point fits into the yield surface, shifted by any backstress. Above
+    The backstress can take any value at each point. The body therefore shakes down if, at each
+    point, the path of the stress deviator fits into the yield surface after a suitable shift. Above
     the limit there is plastic shakedown, and never ratcheting.
 
     Parameters

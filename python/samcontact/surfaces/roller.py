@@ -185,7 +185,7 @@ def iso_drop(y: FloatArray, length: float, diameter: float) -> FloatArray:
 def _crowned(
     y: FloatArray, length: float, crown_radius: float | None, straight: float | None
 ) -> FloatArray:
-    """Drop [m] of an arc, or of two arcs beyond a straight middle."""
+    """Drop [m] of a crowned profile: one arc, or an arc on either side of a straight middle."""
     crown = positive("crown_radius", crown_radius)
     middle = 0.0 if straight is None else non_negative("straight_length", straight)
     if middle > length:

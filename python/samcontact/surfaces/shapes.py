@@ -69,7 +69,7 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     Raises
     ------
     ValueError
-        A radius is not positive, or so small that the gap is infinite.
+        A radius is not positive, or so small that the gap overflows.
     """
     Rx = positive("Rx", Rx, allow_inf=True)
     Ry = Rx if Ry is None else positive("Ry", Ry, allow_inf=True)

@@ -40,7 +40,7 @@ this wave would grow from one solution to the next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
-"""Maximum change of the shear traction over a periodic loop, relative to the maximum of mu p.
+"""Maximum change of the shear traction over a loop that counts as periodic, relative to max mu p.
 
 The limit is not smaller because, at the edge of the stick zone, slip directions rotate slightly
 over many repeats. This rotation does not noticeably affect the frictional work.
@@ -48,7 +48,7 @@ over many repeats. This rotation does not noticeably affect the frictional work.
 _MAX_REPEATS = 20
 _MAX_CREEPING_REPEATS = 200
 _MIN_MISMATCH_OF_TOL = 10.0
-"""Smallest limit for the change of the tractions over a loop of viscoelastic bodies, divided by
+"""Least tolerance for periodic tractions of viscoelastic bodies, divided by the solver tolerance
 `tol`."""
 _SMALL_FLOW = 0.01
 """Equivalent plastic strain added per repeat that is neglected, relative to the yield strain."""
@@ -101,11 +101,11 @@ def fretting(
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The contact is solved so often that between
-        two solutions wear changes the shortest pressure wave on the grid by at most 100 %. Each
-        solution starts with unloaded, unheated bodies that have the plastic strain of the previous
-        solution. It computes only a few loops, usually one or two, and the plastic flow of the
-        other loops is neglected.
+        Number of repeats of the loop per cycle, >= 1. The contact is solved so often that wear
+        between two solutions changes the amplitude of the shortest pressure wave on the grid by at
+        most 100 %. Each solution starts with unloaded, unheated bodies that have the plastic strain
+        of the previous solution. It computes only a few loops, usually one or two, and the plastic
+        flow of the other loops is neglected.
     checkpoint, progress
         As for `run`.
     **settings

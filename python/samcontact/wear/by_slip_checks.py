@@ -69,7 +69,7 @@ class FrettingSetup(WearProblem):
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row that can wear and the number of such rows: all rows of the grid."""
+        """Return 0 and the number of rows of the grid, because all rows can wear."""
         return 0, self.grid.nx
 
 
@@ -122,7 +122,7 @@ def make_setup(
 
 
 def _require_long_time_state(bodies: tuple[Body, Body]) -> None:
-    """Raise ValueError for a fluid, whose response never becomes periodic."""
+    """Raise ValueError for a viscoelastic fluid, whose response never becomes periodic."""
     for n, body in enumerate(bodies, 1):
         terms = relaxation_of(body)
         if terms is not None and long_time_share(terms) == 0:

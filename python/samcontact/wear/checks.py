@@ -49,7 +49,7 @@ strain alone and is far beyond yield.
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
 """Width of a moving mean divided by the standard deviation of a Gaussian with equal variance."""
 _MARGIN_ROWS = 4
-"""Rows of cells added on both sides of the rows in contact, for interpolation between cells."""
+"""Rows of cells added at both ends of the rows that can wear, for interpolation between cells."""
 
 
 @dataclass(frozen=True)

@@ -81,10 +81,10 @@ def run(
         Elastic-plastic bodies that wear. The other body may be viscoelastic. In this case each step
         has a `duration`, and the creep of a cycle continues in the next cycle.
     smoothing_length : float, optional
-        Standard deviation of the Gaussian that smooths the edge of the worn area [m], from one cell
-        to 0.29 times the contact size. As this length does not depend on the grid, results converge
-        when cells, layers and increments are refined. Exactly one of `smoothing_length` and
-        `window` must be given.
+        Standard deviation of the Gaussian filter that smooths the edge of the worn area [m], from
+        one cell to 0.29 times the contact size. As this length does not depend on the grid, results
+        converge when cells, layers and increments are refined. Exactly one of `smoothing_length`
+        and `window` must be given.
     window : int or pair of int, optional
         Width of Boucly's filter in cells, see `smooth`; not larger than the contact. 1 for no
         smoothing. The results with this filter depend on the cell size.
@@ -104,7 +104,8 @@ def run(
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
         resumes from this file with bit-identical results; delete the file to start again. If the
-        file is damaged, the checkpoint of the preceding cycle is used, with the suffix .before.
+        file is damaged, the run resumes from the checkpoint of the preceding cycle, a file with the
+        additional suffix .before.
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings

@@ -178,7 +178,7 @@ class Polynomials:
     """Smoothing by the function `smooth` over a window of cells, as in Boucly (2008)."""
 
     sides: tuple[int, int]
-    """Cells of the window along x and y."""
+    """Numbers of cells of the window along x and y."""
     order: int
 
     def __call__(self, depth: FloatArray) -> FloatArray:
