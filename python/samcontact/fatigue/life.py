@@ -291,7 +291,7 @@ def _volumes(field: FatigueField) -> FloatArray:
 
 
 def _extents(values: FloatArray, from_surface: bool) -> FloatArray:
-    """Return the length that each point represents on an axis, half-way to both neighbours."""
+    """Return the length that each point represents on an axis, up to half-way to its neighbours."""
     if values.size == 1:
         return np.array([2 * values[0] if from_surface and values[0] > 0 else 1.0])
     middles = (values[1:] + values[:-1]) / 2

@@ -77,7 +77,10 @@ class Trend:
         return float(np.sum(self.factor ** np.arange(1, cycles + 1)))
 
     def total(self, cycles: int) -> float:
-        """Return weight(1) + ... + weight(cycles), the factor of the last difference in `summed`."""
+        """Return weight(1) + ... + weight(cycles).
+
+        `summed` multiplies the latest difference by this factor.
+        """
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:

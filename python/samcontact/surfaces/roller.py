@@ -98,8 +98,8 @@ def roller(
       the middle and 0.0005 D ln(1/(1 - v^2)), v = (2 abs(y) - L + 2.5 D)/(2.5 D), at the ends;
     - lundberg: Q/(pi E* L) ln(1/(1 - u^2)) with the design load Q (Lundberg 1939).
 
-    Both logarithmic profiles have an infinite drop at the ends, so that the pressure is bounded;
-    cells near the ends must be smaller than the distance of the contact from the end. The roller is
+    The last two profiles have an infinite drop at the ends, so that the pressure is bounded. Cells
+    near the ends must be smaller than the distance of the contact from the end. The roller is
     parabolic along x, as in Hertz theory.
     """
     across, along = coordinates(grid)
