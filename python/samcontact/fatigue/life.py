@@ -35,7 +35,7 @@ MODELS: Mapping[str, Mapping[str, float]] = {
 }
 """Default exponents of each model."""
 _MAX_SHARE = 0.5
-"""Fraction of the integral from the uppermost layer of points above which a warning is issued."""
+"""Fraction of the integral that the uppermost layer of points may contribute without a warning."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)

@@ -196,7 +196,7 @@ def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
 
 
 def _last_digit(x: FloatArray, step: float) -> float:
-    """Return the unit to which positions are rounded [m], e.g. 1e-8; 0 if it is not evident."""
+    """Return the step to which positions are rounded [m], e.g. 1e-8; 0 if it is not evident."""
     for digits in range(4):
         unit = 10.0 ** (np.floor(np.log10(step) + 1e-9) - digits)
         if np.abs(x / unit - np.round(x / unit)).max() < 1e-4:

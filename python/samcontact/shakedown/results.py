@@ -56,8 +56,8 @@ class ShakedownResult(ShortRepr, HtmlTable):
     rejected : int
         Number of extrapolations that were undone because the next cycle did not confirm them.
     yield_strain : float
-        Yield stress divided by Young's modulus, for the body that yields first: a reference for
-        strains.
+        Smallest yield strain of both bodies (yield stress divided by Young's modulus), to which
+        strains are compared [-].
     state : State
         State at the end of the last cycle.
     """

@@ -48,8 +48,8 @@ over many repeats. This rotation does not noticeably affect the frictional work.
 _MAX_REPEATS = 20
 _MAX_CREEPING_REPEATS = 200
 _MIN_MISMATCH_OF_TOL = 10.0
-"""Least tolerance for periodic tractions of viscoelastic bodies, divided by the solver tolerance
-`tol`."""
+"""Minimum of the tolerance within which tractions of viscoelastic bodies count as periodic, divided
+by the solver tolerance `tol`."""
 _SMALL_FLOW = 0.01
 """Equivalent plastic strain added per repeat that is neglected, relative to the yield strain."""
 

@@ -43,8 +43,8 @@ from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_o
 YIELD_STRAIN = 20e-6
 """Plastic strain at the conventional yield point [-]; the threshold of wear must be larger.
 
-The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
-strain alone and is far beyond yield.
+The threshold need not exceed the elastic strain at yield, about 1 % for a hard steel, because it
+refers to the plastic strain alone. A threshold of 0.2 % is far beyond yield.
 """
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
 """Width of a moving mean divided by the standard deviation of a Gaussian with equal variance."""

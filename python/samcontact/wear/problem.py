@@ -108,7 +108,7 @@ class WearProgress:
     heat: Tree = field(default_factory=dict)
     """Heat history at the end of the last cycle; empty for unheated bodies."""
     creep: Tree = field(default_factory=dict)
-    """Tractions and creep of viscoelastic bodies at the end of the last solution, or empty."""
+    """Tractions and creep at the end of the last solution; empty without viscoelastic bodies."""
 
     @staticmethod
     def start(problem: WearProblem) -> WearProgress:
@@ -164,7 +164,7 @@ def _widened(kept: BodyStrain, rows: int, sides: tuple[int, int]) -> BodyStrain:
 
 
 def creep_after(problem: WearProblem, state: State) -> Tree:
-    """Return the tractions and creep of viscoelastic bodies in a state; empty for other bodies."""
+    """Return the tractions and creep in a state; empty without viscoelastic bodies."""
     return creep_of(state) if relaxes(*problem.bodies) else {}
 
 
