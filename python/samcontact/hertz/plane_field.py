@@ -26,7 +26,7 @@ def plane_field(x: FloatArray, z: FloatArray, nu: float, friction: float) -> Flo
     slope = np.divide(-z * F, root, out=np.zeros_like(root), where=(z > 0.0) & (root != 0.0))
     xx, zz, xz = F.imag + slope.real, F.imag - slope.real, -slope.imag
     if friction != 0.0:
-        shear = xx  # xz of a tangential load is xx of a normal one
+        shear = xx  # xz due to a tangential load equals xx due to a normal load
         xx = xx + friction * (slope.imag - 2.0 * F.real)
         zz = zz - friction * slope.imag
         xz = xz + friction * shear

@@ -269,7 +269,7 @@ def _lines(path: Path) -> list[str]:
 def _array(path: Path) -> Any:
     with path.open("rb") as file:
         start = file.read(6)
-    # NumPy would take others for pickles, and advise unsafe loading
+    # NumPy would take other files for pickles, and advise unsafe loading
     if not start.startswith((b"\x93NUMPY", b"PK")):
         raise ValueError(f"the file begins with {start!r} and was not written by numpy.save")
     return np.load(path, allow_pickle=False)

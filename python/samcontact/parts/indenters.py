@@ -189,7 +189,7 @@ def _pyramid(
     gap += R - R * math.hypot(1.0, slope)
     steepest = slope * math.cos(0.5 * step)  # slope along an edge
     stretch = math.hypot(1.0, steepest)
-    # half-width of the cylinder, whose slope across the edge there is that of the faces
+    # half-width of the cylinder: there, its slope across the edge equals that of the faces
     across = slope * math.sin(0.5 * step) / stretch
     half_width = R * across / math.hypot(1.0, across)
     r2 = x**2 + y**2

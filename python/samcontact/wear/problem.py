@@ -185,7 +185,7 @@ def _bodies_now(problem: WearProblem, standing: WearProgress) -> list[Body]:
     """Return both bodies, with inclusions moved up by the wear of the surface above them."""
     bodies = list(problem.bodies)
     for body in problem.worn:
-        if isinstance(bodies[body - 1], Heterogeneous):  # in the rows of the grid
+        if isinstance(bodies[body - 1], Heterogeneous):  # its rows are those of the grid
             heights = standing.heights[body]
             worn = np.maximum(heights[0] - heights[-1], 0.0)
             bodies[body - 1] = raised(bodies[body - 1], body, worn, standing.grid)
