@@ -300,9 +300,9 @@ class Bearing:
         axial_load: float = 0.0,
         moment: float | None = None,
     ) -> float:
-        """Factor on the given loads at which the most loaded element carries `element_load` [N].
+        """Factor on all given loads for which the largest element load is `element_load` [-].
 
-        All given loads are multiplied by this factor. Other arguments as for `max_element_load`.
+        element_load: load [N], > 0. Other arguments as for `max_element_load`.
         """
         target = positive("element_load", element_load)
         loads = (

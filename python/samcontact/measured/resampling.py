@@ -49,7 +49,7 @@ def resampled(
     cell: tuple[float, float],
     sampling: Sampling,
 ) -> FloatArray:
-    """Return the heights [m] at all pairs of x and y.
+    """Return the heights [m] at all combinations of the given x and y, shape (len(x), len(y)).
 
     heights: shape (nx, ny), all defined; a profile (ny = 1) applies at every y. points: x and y [m]
     from the centre of the measured area. cell: cell lengths along x and y [m]. Raises ValueError if
