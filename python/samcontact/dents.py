@@ -76,7 +76,7 @@ def furrow(
     half_width : float
         Half-width at the level of the flat surface [m], > 0.
     along : {"y", "x"}
-        Direction of the furrow: transverse or parallel to the motion of the contact.
+        Direction of the furrow: "y" is transverse and "x" parallel to the motion of the contact.
     position : float, optional
         Position of the middle on the body [m]: along x for a furrow along y, and vice versa.
 

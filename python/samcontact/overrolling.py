@@ -2,7 +2,7 @@
 """Dents pressed into a surface by hard particles, and a body that rolls over them.
 
 `indent` simulates the indentations. The dented body keeps its imprint, its residual stress and its
-hardening. `roll_over` starts from it: another body passes over the dents.
+hardening. `roll_over` then simulates another body that rolls over the dented body.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ class Particle:
         return np.where(inside, r2 / (self.radius + height), math.inf)
 
     def path(self, increments: int) -> paths.Path:
-        """Steps of loading and unloading."""
+        """Return the steps that press the particle in and unload it, for `Simulation.run`."""
         loading = paths.ramp(load=self.load, approach=self.approach, increments=increments)
         return [*loading, {"load": 0.0}]
 
@@ -103,7 +103,7 @@ def particles(
     depth_ratio: float = 0.05,
     seed: int,
 ) -> list[Particle]:
-    """Random particles on a rectangle around the origin, as left by a contaminated lubricant.
+    """Random particles on a rectangle around the origin, as from a contaminated lubricant.
 
     The number of particles has a Poisson distribution, positions are uniform, and radii have a
     log-normal distribution.
@@ -172,7 +172,7 @@ def indent(
     body2 : Material or Layered
         Elastic-plastic body; an elastic one keeps no dent.
     particles : sequence of Particle
-        At least one.
+        Particles in the order in which they are pressed in, at least one.
     increments : int, optional
         Number of increments of each loading.
     body1 : Material or Layered, optional
@@ -231,7 +231,7 @@ def _require_inside(grid: Grid, particles: Sequence[Particle]) -> None:
 
 
 def _require_same_material(dented: Track, body2: Body) -> None:
-    """Raise ValueError if the dents are in a body of another material."""
+    """Raise ValueError if the dented body is not `body2`."""
     if dented.material != body2:
         raise ValueError(
             f"body2 must be the body with the dents, {in_short(dented.material)}, whose plastic "
@@ -240,7 +240,7 @@ def _require_same_material(dented: Track, body2: Body) -> None:
 
 
 def _require_same_cells(grid: Grid, dented: Track) -> None:
-    """Raise ValueError if the cells of a grid are not at the places of those of a track."""
+    """Raise ValueError if the cells of a grid do not coincide with the cells of a track."""
     cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
     if cells[0] != cells[1]:
         raise ValueError(
@@ -304,7 +304,7 @@ class Overrolling:
 
     @property
     def peak_place(self) -> tuple[float, float]:
-        """Position of the largest pressure of the pass on the body [m], e.g. the rim of a dent."""
+        """Position (x, y) on the body where the pressure of the pass is largest [m]."""
         state = self.states[self.peak]
         i, j = np.unravel_index(np.argmax(state.pressure), state.pressure.shape)
         x = state.grid.x[i] - state.origin + self.position[self.peak]
@@ -344,8 +344,8 @@ def roll_over(
     Parameters
     ----------
     grid : Grid
-        Grid with the cells of `dented`. Its nx may differ from that of the grid of the indentation
-        by an even number; dents keep their positions on the body.
+        Grid with the same ny, dx, dy and dz as in `indent`. Its nx may differ by an even number
+        from nx in `indent`; dents keep their positions on the body.
     body1, body2 : Material or Layered
         Upper body, and the body with the dents.
     dented : Track
@@ -355,10 +355,10 @@ def roll_over(
     load : float
         Normal load [N].
     distance, step : float
-        Distance that is rolled, and length of an increment [m], whole numbers of cells.
+        Rolling distance, and distance per increment [m], whole numbers of cells.
     middle : float, optional
-        Position of the middle of the path on body 2 [m], a whole number of cells; half a cell
-        farther if the distance is an odd number of cells.
+        Position of the middle of the path on body 2 [m], a whole number of cells. If `distance` is
+        an odd number of cells, the path is half a cell off.
     slide_to_roll : float, optional
         Slide-to-roll ratio, as in `paths.rolling`.
     increments : int, optional
@@ -375,8 +375,8 @@ def roll_over(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range, body 2 or the cells of the grid differ from those of
-        `dented`, or `Simulation` raises an error.
+        An argument is outside its range, body 2 is not the dented body, the cells of the grid do
+        not coincide with those of `dented`, or `Simulation` raises an error.
     """
     require_type("grid", grid, Grid)
     require_type("dented", dented, Track)

@@ -21,7 +21,7 @@ from .rating import STEEL_CONTACT_MODULUS, static_load_rating
 KINDS = ("deep_groove", "angular_contact", "cylindrical_roller")
 RACES = ("inner", "outer")
 _PRESSURE = {"cylindrical_roller": 4.0e9}
-"""Hertz pressure of the static load rating of ISO 76 [Pa], if it is not 4.2e9."""
+"""Hertz pressure at the static load rating of ISO 76 [Pa], for kinds where it is not 4.2e9."""
 _AXIAL_FACTORS = ((15, 20, 25, 30, 35, 40, 45), (0.46, 0.42, 0.38, 0.33, 0.29, 0.26, 0.22))
 """Factor Y_0 of ISO 76 for single-row angular contact bearings by contact angle [degrees]."""
 
@@ -39,13 +39,14 @@ class Bearing:
     elements : int
         Number of balls or rollers, >= 2.
     contact_angle : float, optional
-        Angular contact: contact angle without load [rad], > 0; otherwise 0.
+        Contact angle without load [rad]: > 0 for angular contact bearings, 0 for other bearings.
     inner_conformity, outer_conformity : float, optional
-        Balls: groove radius/ball diameter, > 0.5. Default: 0.52 and 0.53, the values of ISO 76.
+        For balls only: groove radius divided by ball diameter, > 0.5 [-]. Default: 0.52 and 0.53,
+        the values of ISO 76.
     length : float, optional
-        Rollers: effective length, without corner radii [m]; required.
+        For rollers only, required: effective length, without corner radii [m].
     profile : str, optional
-        Rollers: "straight" or "logarithmic" (default), as in `surfaces.roller`.
+        For rollers only: "straight" or "logarithmic" (default), as in `surfaces.roller`.
     clearance : float, optional
         Diametral clearance of the mounted bearing [m], >= 0. Default: None, unknown.
     rows : int, optional
@@ -222,9 +223,9 @@ class Bearing:
 
         Notes
         -----
-        The rings are rigid, and an unknown clearance counts as 0. Balls: Hertz stiffness, and
-        contact angles that change under load (Harris, chapter 7). Rollers: slices with the
-        stiffness and the profile of ISO/TS 16281.
+        The rings are rigid, and an unknown clearance counts as 0. Balls have the Hertz stiffness
+        and contact angles that change under load (Harris, chapter 7). Rollers are divided into
+        slices with the stiffness and the profile of ISO/TS 16281.
         """
         share = 1.0 / self.rows
         forces = share * np.array([
@@ -278,9 +279,10 @@ class Bearing:
     ) -> float:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
-        If the clearance is known, this is the maximum of `element_loads`. If it is unknown, the
-        load by Stribeck's rule, which assumes a usual clearance, is returned for a purely radial
-        load; for other loads, the larger one of this load and the maximum of `element_loads`.
+        If the clearance is known, this is the maximum of `element_loads`. If the clearance is
+        unknown, a purely radial load gives the load by Stribeck's rule, which assumes a usual
+        clearance. Other loads give the larger one of Stribeck's load and the maximum of
+        `element_loads`.
         """
         least = 0.0
         if self.clearance is None:
@@ -298,9 +300,9 @@ class Bearing:
         axial_load: float = 0.0,
         moment: float | None = None,
     ) -> float:
-        """Factor on the given loads at which the most loaded element carries `element_load` [N].
+        """Factor on all given loads for which the largest element load is `element_load` [-].
 
-        Other arguments as for `max_element_load`.
+        element_load: load [N], > 0. Other arguments as for `max_element_load`.
         """
         target = positive("element_load", element_load)
         loads = (
@@ -337,8 +339,9 @@ class Bearing:
     def static_equivalent_load(self, radial_load: float, axial_load: float = 0.0) -> float:
         """Static equivalent radial load P_0r of ISO 76 [N], max(X_0 F_r + Y_0 F_a, F_r).
 
-        X_0 = 0.6, Y_0 = 0.5 for deep groove bearings; 0.5 and a table by contact angle for single
-        rows of angular contact bearings. Cylindrical rollers carry no axial load.
+        Deep groove bearings have X_0 = 0.6 and Y_0 = 0.5. Single-row angular contact bearings have
+        X_0 = 0.5 and a factor Y_0 that depends on the contact angle. Cylindrical rollers carry no
+        axial load.
         """
         radial, axial = non_negative("radial_load", radial_load), non_negative(
             "axial_load", axial_load

@@ -14,8 +14,10 @@ from .._util.display import ShortRepr
 LINE_CONTACT_EXPONENT = 10.0 / 9.0
 """Exponent n of load ~ approach^n of a roller between two races."""
 LINE_STIFFNESS = 3.5948e10
-"""Stiffness of a steel roller between two races, 35948 L^(8/9) N/mm^(10/9) in ISO/TS 16281, in SI
-units: load [N] = LINE_STIFFNESS L^(8/9) approach^(10/9)."""
+"""Stiffness of a steel roller of length L between two races in SI units.
+
+load = LINE_STIFFNESS L^(8/9) approach^(10/9). ISO/TS 16281 gives 35948 L^(8/9) N/mm^(10/9).
+"""
 SLICES = 40
 """Number of slices of a roller."""
 _MAX_ITERATIONS = 300
@@ -74,7 +76,7 @@ def balls_in_equilibrium(
     between two races [N/m^1.5]. centre_distance: distance A between the centres of curvature of
     the grooves without load [m]. free_angle: contact angle without load [rad]. arm: radius of the
     circle of the centres of the inner groove [m]. clearance: diametral clearance [m]. tilts:
-    whether the rotation of the ring is unknown; if not, it is 0.
+    whether the inner ring can rotate; if not, its rotation is 0.
     """
     psi = 2.0 * np.pi * np.arange(balls) / balls
     zero = np.zeros(balls)
@@ -116,9 +118,9 @@ def rollers_in_equilibrium(
 ) -> ElementLoads:  # fmt: skip
     """Solve the equilibrium of a cylindrical roller bearing by slices (ISO/TS 16281).
 
-    forces: radial load [N], 0 and moment [N m]. clearance: diametral clearance [m]. slices, drop:
-    positions of the slices along the roller and drop of the profile there [m]. tilts: as for
-    `balls_in_equilibrium`.
+    forces: radial load [N], axial load 0 and moment [N m]. clearance: diametral clearance [m].
+    slices: positions of the slices along the roller [m]. drop: drop of the roller profile at these
+    positions [m]. tilts: as for `balls_in_equilibrium`.
     """
     psi = 2.0 * np.pi * np.arange(rollers) / rollers
     n, count = LINE_CONTACT_EXPONENT, len(slices)
@@ -143,15 +145,15 @@ def rollers_in_equilibrium(
 
 
 def _typical(forces: FloatArray, arm: float) -> float:
-    """Magnitude of the loads as a force [N]."""
+    """Largest magnitude of both forces and of the moment divided by `arm` [N]."""
     return float(max(abs(forces[0]), abs(forces[1]), abs(forces[2]) / arm))
 
 
 def _minimum(energy: Energy, forces: FloatArray, scales: FloatArray) -> FloatArray:
-    """Minimise an energy by Newton's method with damping; scales: size of each unknown.
+    """Return the displacements that minimise an energy, by Newton's method with damping.
 
-    An unknown whose scale is 0 is held at 0. Raises ValueError if forces and elements do not
-    balance.
+    scales: typical size of each displacement; a displacement whose scale is 0 is held at 0. Raises
+    ValueError if no equilibrium of the loads with the elements is found.
     """
     size = float(np.abs(scales * forces).max())
     u, damping = np.zeros(3), 1e-2

@@ -191,8 +191,8 @@ def load_zone(
     Raises
     ------
     ValueError
-        An argument is outside its range, or F_r tan(alpha) >= F_a: the thrust due to the radial
-        load alone exceeds the axial load, and the row would separate.
+        An argument is outside its range, or F_r tan(alpha) >= F_a: the axial load does not balance
+        the thrust due to the radial load, and the rings would separate.
 
     Notes
     -----
@@ -218,7 +218,7 @@ def load_zone(
         J_r, J_a = sjovall(math.exp(log_epsilon), n)
         return J_r / J_a - ratio
 
-    # J_r/J_a decreases from 1 - O(epsilon) in a small zone to n/(4 epsilon) in a large one
+    # J_r/J_a decreases from 1 - O(epsilon) in a small load zone to n/(4 epsilon) in a large one
     low, high = math.log(1e-3 * (1.0 - ratio)), math.log(1e2 * n / ratio)
     epsilon = math.exp(scipy.optimize.brentq(excess, low, high, xtol=1e-13))
     return LoadZone(normal / sjovall(epsilon, n)[1], epsilon, n)

@@ -11,7 +11,7 @@ from .._util.checks import choice, finite, positive
 from .._util.errors import UnitWarning
 
 MAX_DIAMETER = 1.0
-"""Maximum diameter of rolling elements [m]; those of the largest bearings are smaller."""
+"""Maximum diameter of rolling elements [m]; even the largest bearings have smaller elements."""
 
 
 @dataclass(frozen=True)
@@ -43,11 +43,12 @@ class RaceContact:
 
 
 def _rolling_radius(diameter: float, pitch: float, contact_angle: float, race: str) -> float:
-    """Equivalent radius in the rolling direction [m], D (1 -+ gamma)/2 for the inner/outer ring.
+    """Equivalent radius in the rolling direction [m], on the inner or the outer ring.
 
-    gamma = D cos(alpha)/(pitch diameter). The formula is exact: the circumferential curvature of
-    the raceway, a surface of revolution, is cos(alpha) over the radius of the circle on which the
-    contact point lies (Meusnier).
+    It is D (1 - gamma)/2 on the inner ring and D (1 + gamma)/2 on the outer ring, where gamma =
+    D cos(alpha)/(pitch diameter), with the element diameter D and the contact angle alpha. The
+    formula is exact: the circumferential curvature of the raceway, a surface of revolution, is
+    cos(alpha) divided by the radius of the circle on which the contact point lies (Meusnier).
     """
     gamma = diameter * math.cos(contact_angle) / pitch
     if gamma >= 1.0:
@@ -167,7 +168,7 @@ def roller_on_race(
     Returns
     -------
     RaceContact
-        Ry = crown_radius.
+        Equivalent radii, with Ry = crown_radius.
 
     Raises
     ------

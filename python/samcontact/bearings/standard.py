@@ -42,13 +42,13 @@ _SUFFIXES = (
     "2?RS[12RHL]?", "2?ZR?|2?RZ|ZZ|LL[BHU]|DDU?|VV",  # seals and shields
     "NR?", "C[2345NM]", "P[0456]", "M[AB]?|JN?|TN[9H]?", "S[01]",
 )  # fmt: skip
-"""Suffixes that leave the internal dimensions: seals, shields, snap ring, clearance and tolerance
-class, cage, and heat treatment."""
+"""Suffixes that do not affect the internal dimensions: seals, shields, snap ring, clearance and
+tolerance class, cage, and heat treatment."""
 _DESIGNATION = re.compile(rf"(\d{{4}})((?:[-/ .]*(?:{'|'.join(_SUFFIXES)})(?![A-Z0-9]))*)", re.I)
 
 
 def _size_of(designation: str | int) -> StandardSize:
-    """Return the size of a designation with any of the known suffixes."""
+    """Return the dimensions for a designation; known suffixes are ignored."""
     text = str(designation) if type(designation) is int else designation
     if not isinstance(text, str):
         raise TypeError(f'designation must be text, e.g. "6208", got {in_short(designation)}')
@@ -98,9 +98,9 @@ def from_boundary(bore: float, outside_diameter: float, clearance: float | None 
     """Deep groove ball bearing with internal dimensions estimated from its boundary dimensions.
 
     The pitch diameter is the mean of bore and outside diameter. The ball diameter is 0.3 times the
-    outside diameter minus the bore. The balls fill half of the pitch circle, and one more ball is
-    added (Conrad assembly). For the sizes of `standard`, the static load rating of the estimated
-    bearing differs from catalogues by less than 10 %.
+    difference between outside diameter and bore. The number of balls is one more than the number
+    that fills half of the pitch circle (Conrad assembly). For the sizes of `standard`, the static
+    load rating of the estimated bearing differs from catalogues by less than 10 %.
 
     Parameters
     ----------

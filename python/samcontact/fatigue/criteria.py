@@ -32,8 +32,8 @@ __all__ = [
 ]
 
 _MAX_SLOPE = 10.0
-"""Maximum slope. For metals, slopes are pure numbers below 1; a value above the maximum is probably
-a stress."""
+"""Maximum weight of the normal stress in a criterion. For metals, weights are pure numbers below 1;
+a value above the maximum is probably a stress."""
 
 Block = Callable[[slice], tuple[FloatArray, FloatArray | None]]
 
@@ -50,8 +50,8 @@ def dang_van(
     body : {1, 2}, optional
         Body of the states. Default: 2.
     slope : float
-        Weight of the mean normal stress sigma_h, in [0, 10] [-]: 3 (t/f - 1/2) for the fatigue
-        limits t in torsion and f in bending; the limit of the criterion is then t.
+        Weight of the mean normal stress sigma_h, in [0, 10] [-]. Use 3 (t/f - 1/2), where t and f
+        are the fatigue limits in torsion and in bending. The limit of the criterion is then t.
 
     Returns
     -------
@@ -61,7 +61,7 @@ def dang_van(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range, or `cycle` raises an error.
+        The slope is missing or outside its range, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -87,8 +87,8 @@ def crossland(
     states, body
         As for `dang_van`.
     slope : float
-        Weight of the mean normal stress, in [0, 10] [-]: 3 t/f - sqrt(3) for the fatigue limits t
-        in torsion and f in bending; the limit of the criterion is then t.
+        Weight of the mean normal stress, in [0, 10] [-]. Use 3 t/f - sqrt(3), where t and f are the
+        fatigue limits in torsion and in bending. The limit of the criterion is then t.
 
     Returns
     -------
@@ -98,7 +98,7 @@ def crossland(
     Raises
     ------
     ValueError, TypeError
-        The slope is missing or outside its range, or `cycle` raises an error.
+        The slope is missing or outside its range, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -132,7 +132,7 @@ def orthogonal_shear(
     Raises
     ------
     ValueError, TypeError
-        `cycle` raises an error, or the axis is unknown.
+        The stress history is invalid (see `cycle`), or the axis is unknown.
     """
     component = {"x": 4, "y": 3}[choice("axis", axis, ("x", "y"))]
 
@@ -161,7 +161,7 @@ def max_von_mises(
     Raises
     ------
     ValueError, TypeError
-        `cycle` raises an error.
+        The stress history is invalid (see `cycle`).
     """
 
     def maximum(stress: FloatArray) -> FloatArray:
@@ -180,8 +180,8 @@ def findley(
     states, body
         As for `dang_van`.
     k : float
-        Weight of the maximum normal stress on the plane in the cycle, in [0, 10] [-]; 0.2 to 0.4
-        for ductile metals.
+        Weight of the normal stress, in [0, 10] [-]; 0.2 to 0.4 for ductile metals. The criterion
+        uses the maximum normal stress on each plane in the cycle.
 
     Returns
     -------
@@ -191,15 +191,15 @@ def findley(
     Raises
     ------
     ValueError, TypeError
-        k is missing or outside its range, or `cycle` raises an error.
+        k is missing or outside its range, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
     The shear amplitude is the radius of the smallest circle that contains the path of the shear
-    stress in the plane. Planes are scanned 11 degrees apart, and the search continues from the best
-    planes to local maxima. The result is less than 0.11 % below the true maximum in 99 of 100
-    points, and never more than 1 % below it (theory page). W. N. Findley (1959), *J. Eng. Ind.* 81,
-    301-305.
+    stress in the plane. The search evaluates planes 11 degrees apart and then finds the local
+    maxima next to the best of these planes. The result is less than 0.11 % below the true maximum
+    in 99 of 100 points, and never more than 1 % below it (theory page). W. N. Findley (1959), *J.
+    Eng. Ind.* 81, 301-305.
     """
     number = _slope("k", k)
 
@@ -223,8 +223,8 @@ def fatemi_socie(
     states, body
         As for `dang_van`.
     k : float
-        Weight of the maximum normal stress on the plane in the cycle, in [0, 10] [-]; 0.3 to 1 for
-        metals.
+        Weight of the normal stress, in [0, 10] [-]; 0.3 to 1 for metals. The criterion uses the
+        maximum normal stress on each plane in the cycle.
     yield_stress : float, optional
         Yield stress by which the normal stress is divided [Pa], > 0. Default: initial yield stress
         of the body.
@@ -241,7 +241,7 @@ def fatemi_socie(
     ------
     ValueError, TypeError
         k is missing or outside its range; the yield stress or the material is missing, and the body
-        has none; or `cycle` raises an error.
+        has none; or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -317,7 +317,10 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Evaluate a criterion in blocks of points whose `fields` tensor fields fit in memory."""
+    """Evaluate a criterion for one block of points after another, to limit the memory.
+
+    fields: number of tensor fields of a block that must fit into memory together.
+    """
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None
     for block in blocks(given, fields):
@@ -341,7 +344,7 @@ def _over_blocks(
 
 
 def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
-    """Return the shear modulus [Pa] at each depth (last axis of points), or one for all points."""
+    """Return the shear modulus [Pa], one value for each depth or one for all points."""
     if material is not None:
         require_type("material", material, Material)
         if material.is_rigid:

@@ -22,7 +22,7 @@ from .paths import GivenPaths, Paths, StatePaths, SteadyPaths
 
 __all__ = ["Cycle", "cycle", "steady_cycle"]
 
-_MAX_UNCHECKED_BYTES = 1e6  # fields below this size fit at once; limits ask for thousands of them
+_MAX_UNCHECKED_BYTES = 1e6  # smaller fields fit into memory; shakedown limits need thousands
 _MAX_MEMORY_FRACTION = 0.4
 """Maximum fraction of the available memory that a block of points, at all instants, may use."""
 _COPIES_OF_BLOCK = 2.5
@@ -83,7 +83,8 @@ def has_plastic_strain(of: Cycle) -> bool:
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
     """Iterate over blocks of points: slices of the last axis of the points, normally the depth.
 
-    `fields` tensor fields of a block, at all instants, fit into the available memory.
+    Blocks are so small that `fields` tensor fields of a block, at all instants, fit into the
+    available memory.
     """
     last = of.points_shape[-1]
     one = 48.0 * of.moments * math.prod(of.points_shape[:-1]) * fields

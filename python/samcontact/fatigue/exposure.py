@@ -67,7 +67,7 @@ class Exposure(ShortRepr, HtmlTable):
         return {name: int(values.argmax()) for name, values in self.values.items()}
 
     def max_value(self, criterion: str | None = None) -> float:
-        """Largest exposure of a criterion [-]; default: of the governing criterion.
+        """Largest exposure of a criterion [-]. Default: the governing criterion.
 
         Raises ValueError if the criterion is unknown.
         """
@@ -75,7 +75,7 @@ class Exposure(ShortRepr, HtmlTable):
         return float(self.values[name][self._peaks[name]])
 
     def depth(self, criterion: str | None = None) -> float:
-        """Depth of the largest exposure of a criterion [m]; default: of the governing criterion.
+        """Depth of the largest exposure of a criterion [m]. Default: the governing criterion.
 
         Raises ValueError if the criterion is unknown.
         """
@@ -120,7 +120,7 @@ def exposure(
     defect: float | None = None,
     body: int | None = None,
 ) -> Exposure:
-    """Exposure of a hardened case over depth to yield, Dang Van and orthogonal shear.
+    """Exposure of a hardened case over depth, for yield, Dang Van and orthogonal shear.
 
     Parameters
     ----------
@@ -132,10 +132,10 @@ def exposure(
     slope : float, optional
         Slope of Dang Van's criterion, in [0, 10] [-].
     axis : {"x", "y"}, optional
-        Rolling direction, which also selects the orthogonal shear stress.
+        Rolling direction, which is also the direction of the orthogonal shear stress.
     defect : float, optional
         Square root of the area of the largest inclusion [m], see
-        `hardness.bending_limit_from_vickers`. Default: none, valid up to HV 400 only.
+        `hardness.bending_limit_from_vickers`. Default: no inclusions, valid up to 400 HV only.
     body : {1, 2}, optional
         Body of the states. Default: 2.
 

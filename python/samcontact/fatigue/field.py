@@ -50,7 +50,8 @@ class FatigueField(ShortRepr, HtmlTable):
     moments : int
         Number of instants of the cycle.
     normals : ndarray or None
-        Normal of the critical plane at each point, shape (3, ...), for critical-plane criteria.
+        Normal of the critical plane at each point, shape (3, ...). None for criteria without a
+        critical plane.
     """
 
     criterion: str
@@ -105,7 +106,10 @@ class FatigueField(ShortRepr, HtmlTable):
         return allowed / self.max_value - 1.0 if self.max_value > 0 else math.inf
 
     def over_depth(self) -> FloatArray:
-        """Maximum value in each layer, shape (nz,); for a stress array, along the last axis."""
+        """Maximum value at each depth, shape (nz,).
+
+        For a stress array, the last axis is taken as the depth.
+        """
         maximum: FloatArray = self.values.reshape(-1, self.values.shape[-1]).max(axis=0)
         return maximum
 

@@ -23,7 +23,7 @@ _STEP = 0.02
 """Distance of two instants, in contact radii or half-widths."""
 _DEPTHS = 120
 _MAX_DEPTH = 3.0
-"""Default depths: their number, and the largest in contact radii or half-widths."""
+"""Number of the default depths, and the largest of them in contact radii or half-widths."""
 
 
 def hertz_cycle(
@@ -43,25 +43,26 @@ def hertz_cycle(
         Material, whose Poisson's ratio and residual stress are used. Its plastic flow is not
         computed: use states of a simulation if the body yields.
     z : array_like, shape (nz,), optional
-        Increasing depths [m], >= 0. Default: 120 depths to 3 b, with b the half-width or
+        Increasing depths [m], >= 0. Default: 120 depths up to 3 b, where b is the half-width or
         contact radius.
     y : array_like, shape (ny,), optional
-        Lines across the rolling direction below a point contact [m]. Default: 0.
+        Increasing positions across the rolling direction [m], for a point contact only. Default: 0.
     friction : float, optional
         Coefficient of friction in full sliding; the traction acts along +x.
 
     Returns
     -------
     Cycle
-        Points with the axis z below a line contact, y and z below a point contact. Instants are
-        0.02 b apart, up to 4 b ahead of and behind the contact; one more is far from the contact.
+        Cycle whose points have the axis z (line contact) or the axes y and z (point contact). The
+        material moves by 0.02 b between instants, from 4 b on one side of the contact centre to 4 b
+        on the other side. In one more instant, it is far from the contact.
 
     Raises
     ------
     ValueError
         A depth is negative, the depths do not increase, or y is given for a line contact.
     TypeError
-        The contact is elliptic or no contact, or the body is not a Material.
+        `contact` is neither a LineContact nor a PointContact, or `body` is not a Material.
     """
     require_type("body", body, Material)
     if not isinstance(contact, (LineContact, PointContact)):

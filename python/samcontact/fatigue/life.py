@@ -35,12 +35,12 @@ MODELS: Mapping[str, Mapping[str, float]] = {
 }
 """Default exponents of each model."""
 _MAX_SHARE = 0.5
-"""Largest share of the uppermost layer in the integral without a warning."""
+"""Fraction of the integral that the uppermost layer of points may contribute without a warning."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Life(ShortRepr, HtmlTable):
-    """Integral of stress over volume for a model of life, from `life`.
+    """Integral of stress over volume in a model of rolling-contact life, from the function `life`.
 
     Attributes
     ----------
@@ -53,10 +53,10 @@ class Life(ShortRepr, HtmlTable):
     log_integral : float
         Natural logarithm of the integral in SI units; -inf if no stress exceeds the limit.
     surface_share : float
-        Share of the uppermost layer of points in the integral [-]. If it is large, the integral
-        depends on the cell size.
+        Fraction of the integral that comes from the uppermost layer of points [-]. If this fraction
+        is large, the integral depends on the cell size.
     stressed_volume : float
-        Volume in which the stress exceeds the limit [m^3]: area times length.
+        Volume in which the stress exceeds the limit [m^3]. It is proportional to `length`.
     """
 
     model: str
@@ -69,15 +69,15 @@ class Life(ShortRepr, HtmlTable):
     def relative_to(self, reference: Life) -> float:
         """Ratio of this life to the life of a reference at equal reliability [-].
 
-        If the stress of this life is nowhere above the limit, the ratio is infinite. If only the
-        stress of the reference is nowhere above the limit, the ratio is 0.
+        The ratio is infinite if only this life has no stress above the limit. It is 0 if only the
+        reference has no stress above the limit.
 
         Raises
         ------
         ValueError
             The models, criteria or exponents differ, or no stress exceeds the limit in either.
         TypeError
-            The reference is no Life.
+            The reference is not a Life.
         """
         require_type("reference", reference, Life)
         exponents = ("exponent", "depth_exponent", "weibull")
@@ -102,15 +102,15 @@ class Life(ShortRepr, HtmlTable):
         Parameters
         ----------
         cycles : float
-            Life of a tested reference at the reliability, in passes of the load [-], > 0.
+            Measured life at the given reliability, in passes of the load [-], > 0.
         reliability : float, optional
             Share of survivors, in (0, 1). Default: 0.9, i.e. the life L10.
 
         Returns
         -------
         float
-            Natural logarithm of A in ln(1/reliability) = A cycles^e integral, SI units; an argument
-            of `cycles`.
+            Natural logarithm of A in SI units, to be passed to the method `cycles`. A is defined by
+            ln(1/reliability) = A cycles^e I, with the Weibull slope e and the integral I.
 
         Raises
         ------
@@ -156,19 +156,20 @@ def life(
     length: float = 1.0,
     stress_depth: float | None = None,
 ) -> Life:
-    """Integral for the life in rolling contact, from a field of equivalent stress over a pass.
+    """Stress integral for the life in rolling contact, from the equivalent stress over a pass.
 
-    The probability S of surviving N passes follows from ln(1/S) = A N^e I. I is the integral of
-    (stress - limit)^c / z^h over the volume in which the stress exceeds the limit (Ioannides and
-    Harris). In Zaretsky's model the exponent is c e instead of c, and h = 0. The material constant
-    A cancels in ratios of lives (`Life.relative_to`), which are therefore more reliable than lives;
-    see the theory page "Life".
+    The probability S of surviving N passes follows from ln(1/S) = A N^e I, where A is a material
+    constant and e the Weibull slope. I is the integral of (stress - limit)^c / z^h over the volume
+    in which the stress exceeds the limit, with the depth z (Ioannides and Harris). In Zaretsky's
+    model the exponent is c e instead of c, and h = 0. Ratios of lives (`Life.relative_to`) do not
+    depend on A and are therefore more reliable than lives; see the theory page "Life".
 
     Parameters
     ----------
     field : FatigueField
-        Equivalent stress [Pa] from a function of `samcontact.fatigue`, with coordinates: for
-        Lundberg and Palmgren `orthogonal_shear`, with residual stress `dang_van`.
+        Equivalent stress [Pa] from a function of `samcontact.fatigue`, with coordinates. Use
+        `orthogonal_shear` for the model of Lundberg and Palmgren, and `dang_van` if residual stress
+        matters.
     model : {"ioannides_harris", "zaretsky"}, optional
         Model of life.
     limit : float or array_like, optional
@@ -181,13 +182,13 @@ def life(
     weibull : float, optional
         Weibull slope e, > 0. Default: 10/9; Lundberg and Palmgren use 9/8 for line contact.
     length : float, optional
-        Size along the axes that the field does not have, > 0. For a `steady_cycle` or a point
-        contact: length of the raceway [m]. For a line contact, whose field has depths only: length
-        times width of the raceway [m^2]. Not used for states of a pass, whose field has all three
-        axes. Default: 1.
+        Extent of the stressed volume along the axes that the field does not have, > 0. For a
+        `steady_cycle` or a point contact: length of the raceway [m]. For a line contact, whose
+        field has depths only: length times width of the raceway [m^2]. For states of a pass, whose
+        field has all three axes: 1. Default: 1.
     stress_depth : float, optional
-        Depth in place of z in the weight of all points [m], > 0, e.g. the depth of the largest
-        stress, as in the formula of Lundberg and Palmgren. Default: depth of each point.
+        Depth that replaces z in 1/z^h at all points [m], > 0, e.g. the depth of the largest stress,
+        as in the formula of Lundberg and Palmgren. Default: depth of each point.
 
     Returns
     -------
@@ -196,16 +197,16 @@ def life(
     Raises
     ------
     ValueError
-        The field has no depths, is not a stress, or has an exposed point at depth 0; an argument
-        is outside its range.
+        The field has no depths, is not a stress, or has stress above the limit at depth 0 although
+        h > 0; an argument is outside its range.
     TypeError
         An argument has the wrong type.
 
     Warns
     -----
     ResolutionWarning
-        More than half of the integral is from the uppermost layer of points, because stress at the
-        surface has infinite weight for h >= 1: the result depends on the cells.
+        More than half of the integral is from the uppermost layer of points, because for h >= 1 the
+        weight 1/z^h is not integrable at the surface. The result depends on the cell size.
 
     Notes
     -----
@@ -290,7 +291,7 @@ def _volumes(field: FatigueField) -> FloatArray:
 
 
 def _extents(values: FloatArray, from_surface: bool) -> FloatArray:
-    """Return the extent of each point along an axis: half-way to both neighbouring points."""
+    """Return the length that each point represents on an axis, up to half-way to its neighbours."""
     if values.size == 1:
         return np.array([2 * values[0] if from_surface and values[0] > 0 else 1.0])
     middles = (values[1:] + values[:-1]) / 2

@@ -64,7 +64,7 @@ class GivenPaths:
 
 @dataclass(frozen=True)
 class StatePaths:
-    """Stress history from several states, for the body cells inside the grids of all states."""
+    """Stress history from several states, in the cells of a body that lie in all their grids."""
 
     states: Sequence[State]
     body: int

@@ -33,7 +33,7 @@ def _von_mises(sxx: FloatArray, syy: FloatArray, szz: FloatArray) -> float:
 
 
 def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
-    """Return sigma_rr/p0 and sigma_zz/p0 below a point contact at the depth s = z/a."""
+    """Return sigma_rr/p0 and sigma_zz/p0 on the axis of a point contact, at the depth s = z/a."""
     axial = -1.0 / (1.0 + s**2)
     # cancellation grows like eps s^2; two terms of the series are exact from 1e3 on
     far = np.maximum(s, 1.0) ** -2
@@ -43,7 +43,7 @@ def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
 
 
 def point_max_von_mises(nu: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / p0 on the axis of a point contact, and depth / a."""
+    """Return the maximum von Mises stress / p0 on the axis of a point contact, and its z/a."""
     nu = poisson_ratio("nu", nu)
 
     def von_mises(s: float) -> float:
@@ -54,7 +54,7 @@ def point_max_von_mises(nu: float) -> tuple[float, float]:
 
 
 def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return sigma_xx/p0, sigma_yy/p0 and sigma_zz/p0 below a line contact at the depth s = z/b."""
+    """Return sigma_xx/p0, sigma_yy/p0 and sigma_zz/p0 on the axis of a line contact, at s = z/b."""
     root = np.sqrt(1.0 + s**2)
     # (1 + 2 s^2)/root - 2 s = (root - s)^2 / root, and root - s = 1/(root + s): no cancellation
     sxx = -1.0 / (root * (root + s) ** 2)
@@ -63,14 +63,16 @@ def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatAr
 
 
 def line_max_von_mises(nu: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / p0 on the axis of a line contact, and depth / b."""
+    """Return the maximum von Mises stress / p0 on the axis of a line contact, and its z/b."""
     nu = poisson_ratio("nu", nu)
 
     return _maximum(lambda s: _von_mises(*line_axis(np.float64(s), nu)), 2.0)
 
 
 def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return sigma_xx/p0, sigma_yy/p0 and sigma_zz/p0 at the depth s = z/a_x, with k = a_y/a_x.
+    """Return sigma_xx/p0, sigma_yy/p0 and sigma_zz/p0 on the axis of an elliptic contact.
+
+    s: depth z/a_x. k: ratio of the semi-axes a_y/a_x.
 
     The stresses follow from the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5).
     The integrals of Sackfield and Hills (1983) are evaluated in Carlson's form, which avoids
@@ -87,6 +89,9 @@ def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, Float
 
 
 def elliptic_max_von_mises(k: float, nu: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / p0 on the axis, and (its depth)/(shorter semi-axis)."""
+    """Return the maximum von Mises stress / p0 on the axis of an elliptic contact, and its depth.
+
+    The depth is divided by the shorter semi-axis. k: ratio of the semi-axes.
+    """
     nu, k = poisson_ratio("nu", nu), max(k, 1.0 / k)
     return _maximum(lambda s: _von_mises(*elliptic_axis(np.float64(s), k, nu)), 2.0)

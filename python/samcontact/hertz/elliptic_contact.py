@@ -87,7 +87,7 @@ class EllipticContact(HtmlTable):
         return ratio * self.p0, depth * min(self.a_x, self.a_y)
 
 
-_MAX_RADIUS_RATIO = 1e100  # larger over smaller radius; avoids overflow of squares
+_MAX_RADIUS_RATIO = 1e100  # of the larger to the smaller radius; avoids overflow of squares
 
 
 def _axis_ratio(radius_ratio: float) -> float:

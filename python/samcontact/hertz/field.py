@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress / p0 at any point below a sliding point contact; coordinates are divided by a.
+"""Stress / p0 at any point below a sliding point contact; lengths are divided by its radius a.
 
 The potential of a Hertz pressure equals the potential of point forces on an imaginary line,
 
@@ -87,11 +87,12 @@ def _von_mises(stress: FloatArray) -> FloatArray:
 
 
 def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, float]:
-    """Return the maximum von Mises stress / p0 in sliding, and its position x/a, z/a (y = 0).
+    """Return the maximum von Mises stress / p0 of a sliding point contact, and its x/a and z/a.
 
-    The stress has two competing maxima: one below the surface, and one on the diameter of the
-    contact at the surface. The stress is a smooth function of the angle t, with x/a = -cos t. At
-    the edge of the contact (t = 0) the surface stress is finite and increases linearly with t.
+    The maximum lies in the plane y = 0. The stress has two competing maxima: one below the surface,
+    and one on the diameter of the contact at the surface. The search replaces x by the angle t,
+    x/a = -cos t, of which the stress is a smooth function. At the edge of the contact (t = 0) the
+    surface stress is finite and increases linearly with t.
     """
 
     def von_mises(t: FloatArray, z: FloatArray) -> FloatArray:

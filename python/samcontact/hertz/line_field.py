@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress / p0 at any point below a line contact in plane strain; coordinates are divided by b.
+"""Stress / p0 at any point below a line contact in plane strain; lengths are divided by b.
 
 E. McEwen, *Stresses in elastic cylinders in contact along a generatrix*, Phil. Mag. 40 (1949) 454;
 Johnson (1985), equation (4.49).

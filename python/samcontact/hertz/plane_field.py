@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress / p0 at any point below a sliding line contact; coordinates are divided by b.
+"""Stress / p0 at any point below a sliding line contact; lengths are divided by the half-width b.
 
-In plane strain the stress follows from the function F(zeta) = 1/pi integral of p(s)/(zeta - s) ds
-with zeta = x + i z (Muskhelishvili 1953; Johnson 1985, section 2.5). For a line force P,
-F = P/(pi zeta); its stress is given by Johnson's equations (2.18) and (2.22). For a Hertz pressure,
-F = zeta - sqrt(zeta^2 - 1).
+In plane strain the stress due to a pressure p follows from the function F(zeta) = 1/pi integral of
+p(s)/(zeta - s) ds with zeta = x + i z (Muskhelishvili 1953; Johnson 1985, section 2.5). For a Hertz
+pressure, F = zeta - sqrt(zeta^2 - 1). For a line force P, F = P/(pi zeta), with the stress of
+Johnson's equations (2.18) and (2.22).
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def plane_field(x: FloatArray, z: FloatArray, nu: float, friction: float) -> Flo
     slope = np.divide(-z * F, root, out=np.zeros_like(root), where=(z > 0.0) & (root != 0.0))
     xx, zz, xz = F.imag + slope.real, F.imag - slope.real, -slope.imag
     if friction != 0.0:
-        shear = xx  # xz of a tangential load is xx of a normal one
+        shear = xx  # xz due to a tangential load equals xx due to a normal load
         xx = xx + friction * (slope.imag - 2.0 * F.real)
         zz = zz - friction * slope.imag
         xz = xz + friction * shear

@@ -17,7 +17,7 @@ from .plain import error_text, profile, written_positions
 from .surface import MeasuredSurface, library
 
 OWN_FORMATS = ("array", "xyz")
-"""Formats read without SurfaceTopography, which also supports "xyz"."""
+"""Formats that can be read without SurfaceTopography; "xyz" can be read with it too."""
 _COMPRESSION_MAGIC = {b"\x1f\x8b": "gzip", b"BZh": "bzip2", b"\xfd7zXZ": "xz"}
 _NMS_STEPS = 1376  # byte offset of the steps along x and y in NanoFocus files
 _NMS_FIELDS = 2e-5, 5e-2  # smallest and largest field of view of the microscopes [m]
@@ -179,8 +179,8 @@ def _call_reader(io: Any, call: Any) -> Any:
 def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
     """Convert a line scan to a surface with one row of samples.
 
-    written: positions [m] as written in the file, if known. SurfaceTopography regards steps as
-    equal if positions differ by less than 1e-6, in any unit.
+    written: positions [m] as written in the file, if known. They replace those of
+    SurfaceTopography, which takes steps as equal if they differ by less than 1e-6 in whatever unit.
     """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
     if written is not None and len(written) == len(x):

@@ -92,7 +92,7 @@ def plain_heights(path: Path) -> FloatArray:
 
 
 def table(path: Path) -> Table | None:
-    """Read two or three columns, perhaps positions and heights; return None for other files."""
+    """Read a file of two or three columns of numbers; return None for other files."""
     if is_array(path):
         values, header = plain_heights(path), []
     elif path.suffix.lower() in _TABLE_FORMATS:
@@ -134,7 +134,7 @@ def _unit_of(label: str) -> str | None:
 
 
 def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
-    """Return the indices of the columns x, z or x, y, z; None for a file with rows of heights.
+    """Return the indices of the columns x, z or x, y, z, or None if the rows are heights.
 
     Raises ValueError if the positions x of a profile change direction. This function does not
     check that points fill a grid.
@@ -169,7 +169,7 @@ def _counts(column: FloatArray) -> bool:
 
 
 def _rises(column: FloatArray) -> float:
-    """Return the fraction of steps between successive values that have the more frequent sign."""
+    """Return the fraction of rising or of falling steps in a column, whichever is larger."""
     steps = np.diff(column)
     return float(max((steps > 0).mean(), (steps < 0).mean()))
 
@@ -196,7 +196,7 @@ def profile(x: FloatArray, z: FloatArray) -> tuple[FloatArray, float, str]:
 
 
 def _last_digit(x: FloatArray, step: float) -> float:
-    """Return the place value of the last digit of positions [m]; 0 if there are too many digits."""
+    """Return the step to which positions are rounded [m], e.g. 1e-8; 0 if it is not evident."""
     for digits in range(4):
         unit = 10.0 ** (np.floor(np.log10(step) + 1e-9) - digits)
         if np.abs(x / unit - np.round(x / unit)).max() < 1e-4:
@@ -269,7 +269,7 @@ def _lines(path: Path) -> list[str]:
 def _array(path: Path) -> Any:
     with path.open("rb") as file:
         start = file.read(6)
-    # NumPy would take others for pickles, and advise unsafe loading
+    # NumPy would take other files for pickles, and advise unsafe loading
     if not start.startswith((b"\x93NUMPY", b"PK")):
         raise ValueError(f"the file begins with {start!r} and was not written by numpy.save")
     return np.load(path, allow_pickle=False)

@@ -49,7 +49,7 @@ def resampled(
     cell: tuple[float, float],
     sampling: Sampling,
 ) -> FloatArray:
-    """Return the heights [m] at all pairs of x and y.
+    """Return the heights [m] at all combinations of the given x and y, shape (len(x), len(y)).
 
     heights: shape (nx, ny), all defined; a profile (ny = 1) applies at every y. points: x and y [m]
     from the centre of the measured area. cell: cell lengths along x and y [m]. Raises ValueError if
@@ -105,6 +105,6 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
 
 
 def _parts(positions: FloatArray, cell: float, step: float) -> FloatArray:
-    """Divide each cell into equal parts, at most one step long; return the centres of the parts."""
+    """Return the centres of equal parts of each cell, each at most one sample spacing long."""
     count = max(1, int(np.ceil(cell / step - 1e-9)))
     return np.asarray(positions[:, None] + ((np.arange(count) + 0.5) / count - 0.5) * cell)

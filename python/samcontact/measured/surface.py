@@ -167,7 +167,7 @@ class MeasuredSurface(ShortRepr):
 
         Maps are interpolated by harmonic functions, and profiles linearly. For a map with undefined
         points, SurfaceTopography is required (ImportError). `attrs` contains the number of
-        interpolated points; if they exceed 5 % of all points, a UserWarning is issued.
+        interpolated points. A UserWarning is issued if more than 5 % of the points are undefined.
         """
         count = self.undefined
         if count == 0:
@@ -234,9 +234,9 @@ class MeasuredSurface(ShortRepr):
             Height outside the measured area [m]; -inf if there is no body. By default the grid must
             lie inside the measured area.
         periodic : {"", "x", "y", "xy"}, optional
-            Directions in which the measured area, nx dx long and ny dy wide, is repeated as one
-            period; the spline is smooth across the ends of the period. If the grid is periodic
-            along such a direction, the length of the grid must be a whole number of periods.
+            Directions in which the measured area, nx dx long and ny dy wide, is one period of a
+            repeated surface. The spline is smooth across the ends of the period. If the grid is
+            periodic along such a direction, its length must be a whole number of periods.
 
         Returns
         -------
@@ -268,7 +268,7 @@ class MeasuredSurface(ShortRepr):
         average: bool = False,
         fill: float | None = None,
     ) -> Relief:
-        """Convert the surface, in its whole length along x, to a `Relief` that moves with a body.
+        """Convert the surface, over its whole length along x, to a `Relief` that moves with a body.
 
         Parameters
         ----------
@@ -292,7 +292,7 @@ class MeasuredSurface(ShortRepr):
         Raises
         ------
         ValueError
-            `on` raises an error, or the measured area is shorter than a cell.
+            One of the errors of `on` occurs, or the measured area is shorter than a cell.
         """
         require_surface(grid)
         centre = finite("x", x)

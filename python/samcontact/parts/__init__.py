@@ -2,8 +2,9 @@
 """Shapes of machine parts and indenters, as gaps on a grid.
 
 Each function or method that takes a grid returns the gap of the undeformed bodies in the cells of
-the grid, with the contact at the origin. The result is a gap for a `ContactSolver`; the function of
-the grid is a gap for a `Simulation`. Angles are in radians.
+the grid, with the contact at the origin. Pass this array as the gap to a `ContactSolver` or a
+`Simulation`. If you pass a function of the grid instead, e.g. ``lambda grid: parts.cone(grid,
+1.2)``, the grid can be enlarged. Angles are in radians.
 """
 
 from .cams import Cam, TappetContact

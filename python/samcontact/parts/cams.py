@@ -17,7 +17,7 @@ from .._util.short_text import in_short
 from ..surfaces import SurfaceGrid, require_surface
 
 _SAMPLES = 3601
-"""Number of angles at which a cam is checked, and of points in the search for a contact."""
+"""Number of angles at which the curvature of a cam is checked and its profile is sampled."""
 
 Lift = Callable[[FloatArray, int], FloatArray]
 """Lift [m] at angles [rad], or its first or second derivative [m]."""
@@ -35,7 +35,8 @@ class Cam:
     base_radius : float
         Radius of the base circle [m].
     lift : callable
-        Function of angles [rad] and of the order of the derivative (0, 1, 2) [m].
+        Function ``lift(angles, order)`` for angles in rad. It returns the lift (order 0), or its
+        first or second derivative with respect to the angle (order 1 or 2) [m].
     """
 
     base_radius: float
@@ -57,10 +58,11 @@ class Cam:
 
     @classmethod
     def eccentric(cls, radius: float, eccentricity: float) -> Cam:
-        """Circular cam that turns about a point next to its centre.
+        """Circular cam that rotates about an eccentric axis.
 
-        radius: radius of the circle [m]. eccentricity: distance of centre and axis [m], >= 0 and
-        smaller than the radius. The lift is 0 at the angle 0.
+        radius: radius of the circle [m]. eccentricity: distance between the centre of the circle
+        and the axis of rotation [m], >= 0 and smaller than the radius. The lift is 0 at the angle
+        0.
         """
         R, e = positive("radius", radius), finite("eccentricity", eccentricity)
         if not 0.0 <= e < R:
@@ -73,10 +75,10 @@ class Cam:
 
     @classmethod
     def harmonic(cls, base_radius: float, max_lift: float, duration: float) -> Cam:
-        """Cam with the lift max_lift (1 + cos(2 pi angle/duration))/2, and 0 beyond the event.
+        """Cam with the lift max_lift (1 + cos(2 pi angle/duration))/2 around the angle 0.
 
-        base_radius, max_lift: in metres. duration: angle of the event [rad], in (0, 2 pi], with the
-        maximum lift at the angle 0.
+        base_radius, max_lift: in metres. duration: range of angles in which the cam lifts the
+        tappet [rad], in (0, 2 pi]. The maximum lift is at the angle 0, the middle of this range.
         """
         height = positive("max_lift", max_lift)
         event = positive("duration", duration)
@@ -98,8 +100,9 @@ class Cam:
         """Cam with a lift given by points, interpolated by a cubic spline.
 
         base_radius: in metres. angle: at least five increasing angles within one turn [rad]. lift:
-        lift at these angles [m], >= 0 and 0 at both ends; beyond them it is 0. The radius of
-        curvature contains the second derivative: smooth measured lifts before use.
+        lift at these angles [m], >= 0, with 0 at the first and the last angle. The lift is 0 at all
+        angles outside their range. The radius of curvature contains the second derivative of the
+        lift: smooth measured lifts before use.
         """
         angles, lifts = finite_array("angle", angle), finite_array("lift", lift)
         if angles.ndim != 1 or angles.size < 5 or (np.diff(angles) <= 0.0).any():
@@ -145,7 +148,8 @@ class TappetContact:
     position : float
         Distance of the contact from the axis of the cam, along the face of the tappet [m].
     radius : float
-        Radius of curvature of the cam [m], which is the equivalent radius.
+        Radius of curvature of the cam [m]. It is also the equivalent radius of the contact, because
+        the tappet is flat.
     acceleration : float
         Second derivative of the lift with respect to the angle [m].
     """
@@ -160,8 +164,9 @@ class TappetContact:
     def speeds(self, speed: float) -> tuple[float, float]:
         """Speeds of the surfaces of cam and tappet relative to the contact [m/s].
 
-        speed: angular speed of the cam [rad/s]. The contact moves along the tappet at the speed of
-        the second number. Half the sum is the entraining speed.
+        speed: angular speed of the cam [rad/s]. The magnitude of the second value is also the speed
+        at which the contact moves along the tappet. Half the sum of both values is the entraining
+        speed.
         """
         omega = finite("speed", speed)
         return omega * self.radius, omega * self.acceleration
@@ -182,20 +187,21 @@ class TappetContact:
     def surface(self, grid: SurfaceGrid, crown_radius: float = math.inf) -> FloatArray:
         """Gap between the cam and the tappet.
 
-        x runs along the face of the tappet, so that the contact rolls towards +x on the cam; y runs
-        along the axis of the cam. The curvature varies with the lift.
+        x runs along the face of the tappet, in the direction in which the contact rolls over the
+        cam; y runs along the axis of the cam. The gap follows the profile of the cam, whose
+        curvature varies along x.
 
         Parameters
         ----------
         grid : Grid
             Grid on which the gap is evaluated.
         crown_radius : float, optional
-            Radius of curvature along y of both bodies together [m]; inf (default): straight.
+            Equivalent radius of curvature of both bodies along y [m]. Default: inf, both straight.
 
         Returns
         -------
         ndarray, shape (nx, ny)
-            Gap [m], 0 at the origin; inf beyond a quarter of a turn of the cam.
+            Gap [m], 0 at the origin; inf beyond a quarter of a turn of the cam to either side.
 
         Raises
         ------
@@ -223,12 +229,15 @@ class TappetContact:
         return self.cam.base_radius + self.lift
 
     def _support(self, turn: FloatArray, order: int) -> FloatArray:
-        """Distance from the axis to the tangent after a further rotation `turn`, or derivative."""
+        """Distance of the tangent from the cam axis after a rotation `turn` [m]; or a derivative.
+
+        order: order of the derivative with respect to the rotation; 0 for the distance itself.
+        """
         value = self.cam.lift(self.angle + turn, order)
         return value + self.cam.base_radius if order == 0 else value
 
     def _along(self, turn: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions x of the points whose tangent is rotated by `turn`, and their derivative."""
+        """Positions x of the cam points with a tangent rotated by `turn`, and dx/d(turn)."""
         p, slope, second = (self._support(turn, order) for order in (0, 1, 2))
         x = p * np.sin(turn) + slope * np.cos(turn) - self.position
         return x, (p + second) * np.cos(turn)

@@ -28,9 +28,10 @@ MAX_MODULE = 0.5
 class GearPair:
     """Pair of external involute spur gears (helix angle 0) without backlash.
 
-    Gear 1 drives. A position is a distance along the line of action from the pitch point [m],
-    negative before and positive beyond it; or one of the letters "A" (start of contact), "B" (start
-    of single contact), "C" (pitch point), "D" (end of single contact) and "E" (end of contact).
+    Gear 1 drives. A position is given as a distance from the pitch point along the line of action
+    [m], negative before the pitch point. Alternatively, it is one of the letters "A" (start of
+    contact), "B" (start of single contact), "C" (pitch point), "D" (end of single contact) and "E"
+    (end of contact).
 
     Parameters
     ----------
@@ -45,18 +46,20 @@ class GearPair:
     profile_shift : pair of float, optional
         Profile shift coefficients x1 and x2 [-].
     centre_distance : float, optional
-        Distance of the axes [m]; by default the distance without backlash.
+        Distance between the axes [m]. Default: the distance without backlash.
     tip_diameter : pair of float, optional
-        Tip diameters [m]; by default the module times (z + 2 + 2 x).
+        Tip diameters [m]. Default: the module times (z + 2 + 2 x), for z teeth and the profile
+        shift coefficient x.
     crowning : float, optional
-        Depth of the parabolic crowning of both flanks together at the ends of the face [m], >= 0.
+        Depth of the parabolic crowning at the ends of the face, summed over both flanks [m], >= 0.
     tip_relief : pair of float, optional
         Depths of the tip reliefs at the tips of gears 1 and 2 [m], >= 0.
     relief_length : pair of float, optional
-        Lengths of the tip reliefs along the line of action [m]; by default the length of double
+        Lengths of the tip reliefs along the line of action [m]. Default: the length of double
         contact, so that the relief begins at D for gear 1 and at B for gear 2.
     relief_exponent : float, optional
-        Exponent of the growth of the tip relief, 1 (linear, default) to 4.
+        Exponent n of the tip relief, which grows with the n-th power of the distance from its
+        start; 1 (linear, default) to 4.
 
     Raises
     ------
@@ -197,7 +200,7 @@ class GearPair:
 
     @property
     def base_pitch(self) -> float:
-        """Distance of two flanks along the line of action [m]."""
+        """Distance between successive flanks of a gear along the line of action [m]."""
         return math.pi * self.module * math.cos(self.pressure_angle)
 
     @property
@@ -248,7 +251,7 @@ class GearPair:
 
     @property
     def _ends(self) -> tuple[float, float]:
-        """Radii of curvature of flank 1 at the start and the end of contact [m]."""
+        """Radii of curvature of the flank of gear 1 at the start and the end of contact [m]."""
         first, second = (
             math.sqrt(tip**2 - base**2)
             for tip, base in zip(self.tip_radii, self.base_radii, strict=True)
@@ -297,9 +300,9 @@ class FlankContact:
     def load_share(self, sharing: str = "equal") -> float:
         """Fraction of the load on this tooth pair [-].
 
-        1 between B and D. Elsewhere two pairs share the load: "equal" by halves, "linear" with a
-        fraction that grows from 1/3 to 2/3 from A to B, and from E to D (AGMA 925-A03, profiles
-        without relief).
+        The fraction is 1 between B and D. Elsewhere two tooth pairs share the load. "equal": the
+        fraction is 1/2. "linear": it grows linearly from 1/3 to 2/3, from A to B and likewise from
+        E to D (AGMA 925-A03, profiles without relief).
         """
         choice("sharing", sharing, SHARING)
         at, p = self.position, self.pair.points
@@ -330,8 +333,9 @@ class FlankContact:
         """Gap between the two flanks.
 
         x runs along the common tangent, towards the tip of gear 1 and the root of gear 2, so that
-        the contact rolls towards +x on both flanks; y runs along the teeth. The curvature varies
-        along the involutes. The flanks end at the tips, the base circles and the ends of the face.
+        the contact rolls towards +x on both flanks; y runs along the teeth. The gap follows the
+        involutes, whose curvature varies along x. The flanks end at the tips, the base circles and
+        the ends of the face.
 
         Parameters
         ----------

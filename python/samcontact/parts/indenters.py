@@ -18,7 +18,7 @@ _MIN_SLOPE, _MAX_SLOPE = 1e-6, 1e6
 
 
 def flat_punch(grid: SurfaceGrid, radius: float, edge_radius: float = 0.0) -> FloatArray:
-    """Gap of a circular punch with a flat end, with a sharp or a rounded edge.
+    """Gap of a flat-ended circular punch with a sharp or rounded edge.
 
     Parameters
     ----------
@@ -91,8 +91,8 @@ def berkovich(
 ) -> FloatArray:
     """Gap of a Berkovich indenter, a pyramid with three faces.
 
-    At a depth h, its cross-section is 24.5 h^2. A cone with a half angle of 70.3 degrees has an
-    equal cross-section.
+    At the distance h from the sharp tip, the area of the cross-section is 24.5 h^2. This is also
+    the area of a cone with a half angle of 70.3 degrees.
 
     Parameters
     ----------
@@ -101,7 +101,7 @@ def berkovich(
     tip_radius : float, optional
         Radius to which the tip and the edges are rounded [m], >= 0.
     angle : float, optional
-        Direction of the normal to one face, from the x axis [rad].
+        Angle from the x axis to the normal of one face, seen along the axis [rad].
     half_angle : float, optional
         Angle between the axis and each face [rad], in (0, pi/2), 65.27 degrees by default.
 
@@ -126,7 +126,7 @@ def vickers(
 ) -> FloatArray:
     """Gap of a Vickers indenter, a pyramid with four faces.
 
-    At a depth h, its cross-section is 24.504 h^2.
+    At the distance h from the sharp tip, the area of the cross-section is 24.504 h^2.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def vickers(
     tip_radius : float, optional
         Radius to which the tip and the edges are rounded [m], >= 0.
     angle : float, optional
-        Direction of the normal to one face, from the x axis [rad].
+        Angle from the x axis to the normal of one face, seen along the axis [rad].
     half_angle : float, optional
         Angle between the axis and each face [rad], in (0, pi/2), 68 degrees by default.
 
@@ -153,7 +153,7 @@ def vickers(
 
 
 def _slope(half_angle: float) -> float:
-    """Return the slope of a surface at an angle to the axis."""
+    """Return the slope of a surface that makes the angle `half_angle` [rad] with the axis."""
     angle = number("half_angle", half_angle)
     slope = 1.0 / math.tan(angle) if 0.0 < angle < 0.5 * math.pi else 0.0
     if not _MIN_SLOPE <= slope <= _MAX_SLOPE:
@@ -170,10 +170,11 @@ def _distance(grid: SurfaceGrid) -> FloatArray:
 def _pyramid(
     grid: SurfaceGrid, faces: int, half_angle: float, tip_radius: float, angle: float
 ) -> FloatArray:
-    """Return the gap of a pyramid, or of the envelope of the balls that fit into it.
+    """Return the gap of a pyramid whose tip and edges are sharp or rounded.
 
-    The envelope is convex. It consists of planes, of cylinders along the edges and of a sphere at
-    the tip, which meet without a kink.
+    The rounded pyramid is the envelope of all balls with the radius `tip_radius` that fit into the
+    sharp one. It consists of planes, of cylinders along the edges and of a sphere at the tip, which
+    meet without a kink.
     """
     slope, R = _slope(half_angle), non_negative("tip_radius", tip_radius)
     turned = finite("angle", angle)
@@ -188,7 +189,7 @@ def _pyramid(
     gap += R - R * math.hypot(1.0, slope)
     steepest = slope * math.cos(0.5 * step)  # slope along an edge
     stretch = math.hypot(1.0, steepest)
-    # half-width of the cylinder, whose slope across the edge there is that of the faces
+    # half-width of the cylinder: there, its slope across the edge equals that of the faces
     across = slope * math.sin(0.5 * step) / stretch
     half_width = R * across / math.hypot(1.0, across)
     r2 = x**2 + y**2

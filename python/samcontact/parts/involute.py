@@ -19,7 +19,7 @@ def involute(angle: float) -> float:
 
 
 def involute_angle(value: float) -> float:
-    """Return the angle [rad] in [0, pi/2) with the given value of inv, for a value >= 0."""
+    """Return the angle [rad], in [0, pi/2), at which `involute` equals a given value >= 0."""
     if value == 0.0:
         return 0.0
     t = max((3.0 * value) ** (1.0 / 3.0), value)  # tan(angle); inv is convex in it
@@ -36,8 +36,8 @@ class Flank:
     """Involute flank next to a point of contact.
 
     base_radius: radius of the base circle [m]. radius: radius of curvature at the point of contact
-    [m]. tip: radius of curvature at the tip [m]. relief: amount at the tip [m], its length along
-    the line of action [m], and the exponent of its growth.
+    [m]. tip: radius of curvature at the tip [m]. relief: depth of the tip relief at the tip [m],
+    length of the relief along the line of action [m], and exponent of its growth towards the tip.
     """
 
     base_radius: float
@@ -46,7 +46,7 @@ class Flank:
     relief: tuple[float, float, float]
 
     def depth(self, x: FloatArray) -> FloatArray:
-        """Depths below the tangent at the point of contact [m]; inf where the flank has ended.
+        """Depths below the tangent at the point of contact [m]; inf beyond the ends of the flank.
 
         x: distances along the tangent [m], positive towards the tip. The flank ends at the tip and
         at the base circle.
@@ -62,7 +62,7 @@ class Flank:
         return np.where(inside, depth + relief - self.relieved(np.array(self.radius)), math.inf)
 
     def relieved(self, radius: FloatArray) -> FloatArray:
-        """Depths of the tip relief [m] where the flank has these radii of curvature [m]."""
+        """Depths of the tip relief [m] at the points with the given radii of curvature [m]."""
         amount, length, exponent = self.relief
         if amount == 0.0:
             return np.zeros_like(radius)
@@ -75,7 +75,7 @@ class Flank:
         return np.asarray(turned - 2.0 * self.base_radius * np.sin(0.5 * roll) ** 2)
 
     def _roll(self, x: FloatArray, start: float, end: float) -> FloatArray:
-        """Return the roll angles of the points at distances x along the tangent, by Newton."""
+        """Return the roll angles of points at distances x along the tangent (Newton's method)."""
         root = np.sqrt(np.maximum(self.radius**2 + 2.0 * self.base_radius * x, 0.0))
         roll = np.clip(2.0 * x / (self.radius + root), start, end)
         for _ in range(_MAX_ITERATIONS):

@@ -13,10 +13,11 @@ _MIN_POINTS = 8
 
 
 class Profile:
-    """Cross-section of a wheel or a rail: a cubic spline z(y) through points, or near them.
+    """Cross-section of a wheel or a rail: a cubic spline z(y), interpolating or smoothing.
 
     name: name of the argument, for messages. points: points (y, z) [m], shape (n, 2), ordered by
-    y in either direction. smoothing: root-mean-square distance of the curve from the points [m].
+    y in either direction. smoothing: root-mean-square distance of the curve from the points [m]; 0
+    for a curve through the points.
     """
 
     def __init__(self, name: str, points: ArrayLike, smoothing: float) -> None:
@@ -43,11 +44,14 @@ class Profile:
             self._spline = interpolate.CubicSpline(y, z, bc_type="natural")
 
     def holds(self, y: FloatArray) -> NDArray[np.bool_]:
-        """Whether the points cover these positions."""
+        """Whether each position y [m] lies within the range of the points."""
         return (y >= self.ends[0]) & (y <= self.ends[1])
 
     def at(self, y: ArrayLike, order: int = 0) -> FloatArray:
-        """Heights z, downwards [m], or a derivative; y is limited to the range of the points."""
+        """Return z [m], positive downwards, or its derivative of the given order with respect to y.
+
+        Positions y beyond the points are moved to the nearest end.
+        """
         return np.asarray(self._spline(np.clip(y, *self.ends), order), dtype=np.float64)
 
     def curvature(self, y: float) -> float:

@@ -14,15 +14,15 @@ from ..surfaces import SurfaceGrid, require_surface
 from .profiles import Profile
 
 _POSITIONS = 2001
-"""Number of points in the first search across the wheel: closer than details of a profile."""
+"""Number of points in the first search across the wheel, enough for the details of a profile."""
 _LOCAL, _LEVELS = 65, 9
-"""Number of points in each later, narrower search, and number of these searches."""
+"""Number of points in each later, narrower search, and number of all searches."""
 _SLOPE_STEPS = 12
 _NEWTON_STEPS = 60
 
 
 class WheelRail:
-    """Rigid contact of a wheel and a rail, found by a direct search, and the gap next to it.
+    """Contact point of a rigid wheel and a rigid rail, found by direct search, and gap around it.
 
     Coordinates are in the frame of the track: x along the rail, y across, z down. The wheel is a
     surface of revolution, the rail a prism. The contact is the point of least vertical distance. If
@@ -33,19 +33,21 @@ class WheelRail:
     rail : array_like, shape (n, 2)
         Points (y, z) of the head of the rail [m], ordered by y.
     wheel : array_like, shape (n, 2)
-        Points (y, z) of the lowest section of the wheel [m], ordered by y, in the same frame. z = 0
-        is the running circle.
+        Points (y, z) of the section of the wheel below its axis [m], ordered by y, in the same
+        frame. z = 0 is the running circle.
     wheel_radius : float
-        Radius of the running circle [m], > 0; the wheel has the radius `wheel_radius` + z.
+        Radius of the running circle [m], > 0. At a point (y, z) of the section, the wheel has the
+        radius `wheel_radius` + z.
     shift : float, optional
         Lateral shift of the wheel, towards +y [m].
     yaw : float, optional
         Rotation of the wheel about z [rad], from x to y, in [-0.1, 0.1].
     roll : float, optional
-        Rotation of the wheel about x [rad], from y to z, in [-0.1, 0.1], at the running circle.
+        Rotation of the wheel about an axis along x at the running circle [rad], from y to z, in
+        [-0.1, 0.1].
     smoothing : float, optional
-        Root-mean-square distance of smoothed profiles from measured points [m]. By default, a cubic
-        spline passes through the points; its curvature contains their scatter.
+        Root-mean-square distance of smoothed profiles from measured points [m]. Default: 0, cubic
+        splines through the points, whose curvature contains the scatter of measured points.
 
     Attributes
     ----------
@@ -107,8 +109,8 @@ class WheelRail:
     def radii(self) -> tuple[float, float]:
         """Equivalent radii along the rail and across it at the point of contact [m].
 
-        Across, the curvature may be zero or negative (inf or a negative radius): the bodies then
-        touch along the profile, and Hertz theory does not apply.
+        The relative curvature across the rail may be zero or negative, which gives an infinite or
+        negative radius. The bodies then touch along the profile, and Hertz theory does not apply.
         """
         across = self._rail.curvature(self.y) - self._wheel.curvature(self.y_wheel)
         # Meusnier: the normal is inclined to the plane of the running circle
@@ -141,13 +143,19 @@ class WheelRail:
         )
 
     def _points(self, s: FloatArray, turn: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Points of the wheel in the frame of the track; turn: angle about its axis [rad]."""
+        """Return points (x, y, z) of the surface of the wheel in the frame of the track [m].
+
+        s: positions on the profile of the wheel [m]. turn: angles about the wheel axis [rad].
+        """
         r = self._pose.radius + self._wheel.at(s)
         sagged = r * np.cos(turn) - self._pose.radius
         return self._pose.to_track(r * np.sin(turn), s + 0.0 * turn, sagged)
 
     def _search(self) -> tuple[float, float, float]:
-        """Return position on the wheel, angle about its axis, and least vertical distance."""
+        """Return the position on the wheel, the angle about its axis, and the vertical distance.
+
+        All three values belong to the point of least vertical distance from the rail.
+        """
         low, high = self._wheel.ends
         centre, half, count = 0.5 * (low + high), 0.5 * (high - low), _POSITIONS
         best = (0.0, 0.0, math.inf)
@@ -170,8 +178,8 @@ class WheelRail:
     def _lowest(self, s: FloatArray) -> FloatArray:
         """Angles about the axis at which circles of the wheel are nearest to the rail [rad].
 
-        The vertical distance is stationary there; the condition is a fixed point in the slope of
-        the rail, which varies little with the angle.
+        At these angles, the vertical distance is stationary. This condition contains the slope of
+        the rail, which varies little with the angle; it is solved by fixed-point iteration.
         """
         pose, turn = self._pose, np.zeros_like(s)
         tilted = math.cos(pose.yaw) * math.sin(pose.roll)
@@ -192,7 +200,7 @@ class WheelRail:
                 )
 
     def _rail_below(self, v: FloatArray) -> FloatArray:
-        """Distance of the rail from the tangent plane, into the rail [m]."""
+        """Distance of the rail surface from the tangent plane [m], positive into the rail."""
         sine, cosine = math.sin(self.angle), math.cos(self.angle)
         z0 = float(self._rail.at(self.y))
         h = np.zeros_like(v)
@@ -206,7 +214,7 @@ class WheelRail:
         return np.where(self._rail.holds(self.y + v * cosine - h * sine), h, math.inf)
 
     def _wheel_below(self, x: FloatArray, v: FloatArray) -> FloatArray:
-        """Distance of the wheel from the tangent plane, towards the rail [m]; mostly negative."""
+        """Distance of the wheel surface from the tangent plane [m], positive towards the rail."""
         sine, cosine = math.sin(self.angle), math.cos(self.angle)
         start = self._points(np.array(self.y_wheel), np.array(self._turn))
         radius = self._pose.radius
@@ -249,7 +257,10 @@ class _Pose:
     def to_wheel(
         self, x: ArrayLike, y: ArrayLike, z: ArrayLike, turned_only: bool = False
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return points in the frame of the wheel; with turned_only, directions."""
+        """Return points in the frame of the wheel, from coordinates in the frame of the track.
+
+        turned_only: whether to transform directions, which do not shift, instead of points.
+        """
         a, b = np.asarray(x), np.asarray(y) - (0.0 if turned_only else self.shift)
         c, s = math.cos(self.yaw), math.sin(self.yaw)
         a, b = c * a + s * b, c * b - s * a
@@ -258,7 +269,7 @@ class _Pose:
 
 
 def _small(name: str, angle: float) -> float:
-    """Return an angle [rad] of magnitude at most 0.1."""
+    """Return an angle [rad] after checking that its magnitude is at most 0.1."""
     value = finite(name, angle)
     if abs(value) > 0.1:
         raise ValueError(f"{name} must be in [-0.1, 0.1] rad, got {angle!r}")

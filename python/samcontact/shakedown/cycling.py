@@ -34,7 +34,8 @@ from .results import (
 )
 
 _MAX_FLOW_CHANGE = 0.02
-"""Maximum difference between the plastic flows of successive cycles, relative to the last cycle."""
+"""Maximum difference between the plastic flows of two successive cycles in plastic shakedown,
+relative to the later flow."""
 _MAX_RATE_CHANGE = 0.1
 """Maximum relative change of the ratcheting rate over `_RATE_CYCLES` cycles."""
 _RATE_CYCLES = 20
@@ -59,15 +60,16 @@ def run(
         simulation is left in the state at the end of the last cycle.
     cycle : iterable of dict
         Steps of `Simulation.step` that return both bodies to their initial position, or, on a grid
-        that is periodic along x, move them by whole periods: `passes`, or
+        that is periodic along x, move them by whole periods. Examples: `passes`,
         ``[*paths.rolling(...), {"load": 0.0, "advance": (s, s)}]``, or a fretting loop.
     cycles : int, optional
         Maximum number of solved cycles, >= 2.
     tol : float, optional
         Tolerance, in [1e-6, 0.1]: strains below tol times the yield strain are neglected.
     accelerate : bool, optional
-        Extrapolate over cycles if the changes in successive cycles form a geometric series. The
-        next cycle must confirm the extrapolation, otherwise it is undone.
+        Whether to extrapolate the plastic strain over several cycles if its changes in successive
+        cycles form a geometric series. An extrapolation is undone unless the next cycle confirms
+        it.
     progress : bool, optional
         Show a progress bar.
     checkpoint : path, optional
@@ -188,7 +190,7 @@ class _RepeatedCycles:
         self._changes: list[Changes] = []
 
     def next(self, journal: Journal | None) -> None:
-        """Solve one cycle, classify it, and extrapolate if that is safe."""
+        """Solve one cycle, classify the response, and extrapolate if that is safe."""
         start = tracks(self.simulation, self.simulation.state, self.bodies)
         state = self._solved(journal)
         end = tracks(self.simulation, state, self.bodies)

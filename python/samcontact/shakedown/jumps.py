@@ -29,11 +29,13 @@ from .plastic import FIELDS, PlasticChange, at_common_depth, max_equivalent, pro
 MAX_JUMP_CYCLES = 20
 """Maximum number of cycles in one jump."""
 _MAX_PREDICTION_ERROR = 0.3
-"""Maximum error of the predicted sum over a jump, and of the predicted change in the cycle after
-the jump, relative to the change per cycle."""
+"""Maximum error of a predicted plastic strain, relative to the change per cycle.
+
+It applies to the sum of the changes over a jump and to the change in the cycle after the jump.
+"""
 _MIN_REMAINING_FRACTION = 0.1
-"""Fraction of a decaying change that must remain after a jump, so that solved cycles contribute
-too."""
+"""Fraction of a decaying change per cycle that must remain after a jump, so that solved cycles
+still contribute to the strain."""
 _MAX_DECAY_RATIO = 0.98
 Changes = Mapping[int, PlasticChange]
 
@@ -71,20 +73,23 @@ class Trend:
         return norm([b - self.factor * a for a, b in zip(*self.steps, strict=True)])
 
     def weight(self, cycles: int) -> float:
-        """Return mu + ... + mu^cycles, the factor of the latest difference in `later`."""
+        """Return mu + ... + mu^cycles, by which `later` multiplies the latest difference."""
         return float(np.sum(self.factor ** np.arange(1, cycles + 1)))
 
     def total(self, cycles: int) -> float:
-        """Return the sum of `weight` over the following cycles, up to the given number."""
+        """Return weight(1) + ... + weight(cycles).
+
+        `summed` multiplies the latest difference by this factor.
+        """
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:
-        """Return the predicted change in one cycle, `cycles` cycles after the last solved one."""
+        """Return the predicted change in the one cycle that is `cycles` cycles after the last."""
         weight = self.weight(cycles)
         return [d + weight * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
     def summed(self, cycles: int) -> list[FloatArray]:
-        """Return the predicted change in all of the following cycles, up to the given number."""
+        """Return the predicted sum of the changes in the next `cycles` cycles."""
         total = self.total(cycles)
         return [cycles * d + total * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
@@ -104,7 +109,7 @@ class Trend:
 
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
-    """Return the trend of a field over three cycles; None if the cells differ between cycles."""
+    """Return the trend of a field over three cycles, or None if its cells differ between them."""
     by_body = [at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:
@@ -122,7 +127,10 @@ class Jump:
     """Trend of the plastic strain before the jump."""
 
     def away(self, found: Changes, after: int = 1) -> list[FloatArray]:
-        """Return the plastic strain change in a cycle after the jump minus the predicted change."""
+        """Return the plastic strain change in a cycle after the jump minus the predicted change.
+
+        found: changes in this cycle. after: number of the cycle, counted from the jump.
+        """
         real = (change.of("plastic_strain") for change in found.values())
         expected = self.trend.later(self.cycles + after)
         pairs = [at_common_depth(pair) for pair in zip(real, expected, strict=True)]
@@ -138,9 +146,10 @@ class Jump:
     def error(self, first: Changes, second: Changes | None = None) -> float:
         """Estimate the plastic strain error due to the jump [-], from the cycles after the jump.
 
-        The deviation of the first cycle corrects the error of the jump. The deviation of the second
-        cycle is assumed to have grown uniformly over the skipped cycles; without a second cycle,
-        the deviation of the first cycle is used instead.
+        A deviation is the change in a solved cycle minus the predicted change. The error is the
+        deviation in the first cycle after the jump plus the deviations in the skipped cycles. The
+        latter are assumed to grow uniformly from 0 to the deviation in the second cycle, or in the
+        first cycle if there is no second cycle.
         """
         missed = max(map(max_equivalent, self.away(first)))
         grown = (
@@ -152,7 +161,7 @@ class Jump:
 
 
 def jump(simulation: Simulation, changes: Sequence[Changes], max_cycles: int) -> Jump | None:
-    """Jump over as many cycles as is safe, and return the jump; None if no jump is safe."""
+    """Jump over as many cycles as is safe; return the jump, or None if no jump is safe."""
     flow = trend(changes, "plastic_strain")
     if flow is None or (cycles := flow.safe_cycles(max_cycles)) < 2:
         return None

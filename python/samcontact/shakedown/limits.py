@@ -36,7 +36,7 @@ EXACT, UPPER, LOWER = "exact", "upper", "lower"
 
 @dataclass(frozen=True)
 class ShakedownLimit(HtmlTable):
-    """Limit of the maximum Hertz pressure, and the depth at which it is determined.
+    """Limit of the maximum Hertz pressure, and the depth that determines this limit.
 
     Attributes
     ----------
@@ -73,7 +73,11 @@ def _coefficient(friction: float) -> float:
 
 
 def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
-    """Return the maximum, over all depths, of the k/p0 that `strength` requires, and its depth."""
+    """Return the maximum over all depths of the required ratio k/p0, and the depth of the maximum.
+
+    strength: function that returns the required k/p0 at a depth. k is the shear yield stress, p0
+    the maximum Hertz pressure.
+    """
     required_k = [strength(depth) for depth in _DEPTHS]
     worst = int(np.argmax(required_k))
     if worst == 0:
@@ -89,7 +93,7 @@ def _worst_depth(strength: Callable[[float], float]) -> tuple[float, float]:
 
 
 def _deviator(stress: FloatArray) -> FloatArray:
-    """Map stresses in the plane y = 0 to points, shape (n, 3), with distance sqrt(J2) from 0."""
+    """Return stress deviators in the plane y = 0 as vectors of length sqrt(J2), shape (n, 3)."""
     xx, yy, zz, _, xz, _ = stress
     across = (yy - 0.5 * (xx + zz)) / math.sqrt(3.0)
     return np.stack([0.5 * (xx - zz), across, xz], axis=-1)
@@ -103,12 +107,15 @@ def _smallest_ball(deviator: FloatArray) -> float:
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Return a path and its mirror image with opposite shear, whose optimum residual shear is 0."""
+    """Return a path together with its mirror image of opposite shear.
+
+    The smallest ball that contains both paths has its centre at zero residual shear stress.
+    """
     return np.concatenate([deviator, deviator * [1.0, 1.0, -1.0]])
 
 
 def _tresca(deviator: FloatArray) -> float:
-    """Return the minimum k by Tresca's criterion if the residual stresses xx and yy are free."""
+    """Return the least k/p0 at which suitable residual stresses xx and yy prevent Tresca yield."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
     def required_k(shift: float) -> float:
@@ -139,7 +146,7 @@ def _point_path(depth: float, nu: float, friction: float) -> FloatArray:
 
 
 def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> ShakedownLimit:
-    """Elastic shakedown of a line contact on a perfectly plastic body, by Melan's theorem.
+    """Elastic shakedown limit of a line contact on a perfectly plastic body, by Melan's theorem.
 
     A body shakes down if some residual stress keeps the stress within the yield surface during the
     whole passage. Residual stress after repeated passages is uniform along the surface. Equilibrium
@@ -183,10 +190,10 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
 
 
 def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
-    """Elastic shakedown of a line contact on a body with linear kinematic hardening.
+    """Elastic shakedown limit of a line contact on a body with linear kinematic hardening.
 
-    The backstress can take any value at each point. The body therefore shakes down if the path of
-    the stress deviator at each point fits into the yield surface, shifted by any backstress. Above
+    The backstress can take any value at each point. The body therefore shakes down if, at each
+    point, the path of the stress deviator fits into the yield surface after a suitable shift. Above
     the limit there is plastic shakedown, and never ratcheting.
 
     Parameters
@@ -214,7 +221,7 @@ def line_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
 
 def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
-    """Upper bound of elastic shakedown of a circular contact on a perfectly plastic body.
+    """Upper bound of the shakedown limit of a circular contact on a perfectly plastic body.
 
     Residual stress shifts the path of the stress deviator at a point but cannot shrink it, so the
     smallest ball that encloses this path gives a bound. Without friction the bound follows from the
@@ -253,7 +260,7 @@ def point(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
 
 def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
-    """Lower bound of elastic shakedown of a circular contact on a perfectly plastic body.
+    """Lower bound of the shakedown limit of a circular contact on a perfectly plastic body.
 
     A residual stress sigma_xx that is uniform along the rolling direction x is in equilibrium for
     any variation with y and z. By Melan's theorem a body shakes down if this residual stress keeps
@@ -295,7 +302,7 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
 
 def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
-    """Elastic shakedown of a circular contact on a body with linear kinematic hardening.
+    """Elastic shakedown limit of a circular contact on a body with linear kinematic hardening.
 
     Parameters
     ----------
@@ -318,7 +325,7 @@ def point_kinematic(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
 
 
 def elliptic(k: float, friction: float = 0.0) -> ShakedownLimit:
-    """Upper bound of elastic shakedown of an elliptic contact, from the orthogonal shear stress.
+    """Upper bound of the shakedown limit of an elliptic contact, from the orthogonal shear stress.
 
     The shear stress sigma_xz alternates between +tau_0 and -tau_0 as the contact passes. Neither
     residual stress nor kinematic hardening reduces the range of this stress, so tau_0 must not

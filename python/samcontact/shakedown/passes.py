@@ -13,7 +13,7 @@ from ..problem.grid import Grid
 
 
 def passes(grid: Grid, pressure: ArrayLike, cells: int = 1) -> list[dict[str, Any]]:
-    """Move a prescribed pressure once over a surface that is periodic along x.
+    """Return steps that move a prescribed pressure once over a surface that is periodic along x.
 
     The pressure moves towards +x through one period, starting at its given position. All points
     with equal y and equal depth have the same stress history, as under a train of equal rollers,

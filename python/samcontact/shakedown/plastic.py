@@ -21,7 +21,10 @@ _SHEAR_WEIGHTS = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 
 @dataclass(frozen=True)
 class PlasticChange:
-    """Plastic change of a body in one cycle; row 0 of its fields is row `first` of the grid."""
+    """Change of the plastic state of a body in one cycle.
+
+    Row 0 of its fields along x is row `first` of the grid.
+    """
 
     first: int
     before: dict[str, FloatArray]

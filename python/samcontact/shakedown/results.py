@@ -43,13 +43,11 @@ class ShakedownResult(ShortRepr, HtmlTable):
         plastic flow cancels over each cycle. "ratcheting": each cycle adds as much plastic strain
         as the preceding one. "undecided": none of these responses is clear so far.
     rate : float
-        Maximum magnitude of the plastic strain change over the last cycle [-], the attribute `net`
-        of this cycle.
+        Maximum magnitude of the plastic strain change over the last cycle [-]: `cycles[-1].net`.
     flow : float
-        Maximum equivalent plastic strain added by the last cycle [-], the attribute `flow` of this
-        cycle.
+        Maximum equivalent plastic strain added by the last cycle [-]: `cycles[-1].flow`.
     cycles : tuple of Cycle
-        Solved cycles, without undone extrapolations.
+        Solved cycles, without those that followed an extrapolation which was undone.
     solved : int
         Number of all solved cycles, including cycles after extrapolations that were undone.
     error : float
@@ -58,8 +56,8 @@ class ShakedownResult(ShortRepr, HtmlTable):
     rejected : int
         Number of extrapolations that were undone because the next cycle did not confirm them.
     yield_strain : float
-        Yield stress divided by Young's modulus, for the body that yields first: a reference for
-        strains.
+        Smallest yield strain of both bodies (yield stress divided by Young's modulus), to which
+        strains are compared [-].
     state : State
         State at the end of the last cycle.
     """

@@ -15,10 +15,10 @@ from .shapes import SurfaceGrid, coordinates
 
 PROFILES = ("straight", "crowned", "logarithmic", "lundberg")
 SHORT_FACTOR, LONG_FACTOR, LONG_RATIO = 0.35e-3, 0.5e-3, 2.5
-"""Factors of the logarithm in ISO/TS 16281, relative to the diameter, of rollers up to and above a
-length of 2.5 diameters."""
+"""Factors of the logarithmic profile in ISO/TS 16281, divided by the roller diameter: for rollers
+of up to LONG_RATIO diameters in length, and for longer rollers."""
 MAX_ANGLE = 0.1
-"""Limit of tilt and skew [rad]; the gap is linear in the tilt."""
+"""Maximum tilt and skew [rad], because the gap is linearised with respect to the tilt."""
 
 _USERS = {
     "crown_radius": "crowned",
@@ -46,7 +46,7 @@ def roller(
     tilt: float = 0.0,
     skew: float = 0.0,
 ) -> FloatArray:
-    """Gap between a roller along y, of finite length, and a raceway.
+    """Gap between a raceway and a roller of finite length along y.
 
     Parameters
     ----------
@@ -58,17 +58,20 @@ def roller(
     length : float
         Effective length of the roller, without corner radii [m].
     profile : {"straight", "crowned", "logarithmic", "lundberg"} or pair of array_like
-        Drop of the profile over the length, see Notes; or a table (y, drop) [m], with y increasing
-        from -length/2 (from 0 for a symmetric profile) to length/2, interpolated monotonically.
+        Name of the profile, see Notes, or a table (y, drop) of its drop over the length [m]. In a
+        table, y must increase from -length/2 (from 0 for a symmetric profile) to length/2. Between
+        its points, the drop is interpolated by monotone cubics.
     race_radius : float, optional
         Radius of the raceway in the plane of rolling [m], negative for the concave race of an outer
         ring. Default: inf, flat.
     crown_radius, straight_length : float, optional
-        Crowned: radius of the arc along y, and length of the straight middle (default 0) [m].
+        Only for "crowned": radius of the arc along y, and length of the straight middle part
+        (default 0) [m].
     diameter : float, optional
-        Logarithmic: diameter of the roller [m]. Default: 2 `radius`.
+        Only for "logarithmic": diameter of the roller [m]. Default: 2 `radius`.
     design_load, E_star : float, optional
-        Lundberg: load at which the pressure is uniform along y [N], and contact modulus [Pa].
+        Only for "lundberg": load at which the pressure is uniform along y [N], and contact modulus
+        [Pa].
     tilt : float, optional
         Rotation of the roller about x [rad]: a positive tilt brings the end at y > 0 closer to the
         race.
@@ -87,16 +90,16 @@ def roller(
 
     Notes
     -----
-    With u = 2 y/L, the drop of the profile is
+    With u = 2 y/L and the length L, the drop of the profile is
 
     - straight: 0; the pressure is singular at the ends (`SingularPressureWarning`);
-    - crowned: (abs(y) - s/2)^2/(2 R_c) beyond the straight length s;
-    - logarithmic (ISO/TS 16281): 0.00035 D ln(1/(1 - u^2)); for L > 2.5 D, 0 in the middle and
-      0.0005 D ln(1/(1 - v^2)), v = (2 abs(y) - L + 2.5 D)/(2.5 D), at the ends;
+    - crowned: (abs(y) - s/2)^2/(2 R_c) beyond the straight length s, with the crown radius R_c;
+    - logarithmic (ISO/TS 16281): 0.00035 D ln(1/(1 - u^2)) with the diameter D; for L > 2.5 D, 0 in
+      the middle and 0.0005 D ln(1/(1 - v^2)), v = (2 abs(y) - L + 2.5 D)/(2.5 D), at the ends;
     - lundberg: Q/(pi E* L) ln(1/(1 - u^2)) with the design load Q (Lundberg 1939).
 
-    Both logarithmic profiles have an infinite drop at the ends, so that the pressure is bounded;
-    cells near the ends must be smaller than the distance of the contact from the end. The roller is
+    The last two profiles have an infinite drop at the ends, so that the pressure is bounded. Cells
+    near the ends must be smaller than the distance of the contact from the end. The roller is
     parabolic along x, as in Hertz theory.
     """
     across, along = coordinates(grid)
@@ -182,7 +185,7 @@ def iso_drop(y: FloatArray, length: float, diameter: float) -> FloatArray:
 def _crowned(
     y: FloatArray, length: float, crown_radius: float | None, straight: float | None
 ) -> FloatArray:
-    """Drop [m] of an arc, or of two arcs beyond a straight middle."""
+    """Drop [m] of a crowned profile: one arc, or an arc on either side of a straight middle."""
     crown = positive("crown_radius", crown_radius)
     middle = 0.0 if straight is None else non_negative("straight_length", straight)
     if middle > length:

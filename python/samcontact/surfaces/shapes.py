@@ -69,7 +69,7 @@ def paraboloid(grid: SurfaceGrid, Rx: float, Ry: float | None = None) -> FloatAr
     Raises
     ------
     ValueError
-        A radius is not positive, or so small that the gap is infinite.
+        A radius is not positive, or so small that the gap overflows.
     """
     Rx = positive("Rx", Rx, allow_inf=True)
     Ry = Rx if Ry is None else positive("Ry", Ry, allow_inf=True)
@@ -233,9 +233,9 @@ def rough_self_affine(
 ) -> FloatArray:
     """Isotropic self-affine random roughness, periodic over the grid, to be added to a gap.
 
-    White Gaussian noise is filtered so that the power spectral density decreases as
-    q^(-2 (1 + hurst)) between the roll-off and the short cut-off, is constant from the long
-    cut-off to the roll-off, and zero elsewhere (Persson et al. 2005,
+    The surface is filtered white Gaussian noise. From the long cut-off wavelength to the roll-off,
+    its power spectral density is constant. From the roll-off to the short cut-off, it decreases
+    with the wavenumber q as q^(-2 (1 + hurst)). It is zero elsewhere (Persson et al. 2005,
     doi:10.1088/0953-8984/17/1/R01).
 
     Parameters
@@ -247,7 +247,7 @@ def rough_self_affine(
     hurst : float
         Hurst exponent, in [0, 1] [-].
     wavelength_min, wavelength_max : float, optional
-        Cut-off wavelengths [m]. Default: two cells, and the longer side of the grid.
+        Short and long cut-off wavelength [m]. Default: two cells, and the longer side of the grid.
     roll_off : float, optional
         Wavelength of the roll-off [m], between the cut-offs. Default: `wavelength_max`.
     seed : int
@@ -305,10 +305,11 @@ def rough_self_affine(
 
 
 def interpolated(heights: FloatArray, cells: SurfaceGrid, grid: SurfaceGrid) -> FloatArray:
-    """Evaluate the waves of periodic heights in the cells of another grid.
+    """Interpolate periodic heights by their Fourier series, at the cell centres of another grid.
 
-    heights: heights on the grid `cells` [m], which is one period long and wide. The result equals
-    them at the centres of these cells, and contains no wavelength below two of these cells.
+    heights: heights in the cells of the grid `cells` [m], which is one period long and wide. The
+    interpolant equals them at the centres of `cells`; its shortest wavelength is two of these
+    cells.
     """
     _require_memory(grid)
     transform = scipy.fft.fft2(heights) / heights.size

@@ -33,13 +33,14 @@ from .repeating import repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum relative decrease of the shortest pressure wave on the grid that wear may cause between
-two contact solutions. If the decrease were 2 or more, the shortest waves would grow from one
-solution to the next.
+"""Maximum relative decrease of a pressure wave that wear may cause between two contact solutions.
+
+The limit applies to the shortest wave on the grid. If the decrease were 2 or more, the amplitude of
+this wave would grow from one solution to the next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
-"""Maximum change of the shear over one repeat, relative to the maximum of mu p.
+"""Maximum change of the shear traction over a loop that counts as periodic, relative to max mu p.
 
 The limit is not smaller because, at the edge of the stick zone, slip directions rotate slightly
 over many repeats. This rotation does not noticeably affect the frictional work.
@@ -47,9 +48,10 @@ over many repeats. This rotation does not noticeably affect the frictional work.
 _MAX_REPEATS = 20
 _MAX_CREEPING_REPEATS = 200
 _MIN_MISMATCH_OF_TOL = 10.0
-"""Smallest limit of the change of the tractions of viscoelastic bodies, relative to `tol`."""
+"""Minimum of the tolerance within which tractions of viscoelastic bodies count as periodic, divided
+by the solver tolerance `tol`."""
 _SMALL_FLOW = 0.01
-"""Equivalent plastic strain in a repeat, relative to the yield strain, that is neglected."""
+"""Equivalent plastic strain added per repeat that is neglected, relative to the yield strain."""
 
 
 def fretting(
@@ -75,16 +77,18 @@ def fretting(
     Parameters
     ----------
     grid, body1, body2, gap, relief1, relief2
-        As for `Simulation`; the bodies do not move except for slip. If all surfaces are given as
+        As for `Simulation`. The bodies do not travel; they only slip. If all surfaces are given as
         functions, the grid is enlarged when the contact reaches its edge. Plastic strain, and the
         layers of a layered body, are treated as in `run`. Inclusions of elastic bodies come closer
         to the worn surface: each moves up by the mean worn depth above it.
     cycle : iterable of dict
-        Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``, with load or
-        approach, shift or tangential_load, twist or torque; with ``heat=Heat(partition=...)``, each
-        step has a duration. The last step must repeat an earlier step. The steps up to this earlier
-        step are a lead-in, which causes no wear. The first repetitions, until the shear is
-        periodic, cause no wear either. For viscoelastic bodies see Notes.
+        Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``. Each step
+        has `load` or `approach`, and may have `shift` or `tangential_load`, and `twist` or
+        `torque`. With ``heat=Heat(partition=...)``, each step also has a `duration`. The last step
+        must return to the load and the tangential forces or motions of an earlier step. The steps
+        up to this earlier step are a lead-in, and the steps after it form the loop. The lead-in
+        causes no wear, and neither do the first loops, until the shear traction is periodic. For
+        viscoelastic bodies see Notes.
     friction : Coulomb
         Friction law with a finite coefficient > 0.
     energy : float or pair of floats
@@ -97,11 +101,11 @@ def fretting(
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The contact is solved so often that between
-        two solutions wear changes the shortest pressure wave on the grid by at most 100 %. Each
-        solution starts with unloaded, unheated bodies that have the plastic strain of the previous
-        solution. A solution adds the plastic flow of the loops that it computes, usually one or
-        two.
+        Number of repeats of the loop per cycle, >= 1. The contact is solved so often that wear
+        between two solutions changes the amplitude of the shortest pressure wave on the grid by at
+        most 100 %. Each solution starts with unloaded, unheated bodies that have the plastic strain
+        of the previous solution. It computes only a few loops, usually one or two, and the plastic
+        flow of the other loops is neglected.
     checkpoint, progress
         As for `run`.
     **settings
@@ -116,25 +120,25 @@ def fretting(
     ValueError, TypeError
         An argument is outside its range (before the first cycle); a cycle requires more than 10 000
         contact solutions, or does not become periodic; a contact reaches the edge of the grid; wear
-        reaches a void; a
-        checkpoint was written by a run with different arguments. The exception of a later cycle
-        holds the result of the completed cycles in its attribute `result`.
+        reaches a void; a checkpoint was written by a run with different arguments. An exception
+        after the first cycle holds the result of the completed cycles in its attribute `result`.
 
     Warns
     -----
     WornCoatingWarning
         As in `run`.
     IncrementWarning
-        Plastic strain still grows in the last computed loop, by more than 1 % of the yield strain:
-        the bodies do not shake down, and the plastic flow in the other loops is neglected.
+        The last computed loop still adds a plastic strain of more than 1 % of the yield strain: the
+        bodies do not shake down, but the plastic flow in the other loops is neglected.
 
     Notes
     -----
-    Each step of viscoelastic bodies has a duration. With ``repeats=1`` the loops follow each other
-    in time: the lead-in is computed once, then each cycle is one loop, which continues the creep of
-    the previous one and wears from the first loop on. With more repeats, the loop continues until
-    pressure and shear are periodic, so that further creep would change them by less than 1 %; the
-    time of the other loops does not matter then. A long hold in the lead-in shortens this.
+    If a body is viscoelastic, each step has a `duration`. With ``repeats=1`` the loops follow each
+    other in time: the lead-in is computed once, and then each cycle is one loop, which continues
+    the creep of the previous loop. Wear then starts in the first loop. With more repeats, the loop
+    is computed again until pressure and shear are periodic, i.e. until further creep would change
+    them by less than 1 %. The remaining loops are assumed to be equal. A long hold in the lead-in
+    reduces the number of computed loops.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -172,7 +176,7 @@ def _warn_of_flow(setup: FrettingSetup, last: FrettingCycle) -> None:
 
 @dataclass(frozen=True)
 class _Repeat:
-    """Solution of one repeat of a loop: states, and quantities in each cell, shape (nx, ny)."""
+    """Solution of one repeat of a loop: its states, and fields on the surface, shape (nx, ny)."""
 
     states: tuple[State, ...]
     work: FloatArray
@@ -204,7 +208,7 @@ def _solve_repeat(setup: FrettingSetup, standing: WearProgress) -> _Repeat:
 def _closed(
     simulation: Simulation, setup: FrettingSetup, continues: bool
 ) -> tuple[tuple[State, ...], float]:
-    """Repeat the loop until it is periodic; return states and flow of the last repeat.
+    """Repeat the loop until it is periodic; return the states and plastic flow of the last repeat.
 
     continues: whether the simulation continues the previous loop, without a lead-in.
     """
@@ -286,7 +290,7 @@ def _worn(
 ) -> WearProgress:
     """Return the state after `count` repeats, with plastic strain moved up to the worn surface.
 
-    removed: wear depth of the cycle so far, for a coefficient of 1 [m Pa].
+    removed: wear depth of the cycle so far, divided by the wear coefficient [m Pa].
     """
     heights = dict(now.heights)
     strains = strains_of(setup, solved.states[-1])
@@ -303,7 +307,8 @@ def _worn(
 def _max_repeats(setup: FrettingSetup, solved: _Repeat) -> float:
     """Return the number of repeats after which the contact must be solved again.
 
-    Wear of depth c p changes a pressure wave of wavenumber k by the fraction -c E* k/2.
+    Wear to the depth c p, where p is the pressure, changes the amplitude of a pressure wave of
+    wavenumber k by the fraction -c E* k/2, where E* is the effective modulus.
     """
     grid = setup.grid
     steps = [1 / step for n, step in ((grid.nx, grid.dx), (grid.ny, grid.dy)) if n > 1]

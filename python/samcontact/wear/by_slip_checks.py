@@ -59,7 +59,7 @@ class FrettingSetup(WearProblem):
 
     @cached_property
     def crept_share(self) -> float:
-        """Share of the slowest creep that takes place in a loop [-]; 1 without creep."""
+        """Fraction of the slowest creep that is completed in one loop [-]; 1 without creep."""
         duration = sum(step.get("duration") or 0.0 for step in self.cycle[closing(self.cycle) :])
         slowest = max(map(longest_creep_time, self.bodies))
         return -math.expm1(-duration / slowest) if slowest > 0 and duration > 0 else 1.0
@@ -69,7 +69,7 @@ class FrettingSetup(WearProblem):
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row that can wear and the number of such rows: all rows of the grid."""
+        """Return 0 and the number of rows of the grid, because all rows can wear."""
         return 0, self.grid.nx
 
 
@@ -122,7 +122,7 @@ def make_setup(
 
 
 def _require_long_time_state(bodies: tuple[Body, Body]) -> None:
-    """Raise ValueError for a fluid, whose response never becomes periodic."""
+    """Raise ValueError for a viscoelastic fluid, whose response never becomes periodic."""
     for n, body in enumerate(bodies, 1):
         terms = relaxation_of(body)
         if terms is not None and long_time_share(terms) == 0:
@@ -135,7 +135,8 @@ def _require_long_time_state(bodies: tuple[Body, Body]) -> None:
 def closing(path: list[dict[str, Any]]) -> int:
     """Return the number of lead-in steps before the steps that are repeated.
 
-    Raises ValueError if the path does not return to an earlier step, or if bodies move.
+    Raises ValueError if the path has no steps, or if its last step does not return to the load and
+    the tangential forces or motions of an earlier step.
     """
     places = _places(path)
     scales = [max(abs(place[k][1]) for place in places) for k in range(len(places[0]))]

@@ -48,14 +48,17 @@ def _before(path: str | os.PathLike[str]) -> Path:
 
 
 def require_own(path: str | os.PathLike[str] | None) -> None:
-    """Raise ValueError if this file, or the file of the preceding cycle, is not a checkpoint."""
+    """Raise ValueError if a checkpoint would replace a file that samcontact did not write."""
     if path is not None:
         for file in (file_path("checkpoint", path), _before(path)):
             require_marked(file)
 
 
 def write(path: str | os.PathLike[str], problem: WearProblem, standing: WearProgress) -> None:
-    """Write a checkpoint file; the old file is renamed to `_before`, or kept if writing fails."""
+    """Write a checkpoint file.
+
+    An undamaged old file is copied to `_before(path)`. If writing fails, the old file remains.
+    """
     if _is_whole(path):
         with replacing(_before(path)) as part:
             shutil.copyfile(path, part)
@@ -94,7 +97,7 @@ def latest(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress |
 
 
 def read(path: str | os.PathLike[str], problem: WearProblem) -> WearProgress | None:
-    """Read the state from a checkpoint file; None if there is no file.
+    """Return the state read from a checkpoint file, or None if there is no file.
 
     Raises CheckpointError if the file is damaged, is not a checkpoint of a wear computation, or was
     written by a run with different arguments.

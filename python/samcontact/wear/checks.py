@@ -41,15 +41,15 @@ from .results import Cycle
 from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_order
 
 YIELD_STRAIN = 20e-6
-"""Plastic strain at the conventional yield point [-]; a threshold must be larger.
+"""Plastic strain at the conventional yield point [-]; the threshold of wear must be larger.
 
-The elastic strain of a hard steel at yield is about 1 %. A threshold of 0.2 % refers to the plastic
-strain alone and is far beyond yield.
+The threshold need not exceed the elastic strain at yield, about 1 % for a hard steel, because it
+refers to the plastic strain alone. A threshold of 0.2 % is far beyond yield.
 """
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
 """Width of a moving mean divided by the standard deviation of a Gaussian with equal variance."""
 _MARGIN_ROWS = 4
-"""Rows of cells added on both sides of the rows in contact, for interpolation between cells."""
+"""Rows of cells added at both ends of the rows that can wear, for interpolation between cells."""
 
 
 @dataclass(frozen=True)
@@ -64,7 +64,10 @@ class WearSetup(WearProblem):
 
     @property
     def may_grow(self) -> bool:
-        """Whether the grid may be enlarged; a heat history belongs to its grid."""
+        """Whether the grid may be enlarged.
+
+        With `keep_heat` it may not, because a heat history belongs to one grid.
+        """
         return super().may_grow and not self.keep_heat
 
     @property
@@ -72,7 +75,11 @@ class WearSetup(WearProblem):
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row and number of rows of a body that pass through the grid."""
+        """Return the first row, and the number of rows, in which a body can wear.
+
+        A row is a line of cells along y. The rows that pass through the grid are included, and on
+        both sides as many more as the filter needs.
+        """
         if self.grid.along_x:
             return 0, self.grid.nx
         cells = travels(self.cycle)[:, body - 1] / self.grid.dx
@@ -102,7 +109,10 @@ def make_setup(
     friction: float | FrictionLaw,
     settings: dict[str, Any],
 ) -> WearSetup:
-    """Check all arguments and return them; one elastic solution gives the size of the contact."""
+    """Check all arguments and return them.
+
+    The width of the filter is compared with the contact size, which one elastic solution gives.
+    """
     require_type("grid", grid, Grid)
     if not grid.has_volume:
         raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
@@ -147,7 +157,7 @@ def make_setup(
 
 
 def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
-    """Check `keep_heat`, which requires the history of the heat."""
+    """Check `keep_heat`, which requires `heat` with a history, and return it."""
     if boolean("keep_heat", keep_heat) and (heat is None or heat.history is None):
         raise ValueError(
             f"keep_heat requires heat with history, got heat = {in_short(heat)}: set "
@@ -159,7 +169,7 @@ def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
 def make_filter(
     grid: Grid, smoothing_length: float | None, window: Window, order: int | None
 ) -> Gaussian | Polynomials:
-    """Return the filter that smooths the edge of the wear, given by a length or a window."""
+    """Return the filter that smooths the edge of the worn area, defined by a length or a window."""
     require_type("grid", grid, Grid)
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
@@ -208,7 +218,7 @@ def travels(path: list[dict[str, Any]]) -> FloatArray:
 
 
 def _check_filter(setup: WearSetup) -> None:
-    """Raise ValueError for a filter wider than the contact; it would spread wear to other cells."""
+    """Raise ValueError if the filter is wider than the contact and would spread wear beyond it."""
     with warnings.catch_warnings():
         # in the cycles, bodies yield and do not reach this elastic pressure
         warnings.simplefilter("ignore", ElasticStrainWarning)

@@ -37,7 +37,7 @@ def worn_shares(
 
 
 def warn_of_worn_coating(standing: WearProgress, *, stacklevel: int) -> bool:
-    """Warn if the last cycle leaves a top layer much thinner than before; True after a warning."""
+    """Warn if more than `MAX_WORN_SHARE` of a top layer is worn; return True after a warning."""
     last = standing.cycles[-1]
     shares = zip(standing.heights, last.coating_worn_share, strict=True)
     worn = {body: share for body, share in shares if share > MAX_WORN_SHARE}

@@ -59,13 +59,15 @@ def run(
 ) -> WearResult:
     """Simulate repeated load cycles with wear controlled by plastic strain.
 
-    After each cycle overstrained material is removed, until a cycle removes no more material.
+    After each cycle, material at the surface with too much plastic strain is removed. The
+    computation ends when a cycle removes no more material, or after the given number of cycles.
 
     Parameters
     ----------
     grid, body1, body2, gap, friction, relief1, relief2
         As for `Simulation`; the grid must have dz. If all surfaces are given as functions, the grid
-        is enlarged when the contact or the filter reaches its edge. For layered bodies see Notes.
+        is enlarged when the contact or the smoothed wear reaches its edge. For layered bodies see
+        Notes.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step must
         have zero load, and the advances of each body must add up to 0, or to whole periods on a
@@ -76,32 +78,34 @@ def run(
     cycles : int, optional
         Maximum number of cycles, >= 1.
     worn : sequence of {1, 2}, optional
-        Elastic-plastic bodies that wear. The other body may be viscoelastic. Each step then has a
-        duration, and the creep of a cycle continues in the next one.
+        Elastic-plastic bodies that wear. The other body may be viscoelastic. In this case each step
+        has a `duration`, and the creep of a cycle continues in the next cycle.
     smoothing_length : float, optional
-        Standard deviation of the Gaussian that smooths the edge of the wear [m], from one cell to
-        0.29 times the contact size. This length is a property of the material: results converge as
-        cells, layers and increments are refined. Exactly one of `smoothing_length` and `window`
-        must be given.
+        Standard deviation of the Gaussian filter that smooths the edge of the worn area [m], from
+        one cell to 0.29 times the contact size. As this length does not depend on the grid, results
+        converge when cells, layers and increments are refined. Exactly one of `smoothing_length`
+        and `window` must be given.
     window : int or pair of int, optional
-        Window of Boucly's filter in cells, see `smooth`; not larger than the contact. The results
-        with this filter depend on the cell size. 1 for no smoothing.
+        Width of Boucly's filter in cells, see `smooth`; not larger than the contact. 1 for no
+        smoothing. The results with this filter depend on the cell size.
     order : int, optional
         Order of Boucly's filter. Default: 2.
     strain_depth : {"exact", "smoothed"}, optional
         Depth by which the remaining plastic strain is moved up to the new surface. "exact": the
-        depth to which the strain exceeded the threshold, so that the strain nowhere exceeds the
-        threshold at the new surface. "smoothed": the depth removed from the surface. Where the
-        filter has reduced this depth, overstrained material remains, and wears in a later cycle.
+        depth to which the strain exceeded the threshold, before smoothing. The strain at the new
+        surface then nowhere exceeds the threshold. "smoothed": the depth removed from the surface,
+        after smoothing. Where the filter has reduced this depth, material with a strain above the
+        threshold remains, and wears in a later cycle.
     keep_heat : bool, optional
-        Only with `heat.history`: whether a cycle continues from the temperatures of the previous
-        cycle. The bodies cool in the last, unloaded step of a cycle, whose `duration` may be 0. The
-        heat in the removed material is neglected, and the grid is not enlarged. Default: each cycle
-        starts with unheated bodies.
+        Whether a cycle continues from the temperatures of the previous cycle. Only with
+        `heat.history`. The bodies cool in the last, unloaded step of a cycle, whose `duration` may
+        be 0. The heat in the removed material is neglected, and the grid is not enlarged. Default:
+        each cycle starts with unheated bodies.
     checkpoint : str or Path, optional
         File written after each cycle. A later call with equal arguments (more `cycles` are allowed)
         resumes from this file with bit-identical results; delete the file to start again. If the
-        file is damaged, the checkpoint of the preceding cycle is used, with the suffix .before.
+        file is damaged, the run resumes from the checkpoint of the preceding cycle, a file with the
+        additional suffix .before.
     progress : bool, optional
         Show a progress bar, or at most ten lines if there is no terminal.
     **settings
@@ -116,8 +120,8 @@ def run(
     ValueError, TypeError
         An argument is outside its range (before the first cycle); the plastic strain exceeds the
         threshold at the bottom of the grid, or material wears at the sides of the grid; a coating
-        is worn through; a checkpoint was written by a run with different arguments. The exception
-        of a later cycle holds the result of the completed cycles in its attribute `result`.
+        is worn through; a checkpoint was written by a run with different arguments. An exception
+        after the first cycle holds the result of the completed cycles in its attribute `result`.
 
     Warns
     -----
@@ -165,7 +169,10 @@ def _advance(setup: WearSetup, standing: WearProgress) -> tuple[Moments, WearPro
 
 
 def _with_room_for_filter(setup: WearSetup, strains: Mapping[int, BodyStrain]) -> WearSetup:
-    """Return the setup on a grid wide enough for the smoothed wear, if the grid may grow."""
+    """Return the setup on a grid that also contains the cells over which the filter spreads wear.
+
+    Such a grid is wider along y. The setup is returned unchanged if its grid may not be enlarged.
+    """
     side, grid = setup.filter.sides[1] // 2, setup.grid
     lacking = 0
     for body in setup.worn:
@@ -197,7 +204,7 @@ def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
 
 
 def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress:
-    """Remove overstrained material after a cycle, and move the remaining plastic strain up.
+    """Remove material above the threshold after a cycle, and move the remaining strain up.
 
     standing: heights at the start of the cycle, and plastic strain at the end of the cycle.
     """

@@ -12,9 +12,10 @@ from .steps import below_worn_surface, deviator_below_worn_surface
 
 
 def strains_of(problem: WearProblem, state: State) -> dict[int, BodyStrain]:
-    """Return the plastic strain of each elastic-plastic body along its whole track, if any.
+    """Return the plastic strain of each elastic-plastic body along its whole track.
 
-    Raises ValueError if plastic strain lies below the deepest layer or beyond the sides.
+    Bodies without plastic strain are omitted. Raises ValueError if plastic strain lies below the
+    deepest layer or beyond the sides of the grid.
     """
     found = {n: _strain_of(state, n) for n in (1, 2) if problem.bodies[n - 1].is_plastic}
     return {body: kept for body, kept in found.items() if kept is not None}
@@ -49,7 +50,10 @@ def largest(kept: BodyStrain | None, layers: slice) -> float:
 
 
 def flow_between(problem: WearProblem, start: State, end: State) -> float:
-    """Return the maximum increase of the equivalent plastic strain of both bodies."""
+    """Return the maximum increase of the equivalent plastic strain between two states [-].
+
+    The maximum is taken over the cells of both bodies.
+    """
     bodies = [n for n in (1, 2) if problem.bodies[n - 1].is_plastic]
     if not bodies:
         return 0.0
@@ -67,7 +71,7 @@ def rows_of(problem: WearProblem, body: int, kept: BodyStrain) -> slice:
 
 
 def moved_up(problem: WearProblem, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
-    """Return the remaining plastic strain at depths below the worn surface.
+    """Return the plastic strain that remains after wear, at depths below the worn surface.
 
     worn: removed depth [m], on the rows in which the body can wear.
     """

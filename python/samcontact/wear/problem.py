@@ -35,7 +35,7 @@ class WearProblem(ABC):
     """Checked arguments of a wear computation, constant over all cycles, on one grid."""
 
     surfaces: SurfaceGeometry
-    """Surfaces as given; if they are functions, the grid may grow."""
+    """Surfaces as given by the user; if they are functions, the grid may be enlarged."""
     grid: Grid
     bodies: tuple[Body, Body]
     gap: FloatArray
@@ -52,11 +52,14 @@ class WearProblem(ABC):
 
     @abstractmethod
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row, and the number of rows, in which a body can wear."""
+        """Return the first row, and the number of rows, in which a body can wear.
+
+        A row is a line of cells along y. Row 0 is the first row of the grid.
+        """
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """Arguments that identify the computation, with the surfaces on the first grid."""
+        """Arguments that identify the computation, with the surface heights on the first grid."""
         names = (item.name for item in dataclasses.fields(self) if item.name != "surfaces")
         return {name: getattr(self, name) for name in names}
 
@@ -99,13 +102,13 @@ class WearProgress:
     grid: Grid
     """Current grid, which may have been enlarged."""
     heights: dict[int, list[FloatArray]]
-    """Heights of each worn body, at the start and after each cycle."""
+    """Heights of each worn body [m], before the first cycle and after each cycle."""
     strains: dict[int, BodyStrain] = field(default_factory=dict)
     cycles: list[AnyCycle] = field(default_factory=list)
     heat: Tree = field(default_factory=dict)
-    """Heat history at the end of the last cycle; empty: unheated bodies."""
+    """Heat history at the end of the last cycle; empty for unheated bodies."""
     creep: Tree = field(default_factory=dict)
-    """Tractions and memory of viscoelastic bodies at the end of the last solution; empty: none."""
+    """Tractions and creep at the end of the last solution; empty without viscoelastic bodies."""
 
     @staticmethod
     def start(problem: WearProblem) -> WearProgress:
@@ -114,9 +117,9 @@ class WearProgress:
         return WearProgress(problem.grid, heights)
 
     def over(self, problem: WearProblem) -> WearProgress:
-        """Return the state on the grid of `problem`, which is at least as large; no wear is added.
+        """Return the state on the grid of `problem`, which must be at least as large.
 
-        The surfaces of `problem` describe the new cells.
+        Added cells have the initial heights of `problem`, i.e. no wear.
         """
         grid, old = problem.grid, self.grid
         if grid == old:
@@ -161,7 +164,7 @@ def _widened(kept: BodyStrain, rows: int, sides: tuple[int, int]) -> BodyStrain:
 
 
 def creep_after(problem: WearProblem, state: State) -> Tree:
-    """Return the tractions and memory of viscoelastic bodies at a state; empty without them."""
+    """Return the tractions and creep in a state; empty without viscoelastic bodies."""
     return creep_of(state) if relaxes(*problem.bodies) else {}
 
 
@@ -179,10 +182,10 @@ def reliefs_of(problem: WearProblem, standing: WearProgress) -> list[Relief | No
 
 
 def _bodies_now(problem: WearProblem, standing: WearProgress) -> list[Body]:
-    """Return both bodies, whose inclusions have come closer to the worn surface."""
+    """Return both bodies, with inclusions moved up by the wear of the surface above them."""
     bodies = list(problem.bodies)
     for body in problem.worn:
-        if isinstance(bodies[body - 1], Heterogeneous):  # in the rows of the grid
+        if isinstance(bodies[body - 1], Heterogeneous):  # its rows are those of the grid
             heights = standing.heights[body]
             worn = np.maximum(heights[0] - heights[-1], 0.0)
             bodies[body - 1] = raised(bodies[body - 1], body, worn, standing.grid)
@@ -190,9 +193,9 @@ def _bodies_now(problem: WearProblem, standing: WearProgress) -> list[Body]:
 
 
 def simulation_of(problem: WearProblem, standing: WearProgress) -> Simulation:
-    """Return a simulation of the current surfaces, plastic strain and heat, without load.
+    """Return an unloaded simulation with the current surfaces, plastic strain, heat and creep.
 
-    If the surfaces are known beyond the grid, the simulation enlarges a grid that is too small.
+    If the surfaces are given as functions, the simulation enlarges a grid that is too small.
     """
     given = _surfaces_now(problem, standing)
     body1, body2 = _bodies_now(problem, standing)

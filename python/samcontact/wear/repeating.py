@@ -35,7 +35,10 @@ def repeat(
     checkpoint: str | os.PathLike[str] | None,
     progress: bool,
 ) -> R:
-    """Solve up to `count` cycles, from the start or a checkpoint, until one removes no material."""
+    """Solve cycles until one removes no material, or until `count` cycles are solved.
+
+    The first cycle is cycle 1, or the cycle after the last one in the checkpoint.
+    """
     with nullcontext() if checkpoint is None else alone(checkpoint):
         standing = None if checkpoint is None else latest(checkpoint, problem)
         if standing is None:

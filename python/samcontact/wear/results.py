@@ -22,8 +22,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Moments = tuple[State, State]
-"""States of a cycle: at maximum load (of several, the state with maximum pressure), and
-unloaded."""
+"""Two states of a cycle: at maximum load, and after unloading.
+
+Of several states at maximum load, the one with the maximum pressure is used.
+"""
 
 
 @dataclass(frozen=True)
@@ -33,9 +35,9 @@ class Cycle:
     number: int
     """Number of the cycle, from 1."""
     volume: tuple[float, ...]
-    """Volume [m^3] of the removed material, in which the plastic strain exceeded the threshold."""
+    """Volume of the material in which the plastic strain exceeded the threshold [m^3]."""
     lost_volume: tuple[float, ...]
-    """Decrease of the volume below the surface [m^3]."""
+    """Decrease of the volume below the surface, from the change of the heights [m^3]."""
     depth: tuple[float, ...]
     """Maximum wear depth after smoothing [m]."""
     surface_strain: tuple[float, ...]
@@ -78,9 +80,9 @@ class FrettingCycle:
     friction_work: float
     """Frictional work of all repeats [J]."""
     volume: tuple[float, ...]
-    """Volume removed by the wear law [m^3]."""
+    """Worn volume according to the wear law [m^3]."""
     lost_volume: tuple[float, ...]
-    """Decrease of the volume below the surface [m^3]."""
+    """Decrease of the volume below the surface, from the change of the heights [m^3]."""
     depth: tuple[float, ...]
     """Maximum wear depth [m]."""
     slip_distance: float
@@ -124,26 +126,30 @@ class BaseWearResult(ShortRepr):
     """Final surface of body 1, for further computations."""
     relief2: Relief | None
     heights: dict[int, FloatArray] = field(repr=False)
-    """Heights of each worn body [m], at the start and after each cycle, shape (cycles + 1, rows,
-    ny)."""
+    """Heights of each worn body before the first cycle and after each cycle [m], shape (cycles + 1,
+    rows, ny)."""
     first_row: dict[int, int] = field(repr=False)
     last: tuple[State, ...] = field(repr=False)
     _solve_first: Callable[[], Any] = field(repr=False)
 
     @cached_property
     def first(self) -> Any:
-        """States of the first cycle, like `last`; solved again after a run that was resumed."""
+        """States of the first cycle, in the order of `last`.
+
+        After a resumed run, the first cycle is solved again to obtain them.
+        """
         return self._solve_first()
 
     def x(self, body: int | None = None) -> FloatArray:
-        """Return the positions x of the rows of `heights` [m]; 0 at the initial contact."""
+        """Return the coordinate x of each row of `heights` [m]; 0 at the initial contact."""
         chosen = self._body(body)
         rows = self.first_row[chosen] + np.arange(self.heights[chosen].shape[1])
         return np.asarray((rows - 0.5 * (self.grid.nx - 1)) * self.grid.dx, dtype=np.float64)
 
     def profile(self, cycle: int = -1, body: int | None = None) -> FloatArray:
-        """Return the heights of a body after a cycle [m], shape (len(x), ny); cycle 0: initial.
+        """Return the heights of a body after a cycle [m], shape (len(x), ny).
 
+        Cycle 0 gives the initial heights; negative numbers count from the last cycle.
         Raises ValueError for a cycle that was not computed, or a body that does not wear.
         """
         chosen = self._body(body)
@@ -206,7 +212,7 @@ class WearResult(BaseWearResult):
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """States of the last cycle at maximum load, and unloaded before removal of material."""
+    """Two states of the last cycle: at maximum load, and unloaded, before material is removed."""
 
 
 @dataclass(eq=False, repr=False)

@@ -17,7 +17,7 @@ from .._util.short_text import in_short
 Window = int | Sequence[int] | None
 
 _BISECTIONS = 60
-"""Number of bisections of one layer, sufficient to reach rounding errors."""
+"""Number of bisections of one layer, enough to find a depth to within rounding errors."""
 _CUTOFF_DEVIATIONS = 4.0
 """Distance at which a Gaussian is cut off, in standard deviations."""
 _MAX_RELATIVE_TRACE = 1e-9
@@ -79,7 +79,7 @@ def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:
 
 
 def _slopes(columns: FloatArray) -> FloatArray:
-    """Return the slopes of the monotone interpolant per layer, shape (columns, nz)."""
+    """Return the slopes of monotone cubics through columns of values [per layer], same shape."""
     count = columns.shape[-1]
     interpolant = scipy.interpolate.PchipInterpolator(np.arange(count), columns, axis=-1)
     return np.asarray(interpolant(np.arange(count), 1), dtype=np.float64)
@@ -88,7 +88,7 @@ def _slopes(columns: FloatArray) -> FloatArray:
 def _hermite(
     t: FloatArray, values: tuple[FloatArray, FloatArray], slopes: tuple[FloatArray, FloatArray]
 ) -> FloatArray:
-    """Interpolate between two layers by a cubic, at the fraction t of their distance."""
+    """Interpolate by a cubic between two layers, at the fraction t of the way to the second one."""
     s = 1 - t
     (y0, y1), (d0, d1) = values, slopes
     result: FloatArray = s * s * ((1 + 2 * t) * y0 + t * d0) + t * t * ((1 + 2 * s) * y1 - s * d1)
@@ -96,7 +96,7 @@ def _hermite(
 
 
 def window_and_order(window: Window, order: int) -> tuple[int, int, int]:
-    """Return the checked window along x and y [cells] and order; (1, 1, 0) without smoothing."""
+    """Return the checked window along x and along y [cells], and the checked polynomial order."""
     sides: list[int] = [1 if window is None else window] * 2 if _single(window) else list(window)  # type: ignore[arg-type,list-item]
     if len(sides) != 2:
         raise ValueError(
@@ -122,12 +122,12 @@ def smooth(depth: ArrayLike, window: Window = 5, order: int = 2) -> FloatArray:
     Parameters
     ----------
     depth : array_like, shape (nx, ny)
-        Wear depth [m], >= 0; 0 outside the array.
+        Wear depth [m], >= 0. It is taken as 0 outside the array.
     window : int or pair of int, optional
         Odd number of cells (along x and y) of a two-dimensional Savitzky-Golay filter; None or 1
         for no smoothing.
     order : int, optional
-        Order of the polynomials of this filter, in x and in y; < window.
+        Order of the polynomials of this filter in x and in y, < `window`.
 
     Returns
     -------
@@ -178,7 +178,7 @@ class Polynomials:
     """Smoothing by the function `smooth` over a window of cells, as in Boucly (2008)."""
 
     sides: tuple[int, int]
-    """Cells of the window along x and y."""
+    """Numbers of cells of the window along x and y."""
     order: int
 
     def __call__(self, depth: FloatArray) -> FloatArray:

@@ -43,15 +43,15 @@ def require_worn_inclusions(*bodies: Body) -> None:
 def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
     """Return a body whose inclusions lie below the worn surface.
 
-    Each inclusion moves up by the mean worn depth above it, weighted by its height. Inclusions
-    above the surface are removed.
+    Each inclusion moves up by the mean worn depth above it, see `mean_depth`. Inclusions that would
+    lie entirely above the surface are removed.
 
     Parameters
     ----------
     body : Body
         Body before wear.
     number : {1, 2}
-        Its number, for messages.
+        Number of the body, for messages.
     worn : ndarray, shape (nx, ny)
         Worn depth in each cell of the grid [m].
     grid : Grid
@@ -59,7 +59,7 @@ def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
     Raises
     ------
     ValueError
-        Wear has reached a void: the half-space below the pressure would carry load over the hole.
+        Wear has reached a void. The half-space solution would carry load across the open hole.
     """
     if not isinstance(body, Heterogeneous) or not worn.any():
         return body
@@ -79,7 +79,10 @@ def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
 
 
 def mean_depth(inclusion: Inclusion, worn: FloatArray, grid: Grid) -> float:
-    """Mean worn depth above an inclusion [m], weighted by its height in each column of cells."""
+    """Mean worn depth above an inclusion [m].
+
+    The weight of each column of cells is the height of the inclusion in this column.
+    """
     x, y, _ = inclusion.center
     along_x, along_y, _ = inclusion.extent
     r2 = ((grid.x - x) / along_x)[:, None] ** 2 + ((grid.y - y) / along_y) ** 2
