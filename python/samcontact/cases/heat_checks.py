@@ -10,7 +10,7 @@ from typing import Any
 from .._util.travels import both_axes
 from ..heat import Heat
 from ..problem.heating import NO_HEAT
-from ..simulation.steps import HEAT_BY_CELLS, HISTORY_BY_CELLS, require_whole_cells
+from ..simulation.steps import require_whole_cells
 
 
 def require_motion_of_heat(case: Any) -> None:
@@ -46,7 +46,7 @@ def require_velocity_of_motion(
 
 def require_steps_of_cells(case: Any, axis: int) -> None:
     """Raise ValueError for a segment whose steps along x (0) or y (1) are not whole cells."""
-    name, condition = (("dx", HEAT_BY_CELLS), ("dy", HISTORY_BY_CELLS))[axis]
+    name = ("dx", "dy")[axis]
     size = getattr(case.grid, name)
     for number, steps in enumerate(case.steps_of_segments()):
         field, remedy = "advance", "advance or increments"
@@ -56,7 +56,7 @@ def require_steps_of_cells(case: Any, axis: int) -> None:
         for step in steps:
             moved = (both_axes(step.get("advance", (0.0, 0.0)))[:, axis] / size).tolist()
             try:
-                require_whole_cells(moved, size, condition)
+                require_whole_cells(moved, size, axis)
             except ValueError as error:
                 raise ValueError(
                     f"path[{number}].{field}: {error}: change {remedy}, or grid.{name}"

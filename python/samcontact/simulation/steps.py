@@ -45,9 +45,8 @@ STEP_ARGUMENTS = (
 """Arguments of `Simulation.step`."""
 
 
-HEAT_BY_CELLS = "if heat.history is given"
-HISTORY_BY_CELLS = "along y with partial slip or plastic strain"
-"""Conditions under which bodies must move by whole cells, because the core stores cells."""
+_BY_CELLS = ("if heat.history is given", "with partial slip or plastic strain")
+"""Conditions under which bodies must move by whole cells along x, and along y."""
 
 Travels = tuple[tuple[float, float], tuple[float, float]]
 """Distances by which the surfaces of bodies 1 and 2 move along x, and along y [cells]."""
@@ -145,7 +144,7 @@ class StepArguments:
             _require_endless_along_y(self.bodies)
             _require_no_friction_along_y(friction, travels[1], pressure, shear)
             if self._has_history:
-                require_whole_cells(travels[1], grid.dy, HISTORY_BY_CELLS)
+                require_whole_cells(travels[1], grid.dy, axis=1)
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
@@ -174,7 +173,7 @@ class StepArguments:
         if heat.history is not None:
             _require_motion_of_heat(heat, duration, travels, grid)
             if self._has_history:
-                require_whole_cells(travels[0], grid.dx, HEAT_BY_CELLS)
+                require_whole_cells(travels[0], grid.dx, axis=0)
             if heat.track is not None and is_loaded:
                 along, across = (
                     [n * size / duration for n in cells]
@@ -348,22 +347,22 @@ def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid:
                     f"{heat.track!r}: set it to the pair of lengths of the path along x and y"
                 )
     if heat.tracks[1] == 0:
-        require_whole_cells(advance[0], grid.dx, HEAT_BY_CELLS)
+        require_whole_cells(advance[0], grid.dx, axis=0)
     if heat.track is None:
         _require_velocity_of_heat(heat, duration, advance, grid)
 
 
-def require_whole_cells(advance: Sequence[float], size: float, condition: str) -> None:
-    """Raise ValueError unless the bodies move by whole cells, where their history is stored.
+def require_whole_cells(advance: Sequence[float], size: float, axis: int) -> None:
+    """Raise ValueError unless the bodies move by whole cells; their history is stored by cell.
 
-    advance: motion of each body [cells]; size: length of a cell in the direction of motion [m];
-    condition: condition under which this is required, for the message.
+    advance: motion of each body along x (axis 0) or y (axis 1) [cells]; size: length of a cell
+    along this axis [m].
     """
     for n, cells in enumerate(advance, 1):
         if abs(cells - round(cells)) > 1e-6:
             raise ValueError(
-                f"advance of body {n} must be a multiple of the cell size, {size!r} m, "
-                f"{condition}, got {cells * size!r} m"
+                f"advance of body {n}{' along y' if axis else ''} must be a multiple of the cell "
+                f"size, {size!r} m, {_BY_CELLS[axis]}, got {cells * size!r} m"
             )
 
 

@@ -85,7 +85,7 @@ def test_a_heated_path_that_turns(case_of):
         ("[heat]", '[relief2]\nkind = "dent"\ndepth = 1e-7\nradius = 1e-4\n[heat]',
          r"along y must be 0 with \[relief2\]"),
         ("friction = 0.0", "friction = {coulomb = 0.1}",
-         r"path\[0\]\.advance: advance of body 2 must be a multiple .* 6e-05 m, along y"),
+         r"path\[0\]\.advance: .*body 2 along y must be a multiple of the cell size, 6e-05 m"),
         ("[0.0, -100e-6]]", "[0.0, -100e-6], [0.0, 0.0]]", r"path\[1\]\.advance: must be a list"),
     ],
 )  # fmt: skip
