@@ -5,17 +5,18 @@
 #include "samcontact/base/multiversion.hpp"
 
 namespace samcontact::film {
+namespace {
 
-#ifdef SAMCONTACT_HAS_VERSIONS
-extern const DenseProducts products_by_avx;
-#endif
+struct Portable {};
+
+}  // namespace
 
 const DenseProducts& dense_products() {
-#ifdef SAMCONTACT_HAS_VERSIONS
+#if SAMCONTACT_HAS_VERSIONS
   static const bool has_avx = __builtin_cpu_supports("x86-64-v3") != 0;
-  if (has_avx) return products_by_avx;
+  if (has_avx) return dense_products_by_avx();
 #endif
-  return by_eigen;
+  return ByEigen<Portable>::products;
 }
 
 }  // namespace samcontact::film

@@ -3,15 +3,19 @@
 // does not choose its functions for processors without AVX2.
 #include "samcontact/base/multiversion.hpp"
 
-#ifdef SAMCONTACT_HAS_VERSIONS
+#if SAMCONTACT_HAS_VERSIONS
 #pragma GCC target("arch=x86-64-v3")
 #define Eigen EigenForAvx
 #include "dense_products_by_eigen.hpp"
 
 namespace samcontact::film {
+namespace {
 
-extern const DenseProducts products_by_avx;
-const DenseProducts products_by_avx = by_eigen;
+struct Avx {};
+
+}  // namespace
+
+const DenseProducts& dense_products_by_avx() { return ByEigen<Avx>::products; }
 
 }  // namespace samcontact::film
 #endif

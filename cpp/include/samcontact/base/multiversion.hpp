@@ -4,9 +4,10 @@
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__gnu_linux__)
-#define SAMCONTACT_HAS_VERSIONS
+#define SAMCONTACT_HAS_VERSIONS 1
 #define SAMCONTACT_MULTIVERSION \
   __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
+#define SAMCONTACT_HAS_VERSIONS 0
 #define SAMCONTACT_MULTIVERSION
 #endif
