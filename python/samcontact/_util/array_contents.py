@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contents of arrays and nested lists that are not real numbers."""
+"""Search for values in arrays and nested lists that are not real numbers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def masked_values(value: ArrayLike) -> int:
     """Return the number of masked values in an array or a list of arrays.
 
     `numpy.ma` is not imported for this check: the import takes longer than solving a small contact.
-    An import of `numpy.ma` by another thread is not awaited: a forked process lacks this thread.
+    Nor does the check wait for an import in another thread: a forked process lacks this thread.
     """
     masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)
     if masked is None:

@@ -14,12 +14,13 @@ _MAX_CALLS = 500
 def bounded_minimum(
     function: Callable[[float], float], low: float, high: float, tolerance: float
 ) -> tuple[float, float]:
-    """Return the place and the value of the minimum of a unimodal function on [low, high].
+    """Return position and value of the minimum of a unimodal function on [low, high].
 
-    Golden sections and parabolas (Brent 1973, Algorithms for Minimization without Derivatives,
-    chapter 5). All digits are those of `scipy.optimize.minimize_scalar` with method "bounded".
+    The method uses golden sections and parabolas (Brent 1973, Algorithms for Minimization without
+    Derivatives, chapter 5). All digits of the result equal those of
+    `scipy.optimize.minimize_scalar` with method "bounded".
 
-    tolerance: absolute error of the place.
+    tolerance: absolute error of the position.
     """
     best = second = third = low + _GOLDEN * (high - low)
     f_best = f_second = f_third = function(best)

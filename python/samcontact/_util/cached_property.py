@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """`functools.cached_property` without the lock of Python versions before 3.12.
 
-With the lock, a child process forked while another thread computes a cached property would wait
-indefinitely.
+With the lock, a child process would wait indefinitely if it is forked while another thread computes
+a cached property.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ class Check:
     unit : str
         SI unit of `value` and `limit`; "" for pure numbers.
     of_input : bool
-        Whether the input is checked (e.g. for wrong units), and not the results.
+        True for a check of the input (e.g. of units), False for a check of the results.
     """
 
     name: str

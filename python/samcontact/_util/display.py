@@ -56,7 +56,7 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     value : float
         Value in SI units.
     unit : str, optional
-        SI unit. Areas and volumes are shown in powers of m, mm or µm; with "", without prefix.
+        SI unit. Areas and volumes are shown in powers of m, mm or µm; pure numbers ("") unchanged.
     digits : int, optional
         Number of significant digits.
 

@@ -9,7 +9,7 @@ class GridTooSmallWarning(UserWarning):
 
 
 class ConvergenceWarning(UserWarning):
-    """Warning that pressure and shear did not converge; the result has the smallest error."""
+    """Warning that pressure and shear did not converge; the result is the best state found."""
 
 
 class PlasticStrainWarning(UserWarning):

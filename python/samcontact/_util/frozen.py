@@ -49,7 +49,7 @@ class FrozenDict(Mapping[str, Value]):
 
 
 class FixedAttributes:
-    """Base class whose public attributes are read-only after `__init__` has set the last one."""
+    """Base class: public attributes are read-only once the attribute named by `_last` is set."""
 
     _last: ClassVar[str] = "_core"
 

@@ -16,16 +16,16 @@ CACHE_RELEASERS: list[Callable[[], bool]] = []
 """Functions that release cached data, and return whether any memory was released."""
 _MAX_UNCHECKED_BYTES = 64e6  # memory [bytes] below which no check is made
 MOVING_CONTACT_BYTES = 650.0
-"""Memory of a steady viscoelastic contact per surface cell, at most [bytes]."""
+"""Maximum memory of a steady viscoelastic contact per surface cell [bytes]."""
 CONTACT_BYTES, COUPLED_CONTACT_BYTES, COUPLED_PARTIAL_SLIP_BYTES, HEATED_CONTACT_BYTES = (
     125.0,
     215.0,
     290.0,
     185.0,
 )
-"""Bytes per surface cell of an elastic contact: without friction; with shear that displaces the
-surfaces normally; with this shear in partial slip, not including the memory that the core requests
-for contact cells; with heating."""
+"""Bytes per surface cell of an elastic contact: without friction; with coupled shear, which also
+displaces the surfaces normally; with coupled shear in partial slip, not including the memory that
+the core requests for contact cells; with heating."""
 SIMULATION_BYTES, PARTIAL_SLIP_SIMULATION_BYTES, YIELD_SCAN_BYTES = 75.0, 275.0, 450.0
 """Bytes per surface cell, in addition to the contact solution: for increments; for increments with
 partial slip; for the search for first yield."""

@@ -13,7 +13,7 @@ from .short_text import in_short
 Advance = Any
 """Pair of floats (along x), or pair of pairs (x, y), for bodies 1 and 2 [m]."""
 AT_REST = 0.0, 0.0
-"""Bodies that do not move; the default of an increment."""
+"""Value of `advance` for bodies that do not move, the default of an increment."""
 
 
 def both_axes(advance: Advance) -> FloatArray:
@@ -31,7 +31,7 @@ def both_axes(advance: Advance) -> FloatArray:
 def along_x(advance: Advance, what: str) -> tuple[float, float]:
     """Return the displacements along x [m]; raise ValueError for motion along y.
 
-    what: part of the message, "in a cycle of wear".
+    what: end of the message, e.g. "in a cycle of wear".
     """
     given = both_axes(advance)
     if given[:, 1].any():
@@ -40,7 +40,7 @@ def along_x(advance: Advance, what: str) -> tuple[float, float]:
 
 
 def plain(travels: FloatArray) -> tuple[Any, Any]:
-    """Return displacements [body][axis] as an `advance`: plain numbers if they are along x."""
+    """Return displacements [body][axis] as `advance`: one number per body if all are along x."""
     first, second = travels.tolist()
     if not travels[:, 1].any():
         return first[0], second[0]

@@ -24,7 +24,7 @@ _TYPE_NAMES = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
-    """Return the metadata of an annotation, and its type without `Annotated` and None."""
+    """Return the plain type of an annotation (without `Annotated` and None) and the metadata."""
     marks = list(metadata)
     while True:
         origin, parts = get_origin(annotation), get_args(annotation)
@@ -125,7 +125,7 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
 
 
 def _counted(limits: dict[str, Any], one: str) -> str:
-    """Describe a list, from the allowed numbers of elements and the text `one` for an element."""
+    """Describe the elements of a list, e.g. "2 to 4 numbers"; `one` describes a single element."""
     min_count, max_count = limits.get("min_length"), limits.get("max_length")
     if max_count is None:
         count = f"at least {min_count} " if min_count else ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Base classes of the sections of a case file: strict models, values with units, height files."""
+"""Base classes of case-file sections: strict validation, values with units, files of heights."""
 
 from __future__ import annotations
 
@@ -84,9 +84,9 @@ class Section(BaseModel):
     @field_validator("*")  # one for all checks: each takes time to build for a thousand fields
     @classmethod
     def _within_range(cls, value: Any) -> Any:
-        """Refuse control characters, and numbers whose products could exceed floating point.
+        """Reject control characters, and numbers so large that their products could overflow.
 
-        Texts are written to terminals and file names.
+        Control characters are rejected because texts are written to terminals and file names.
         """
         if isinstance(value, str):
             require_printable(value)
@@ -144,12 +144,12 @@ class CaseFile(Section):
         return self
 
     def __repr_args__(self) -> list[tuple[str | None, Any]]:
-        """Show the title only: the full representation would be as long as the file."""
+        """Show only title and file name: the full representation would be as long as the file."""
         return [("title", self.title[:60]), ("source", str(self._source))]
 
     @property
     def study(self) -> str:
-        """Section with the kind of study, e.g. "wear"; "" for the path of one contact."""
+        """Kind of study, e.g. "wear" or "film"; "" if the case only solves a loading path."""
         return ""
 
     @property
@@ -164,7 +164,7 @@ class CaseFile(Section):
 
     @property
     def output_directory(self) -> Path:
-        """Folder of the results, [output] directory, or results/<name of the case file>.
+        """Folder of the results: `directory` in [output]; default: results/<name of the case file>.
 
         The path is relative to the current working folder.
         """
@@ -172,7 +172,7 @@ class CaseFile(Section):
 
 
 class HeightsFile(Section):
-    """Heights of a body from a file: numbers for the cells of the grid, or a measured surface."""
+    """File with heights of a body: one number per cell of the grid, or a measured surface."""
 
     path: Annotated[str, Field(min_length=1)]
     format: str | None = None
@@ -189,11 +189,11 @@ class HeightsFile(Section):
 
     @property
     def files(self) -> dict[str, str]:
-        """Names of the files, by field."""
+        """Names of the files that the section reads, by field name."""
         return {"path": self.path}
 
     def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
-        """Heights [m] at the cell centres if the file is plain text with one number per cell."""
+        """Return the heights in a text file with one number per cell [m]; None for other files."""
         path = folder / self.path
         if not changed(self, HeightsFile.model_fields) <= {"path"} or not is_plain(path):
             return None
@@ -217,6 +217,6 @@ class HeightsFile(Section):
         return surface if self.mirror is None else surface.mirrored(self.mirror)
 
     def placement(self) -> dict[str, Any]:
-        """Arguments of `MeasuredSurface.on` or `relief` that the case specifies, except x."""
+        """Return arguments of `MeasuredSurface.on` or `relief` that the case gives, except x."""
         names = ("y", "method", "average", "fill")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

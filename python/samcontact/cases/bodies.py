@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Body sections of a case file: a material, with layers on it."""
+"""Body sections of a case file: a material, with optional layers and inclusions."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def _layer_law(given: Any) -> Any:
 
 
 def _body_law(given: Any) -> Any:
-    """Add law = "elastic" to a body with a material of the library but no law."""
+    """Add law = "elastic" to a body that names a material of the library but no law."""
     return {"law": "elastic"} | given if isinstance(given, dict) and "material" in given else given
 
 
@@ -63,12 +63,12 @@ class _Body(Solid):
 
     @property
     def parts(self) -> list[Solid]:
-        """Layers from the surface down, and the substrate."""
+        """Layers from the surface downwards, then the substrate."""
         return [*self.coating, self]
 
     @property
     def sections(self) -> dict[str, Any]:
-        """Sections of all materials by their place in the body."""
+        """Sections of all materials by position in the body: "" (substrate), ".layers[0]", ..."""
         found: dict[str, Any] = {f".layers[{n}]": x for n, x in enumerate(self.coating)}
         found |= {"": self} | {f".inclusions[{n}]": x for n, x in enumerate(self.inclusions or [])}
         drawn = self.random_inclusions
@@ -106,7 +106,7 @@ class _Body(Solid):
         return self.law == "rigid" and not self.coating
 
     def build(self) -> Body:
-        """Create the `Material`, a `Layered` body or a `Heterogeneous` one."""
+        """Create the body: a `Material`, a `Layered` or a `Heterogeneous` body."""
         from ..bodies.heterogeneous import Heterogeneous
         from ..bodies.layers import Layered
 

@@ -96,7 +96,7 @@ class Case(CaseFile):
     _cells: Grid | None = PrivateAttr(default=None)
 
     def on_grid(self, grid: GridSection, **changes: Any) -> Case:
-        """Return the case on another grid; heights given in each cell of [grid] are interpolated.
+        """Return a copy with another grid; heights given for the cells of [grid] are interpolated.
 
         changes: new values of further fields.
         """
@@ -139,7 +139,7 @@ class Case(CaseFile):
         return self
 
     def _resolve_loads(self) -> None:
-        """Replace loads relative to the load of the part by loads in newtons."""
+        """Replace each `load_factor`, relative to the load of the part, by a load in newtons."""
         path = []
         for index, segment in enumerate(self.path):
             try:
@@ -188,12 +188,12 @@ class Case(CaseFile):
 
     @property
     def has_volume(self) -> bool:
-        """Whether the grid has layers below the surface."""
+        """Whether the grid has layers below the surface; always True for an automatic grid."""
         return self.grid is None or self.grid.dz is not None
 
     @property
     def reason_for_grid(self) -> str:
-        """Reason why accuracy requires [grid]; "" if the grid can be chosen automatically."""
+        """Reason why a case with accuracy requires [grid]; "" if [grid] is not required."""
         return reason_for_grid(self)
 
     @property
@@ -243,8 +243,8 @@ class Case(CaseFile):
     def hertz(self, load: float) -> _hertz.PointContact | _hertz.EllipticContact | None:
         """Return the Hertz contact at a load [N] > 0; None if Hertz theory does not apply.
 
-        Hertz theory applies to smooth paraboloids and spheres with finite radii and to bodies
-        without layers. Viscoelastic bodies have their instantaneous moduli.
+        Hertz theory applies to smooth paraboloids and spheres with finite radii, if the bodies have
+        no layers. For viscoelastic bodies, the instantaneous moduli are used.
         """
         radii = self.surface.radii()
         periodic = self.grid is not None and self.grid.periodic
@@ -262,9 +262,9 @@ class Case(CaseFile):
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
     def _surface_on(self, grid: Grid, section: Any) -> Any:
-        """Return the gap or relief described by a section; check the section on the given grid.
+        """Return the gap or relief that a section describes, after checking it on the given grid.
 
-        If the surface is defined on every grid, a function of the grid is returned.
+        If the surface is defined on every grid, return a function of the grid instead.
         """
         build = partial(section.build, folder=self._source.parent, cells=self._cells)
         built = build(grid)

@@ -106,7 +106,7 @@ def _require_cycle(case: Any) -> None:
 
 
 def _require_hardness(case: Any) -> None:
-    """Raise ValueError if hardness has no effect, or the exposure lacks the hardness."""
+    """Raise ValueError if a hardness has no effect, or if [fatigue.exposure] lacks a hardness."""
     judged = None if case.fatigue is None else case.fatigue.exposure
     if judged is not None and (case.body1, case.body2)[case.output.body - 1].profile is None:
         raise ValueError(
@@ -120,7 +120,7 @@ def _require_hardness(case: Any) -> None:
 def require_hardness_used(
     bodies: Iterable[tuple[str, BodySection]], judged: BodySection | None = None
 ) -> None:
-    """Raise ValueError if an elastic material other than `judged` has a hardness."""
+    """Raise ValueError if an elastic material has a hardness, except the substrate of `judged`."""
     for name, body in bodies:
         for part in body.parts:
             if part.profile is not None and part.law == "elastic" and part is not judged:
@@ -131,7 +131,7 @@ def require_hardness_used(
 
 
 def require_durations(case: Any) -> None:
-    """Raise ValueError unless the path has durations where, and only where, they are required."""
+    """Raise ValueError if a segment of the path lacks a required duration or has an unused one."""
     relaxes = case.body1.relaxes or case.body2.relaxes
     heated = case.heat is not None and case.heat.is_timed
     timed = relaxes or heated or case.friction.needs_duration
@@ -175,7 +175,7 @@ def _require_repeatable(case: Any) -> None:
 
 
 def _require_free_along_y(case: Any) -> None:
-    """Raise ValueError for motion along y if a part of the case supports motion along x only."""
+    """Raise ValueError for motion along y of bodies with free faces or reliefs."""
     moved = (both_axes(step["advance"]) for step in case.steps() if "advance" in step)
     if not any(travels[:, 1].any() for travels in moved):
         return
@@ -205,7 +205,7 @@ def _require_known_faces(case: Any) -> None:
 
 
 def _require_dentable(case: Any) -> None:
-    """Raise ValueError if body 2 keeps no dents, or if [dents] cannot be combined."""
+    """Raise ValueError for [dents] in an elastic body 2, with wear or on a periodic grid."""
     if case.dents is None:
         return
     if not case.body2.is_plastic:
@@ -220,7 +220,7 @@ def _require_dentable(case: Any) -> None:
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError if wear, or a tangential motion or force, does not suit the friction law."""
+    """Raise ValueError for wear, motions or forces that require Coulomb friction but lack it."""
     if case.sticks:
         return
     if case.wear is not None and case.wear.law != "threshold":
@@ -238,7 +238,7 @@ def _require_law_of_friction(case: Any) -> None:
 
 
 def _require_fixed_path(case: Any, section: str, reason: str) -> None:
-    """Raise ValueError for a retraction, whose number of increments follows from the states."""
+    """Raise ValueError for a retraction, whose number of increments the solution determines."""
     for index, segment in enumerate(case.path):
         if segment.pull_off is not None:
             raise ValueError(
@@ -308,7 +308,7 @@ def _require_accuracy(case: Any) -> None:
 
 
 def reason_for_grid(case: Any) -> str:
-    """Return why accuracy requires [grid], as text; "" if the grid can be chosen automatically."""
+    """Return why a case with accuracy requires [grid]; "" if [grid] is not required."""
     if case.grid is not None and case.grid.periodic:
         return "grid.periodic prescribes the period"
     if case.wear is not None:

@@ -104,7 +104,7 @@ class DentsSection(Section):
 class Indentation:
     """Particles that are pressed into body 2 of a simulation before its path.
 
-    Positions are on body 2; x = 0 is the initial position of the contact.
+    Positions are coordinates on body 2; x = 0 is the initial position of the contact.
     """
 
     particles: tuple[overrolling.Particle, ...]
@@ -113,7 +113,7 @@ class Indentation:
     settings: Mapping[str, Any]
 
     def __call__(self, simulation: Simulation) -> None:
-        """Press the particles in, on a grid with the cells of the simulation that contains them."""
+        """Press the particles in, on a grid with equal cells and long enough for all particles."""
         grid = simulation.grid
         half = 0.5 * grid.ny * grid.dy
         for one in self.particles:

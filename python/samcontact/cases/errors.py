@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error messages of a case file, with field, allowed values and value."""
+"""Error messages for a case file, with the field, the allowed values and the given value."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from .allowed import described, discriminated, is_model, members, models_in, ope
 MAX_LINES = 20
 """Maximum number of errors reported for one case."""
 _LIKELY = 0.75
-"""Similarity of names above which one is probably a misspelling of the other."""
+"""Similarity of two names above which one is probably a misspelling of the other."""
 SHORT_FORMS = ("roller", "bearing")
-"""Sections that replace a [surface] with this shape."""
+"""Sections that users may write instead of [surface] with the shape of the same name."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
@@ -115,7 +115,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
 
 
 def _hint(root: type[BaseModel], place: _FieldLocation) -> str:
-    """Return what an unknown field is probably meant to be; "" if nothing is similar."""
+    """Return a hint at the field that an unknown name probably means; "" if none is similar."""
     name = str(place.names[-1])
     if likely := nearest(name, place.fields, _LIKELY):
         return f"; did you mean {likely}?"
@@ -150,7 +150,7 @@ def _remedy(allowed: str, given: Any) -> str:
 
 
 def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
-    """Return the value at a location in the file, without unit conversion, or `otherwise`."""
+    """Return the value at a location as written in the file; `otherwise` if there is none."""
     for name in names:
         try:
             content = content[name]
@@ -162,8 +162,8 @@ def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
 def nearest(name: str, fields: Sequence[str], cutoff: float = 0.5) -> str | None:
     """Return the field probably meant by a wrong name (a synonym or misspelling), or None.
 
-    cutoff: minimum similarity of a misspelling, 1 for equal names. Below `_LIKELY`, the names must
-    have a word, or their first letters, in common.
+    cutoff: minimum similarity of a misspelling, 1 for equal names. Names less similar than
+    `_LIKELY` must also have a word or their first three letters in common.
     """
     lower = {field.lower(): field for field in reversed(fields)}
     word = re.sub(r"[^a-z]", "", name.lower())
@@ -191,7 +191,7 @@ def _elsewhere(root: type[BaseModel], name: str) -> str | None:
 
 
 def _short_form(section: str, model: type[BaseModel]) -> str:
-    """Return the kind of a section: "bearing" for a [surface] with the shape of a bearing."""
+    """Return the name of a section as users write it: "bearing" for a [surface] of this shape."""
     words = tags(model, "shape")
     return words[0] if section == "surface" and set(words) & set(SHORT_FORMS) else section
 
@@ -212,7 +212,7 @@ class _FieldLocation(NamedTuple):
     annotation: Any
     marks: Sequence[Any]
     forms: Sequence[Any] = ()
-    """Alternatives of the section with an unknown field."""
+    """Alternatives of the section in which a field is unknown, e.g. the sections of all shapes."""
 
 
 def _resolve(root: type[BaseModel], loc: tuple[Any, ...]) -> _FieldLocation:

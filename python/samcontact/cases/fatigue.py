@@ -37,7 +37,7 @@ class ExposureSection(Section):
 
 
 class LifeSection(Section):
-    """[fatigue.life]: integral for the life, see `fatigue.life`."""
+    """[fatigue.life]: constants of the life integral, see `fatigue.life`."""
 
     criterion: Literal["dang_van", "crossland", "findley", "orthogonal_shear"]
     model: Literal["ioannides_harris", "zaretsky"] = "ioannides_harris"
@@ -105,7 +105,7 @@ class FatigueSection(Section):
     def exposed(
         self, states: list[State], body: int, profile: HardnessProfile | None
     ) -> Exposure | None:
-        """Evaluate the exposure over depth of a body with this hardness; None if not requested."""
+        """Return the exposure over depth for the hardness `profile`; None if not requested."""
         if self.exposure is None:
             return None
         assert profile is not None  # checked with the case
@@ -113,7 +113,7 @@ class FatigueSection(Section):
         return exposure(self._cycle(states, body), profile, **given)
 
     def life_of(self, fields: list[FatigueField]) -> Life | None:
-        """Evaluate the integral for the life from the fields of `fields`; None if not requested."""
+        """Return the life from the result of `FatigueSection.fields`; None if not requested."""
         if self.life is None:
             return None
         given = self.life.model_dump()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of film cases: bodies, heat, yield and motion must go together."""
+"""Checks of film cases: bodies, heat, plastic flow and motion must be compatible."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
     from .film_description import FilmDescription
 
 _UNUSED = ("softening", "relaxation", "free_faces", "inclusions", "random_inclusions")
-"""Sections of a body that a film does not use."""
+"""Sections of a body that have no effect on a film."""
 _OF_YIELD = ("hardness", "residual_stress")
-"""Sections of a body that only yield uses."""
+"""Sections of a body that have an effect on elastic-plastic bodies only."""
 _NOT_WITH_YIELD = {
     "speeds": "the film of a body that yields is solved at one speed",
     "spin": "", "supply": "", "approach": "prescribe the load", "transient": "",
@@ -59,7 +59,7 @@ def _require_used_bodies(case: FilmDescription) -> None:
 
 
 def _require_constants(case: FilmDescription) -> None:
-    """Raise ValueError unless thermal constants and film.thermal go together."""
+    """Raise ValueError unless lubricant.thermal and film.thermal are given together."""
     if case.film.thermal and case.lubricant.thermal is None:
         raise ValueError(
             "film.thermal requires lubricant.thermal: add thermal = {conductivity = 0.14, "
@@ -79,7 +79,7 @@ def _refuse(case: FilmDescription, fields: dict[str, str], what: str) -> None:
 
 
 def _require_motion(case: FilmDescription) -> None:
-    """Raise ValueError for reliefs and transients that are impossible or change nothing."""
+    """Raise ValueError for reliefs and transients that are not supported or have no effect."""
     course, velocities = case.film.transient, case.velocities
     reliefs = [name for name in ("relief1", "relief2") if getattr(case, name) is not None]
     for name in reliefs:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class FilmDescription(CaseFile):
-    """Lubricated contact that a case file describes; all quantities in SI units."""
+    """Description of a lubricated contact in a case file; all quantities in SI units."""
 
     KIND: ClassVar[str] = "a lubricated contact"
 
@@ -44,7 +44,7 @@ class FilmDescription(CaseFile):
 
     @property
     def bodies(self) -> tuple[Any, Any]:
-        """Upper and lower body."""
+        """Body 1 (upper) and body 2 (lower)."""
         return self.body1.build(), self.body2.build()
 
     @property
@@ -61,7 +61,7 @@ class FilmDescription(CaseFile):
 
     @property
     def velocities(self) -> Vectors:
-        """Velocities of bodies 1 and 2 along x and y [m/s]; at the largest of several speeds."""
+        """Velocities of bodies 1 and 2 along x and y [m/s]; with `speeds`, at the largest speed."""
         return self.film.velocities(self.surface)
 
     def build_lubricant(self) -> Lubricant:
@@ -69,7 +69,7 @@ class FilmDescription(CaseFile):
         return self.lubricant.build()
 
     def load_on(self, grid: Grid | None) -> float:
-        """Return the load on a grid [N]; ValueError if it is missing or given twice."""
+        """Return the load on the cells of a grid [N]; ValueError if missing or given twice."""
         nominal = self.surface.nominal_load(grid)
         load = self.film.load
         if load is not None and nominal is not None:
@@ -100,14 +100,14 @@ class FilmDescription(CaseFile):
 
     @property
     def shift(self) -> tuple[int, int]:
-        """Distance of the contact from the centre of the grid along x and y, in cells."""
+        """Position of the contact relative to the centre of the grid along x and y, in cells."""
         mean = np.mean(self.velocities, axis=0)
         length = float(np.hypot(*mean)) or 1.0
         along = float(mean[0]) / length, float(mean[1]) / length
         return self._cells.shift(self.cells, along, self.surface.is_known)
 
     def standing_gap(self) -> FloatArray:
-        """Return the gap with the reliefs at their initial places [m], shape (nx, ny).
+        """Return the gap with the reliefs at their initial positions [m], shape (nx, ny).
 
         Raises CaseError if a surface cannot be built.
         """

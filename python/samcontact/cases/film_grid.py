@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [grid] of a lubricated contact: cells, and the place of the contact among them."""
+"""Section [grid] of a lubricated contact: cells, and the position of the contact in the grid."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 CELLS, CELLS_OF_LINE = 24, 64
-"""Cells per semi-axis of a Hertz contact, or per half-width of a line contact, by default."""
+"""Default numbers of cells per semi-axis of a point contact and half-width of a line contact."""
 LIGHT = 100.0
-"""Moes' number M below which the inlet is longer."""
+"""Moes' load parameter M below which a load is called light and requires a longer inlet."""
 INLETS, INLETS_OF_LINE = (4.5, 3.0), (5.0, 3.5)
-"""Length of the inlet in semi-axes, measured from the centre, of light and of heavy loads."""
+"""Distance from the contact centre to the inlet edge, in semi-axes, for light and heavy loads."""
 OUTLET, SIDE = 1.5, 1.75
-"""Length of the outlet and of the sides, in semi-axes."""
+"""Distance from the contact centre to the outlet edge and to the sides, in semi-axes."""
 MAX_RATIO = 2.0
-"""Largest ratio of the sides of a cell; beyond 2.5, films of long ellipses may not converge."""
+"""Largest aspect ratio of a cell; beyond 2.5, films of long elliptic contacts may not converge."""
 CENTRE_SHARE = 1.0 / 6.0
-"""Distance of the contact from the centre of a given grid, in lengths of the grid."""
+"""Default distance of the contact from the centre of a prescribed grid, as a share of its side."""
 _MULTIPLE = 8  # cells along x and y, for nested grids
 
 
@@ -65,7 +65,7 @@ class FilmGridSection(Section):
         return self
 
     def build(self) -> Grid | None:
-        """Create the grid that the section states; None if its size is chosen automatically."""
+        """Create the grid of the section; return None if its size is chosen automatically."""
         from ..problem.grid import Grid
 
         if self.nx is None or self.ny is None or self.dx is None or self.dy is None:
@@ -73,7 +73,7 @@ class FilmGridSection(Section):
         return Grid(self.nx, self.ny, self.dx, self.dy, self.nz or 0, self.dz, self.periodic)
 
     def with_depth(self, given: FilmGridSection) -> FilmGridSection:
-        """Return the grid with layers: those given, or as high as the shorter side of a cell."""
+        """Return the grid with the layers of `given`; default dz: the shorter side of a cell."""
         assert self.dx is not None
         assert self.dy is not None
         shorter = self.dx if self.ny == 1 else min(self.dx, self.dy)
@@ -82,8 +82,8 @@ class FilmGridSection(Section):
     def shift(self, grid: Grid, direction: tuple[float, float], is_known: bool) -> tuple[int, int]:
         """Return the distance of the contact from the centre of the grid, in cells.
 
-        direction: of the entrainment. is_known: whether the surface is defined on every grid; the
-        heights of a file keep their place unless contact_x or contact_y are given.
+        direction: unit vector of the entrainment. is_known: whether the surface is defined on every
+        grid; heights from a file are moved only if contact_x or contact_y is given.
         """
         found = []
         for place, along, n, step in (
@@ -104,7 +104,7 @@ def grid_of_contact(
 ) -> FilmGridSection:
     """Return a grid around an elliptic Hertz contact.
 
-    semi_axes: along x and y [m]. M: Moes' number of the load. direction: of the entrainment.
+    semi_axes: along x and y [m]. M: Moes' load parameter. direction: unit vector of entrainment.
     """
     inlet, fewest = INLETS[M >= LIGHT], cells_per_radius or CELLS
     largest = MAX_RATIO * min(semi_axes) / fewest
@@ -120,9 +120,9 @@ def grid_of_contact(
 def grid_of_line(
     half_width: float, length: float, M: float, sign: float, cells_per_radius: int | None
 ) -> FilmGridSection:
-    """Return a grid across a line contact of a half-width and a length [m].
+    """Return a grid across a line contact with the given half-width and length [m].
 
-    M: Moes' number of the load. sign: of the entrainment along x.
+    M: Moes' load parameter. sign: sign of the entrainment velocity along x.
     """
     cells = cells_per_radius or CELLS_OF_LINE
     nx, place = _extent(cells, INLETS_OF_LINE[M >= LIGHT], math.copysign(1.0, sign))
@@ -131,9 +131,9 @@ def grid_of_line(
 
 
 def _extent(cells: int, inlet: float, along: float) -> tuple[int, int]:
-    """Return the cells along an axis, and those between the contact and the centre.
+    """Return the number of cells along an axis, and the offset of the contact from their centre.
 
-    along: component of the direction of entrainment along the axis.
+    cells: number per semi-axis. along: component of the unit vector of entrainment along the axis.
     """
     share = abs(along)
     before = SIDE + share * (inlet - SIDE)
@@ -145,7 +145,7 @@ def _extent(cells: int, inlet: float, along: float) -> tuple[int, int]:
 def shifted_gap(
     surface: SurfaceShape, grid: Grid, cells: tuple[int, int], folder: Path
 ) -> FloatArray:
-    """Return the gap of a surface whose centre is some cells from that of the grid [m]."""
+    """Return the gap on a grid [m], with the surface shifted by `cells` from the grid centre."""
     more = [abs(n) for n in cells]
     larger = replace(grid, nx=grid.nx + 2 * more[0], ny=grid.ny + 2 * more[1])
     first = [m - n for m, n in zip(more, cells, strict=True)]

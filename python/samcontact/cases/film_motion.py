@@ -124,8 +124,8 @@ class FilmSection(Section):
     def velocities(self, surface: SurfaceShape, largest: bool = True) -> Vectors:
         """Return the velocities of bodies 1 and 2 along x and y [m/s].
 
-        surface: the part whose speed is given. largest: whether those of the largest speed of a
-        list are returned, or of the smallest.
+        surface: part to which an angular speed refers. largest: whether to use the largest or the
+        smallest of several `speeds`.
         """
         if self.speed1 is not None and self.speed2 is not None:
             return _vector(self.speed1), _vector(self.speed2)
@@ -153,7 +153,7 @@ class FilmSection(Section):
         return first_two[0], first_two[1]
 
     def settings(self) -> dict[str, Any]:
-        """Return arguments of `steady` and of `stribeck`."""
+        """Return the settings as keyword arguments for `steady` and `stribeck`."""
         boundary = None if self.boundary is None else self.boundary.build()
         return {
             "boundary": boundary, "order": self.order, "shear_thinning": self.shear_thinning,
@@ -162,7 +162,7 @@ class FilmSection(Section):
 
 
 _RATES = {"inner_speed": "bearing", "outer_speed": "bearing", "pinion_speed": "gear"}
-"""Part to which an angular speed belongs."""
+"""Part to which each angular speed belongs."""
 
 
 def _vector(speed: float | list[float]) -> tuple[float, float]:

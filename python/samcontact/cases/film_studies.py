@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of film cases: steady, over the speed, on elastic-plastic bodies, and in time."""
+"""Solution of film cases: steady, versus speed, on elastic-plastic bodies, and transient."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 Checkpoint = str | os.PathLike[str] | None
 Films = tuple[FilmSolution, ...]
 MAX_CELLS = 1.01
-"""Cells that a relief may travel in a step before a warning is issued."""
+"""Largest travel of a relief per step without a warning, in cells."""
 
 
 def solved(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Films:
-    """Return the films of a case; the attribute `result` of an error contains those so far."""
+    """Return the films of a case; errors have an attribute `result` with the films so far."""
     if case.film.speeds is not None:
         return _over_speeds(case, case.film.speeds)
     if case.yields:
@@ -37,7 +37,7 @@ def solved(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Fil
 
 
 def amount(case: FilmDescription, count: int) -> str:
-    """Return the text of a number of films that were solved, e.g. "2 of 5 speeds"."""
+    """Return a text that says how many films have been solved, e.g. "2 of 5 speeds"."""
     film = case.film
     if film.transient is not None:
         return f"{count - 1} of {film.transient.count(case.cells, case.velocities)} steps"
@@ -80,7 +80,7 @@ def _scaled(velocities: Vectors, factor: float) -> list[list[float]]:
 
 def _pressed(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Films:
     film, grid, settings = case.film, case.cells, case.film.settings()
-    del settings["tol"]  # that of the film follows from that of the plastic flow
+    del settings["tol"]  # the tolerance of the film follows from that of plastic flow
     simulation = Simulation(grid, *case.bodies, case.standing_gap(), on_border="warn")
     load = case.load_on(grid)
     parts = np.arange(1, film.increments + 1) / film.increments

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [film.transient] of a case file: reliefs that move, load and speeds over time."""
+"""Section [film.transient] of a case file: moving reliefs, and load and speeds over time."""
 
 from __future__ import annotations
 
@@ -56,20 +56,20 @@ class TransientSection(Section):
         return self
 
     def load_factor(self, time: float) -> float:
-        """Return the factor on the load at a time [s], linear between the given ones."""
+        """Return the factor on the load at a time [s] by linear interpolation."""
         return self._factor(self.load_factors, time)
 
     def speed_factor(self, time: float) -> float:
-        """Return the factor on the speeds at a time [s], linear between the given ones."""
+        """Return the factor on the speeds at a time [s] by linear interpolation."""
         return self._factor(self.speed_factors, time)
 
     def _factor(self, factors: list[float] | None, time: float) -> float:
         return 1.0 if factors is None else float(np.interp(time, self.times or [], factors))
 
     def count(self, grid: Grid, velocities: Vectors) -> int:
-        """Return the number of steps: as given, or one for each cell that the surfaces travel.
+        """Return the number of steps: `steps`, or one for each cell that the faster surface moves.
 
-        velocities: of bodies 1 and 2 along x and y at a factor of 1 [m/s].
+        velocities: of bodies 1 and 2 along x and y, before multiplication by speed factors [m/s].
         """
         if self.steps is not None:
             return self.steps
@@ -79,9 +79,9 @@ class TransientSection(Section):
 
 
 def moving_heights(section: Any, grid: Grid, cells: tuple[int, int], folder: Path) -> Heights:
-    """Return the heights of a relief [m] as a function of x and y on the grid at time 0.
+    """Return the heights of a relief at time 0 [m] as a function of positions x and y on the grid.
 
-    section: [relief1] or [relief2], in which x = y = 0 is the place of the contact. cells: distance
+    section: [relief1] or [relief2], in which x = y = 0 is the contact. cells: distance
     of the contact from the centre of the grid, in cells.
     """
     more = abs(cells[1])
@@ -90,7 +90,7 @@ def moving_heights(section: Any, grid: Grid, cells: tuple[int, int], folder: Pat
 
 
 def _function(relief: Relief, grid: Grid, shift: int, column: int) -> Heights:
-    """Return the heights of a relief; between its rows, by cubic splines along x."""
+    """Return a function of x and y for the heights of a relief, with cubic splines along x."""
     heights = relief.heights[:, column : column + grid.ny]
     first = relief.first + shift
     if relief.periodic:

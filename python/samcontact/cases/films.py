@@ -57,20 +57,20 @@ class FilmCase(FilmDescription):
     def hertz(self, load: float) -> Contact | None:
         """Return the dry Hertz contact at a load [N] > 0; None if Hertz theory does not apply.
 
-        Hertz theory applies to smooth paraboloids and spheres, and to straight flanks of gears,
-        without layers.
+        Hertz theory applies to smooth paraboloids and spheres and to straight gear flanks, if the
+        bodies have no layers.
         """
         return self._line(load) or self.ellipse(load)
 
     @property
     def _E_star(self) -> float | None:
-        """Contact modulus [Pa]; None for bodies to which Hertz theory does not apply."""
+        """Contact modulus [Pa]; None with layers or roughness, which Hertz theory excludes."""
         if self.body1.coating or self.body2.coating or self.surface.roughness is not None:
             return None
         return _hertz.effective_modulus(*map(softest, self.bodies))
 
     def _line(self, load: float) -> _hertz.LineContact | None:
-        """Return the Hertz contact of straight flanks; None for other surfaces."""
+        """Return the Hertz line contact of straight flanks; None for other surfaces."""
         E_star, straight = self._E_star, self.surface.straight
         if straight is None or E_star is None:
             return None
@@ -81,7 +81,7 @@ class FilmCase(FilmDescription):
     def ellipse(self, load: float) -> _hertz.EllipticContact | None:
         """Return the dry Hertz contact of surfaces with two finite radii; None for other surfaces.
 
-        load [N], > 0.
+        load: normal load [N], > 0.
         """
         E_star, radii = self._E_star, self.surface.radii()
         if radii is None or E_star is None or not np.all(np.isfinite(radii)) or self.grid.periodic:
@@ -89,9 +89,9 @@ class FilmCase(FilmDescription):
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
     def estimate(self, load: float, velocities: Vectors) -> FilmEstimate | None:
-        """Return the film by a formula; None without a steady Hertz contact, or out of its range.
+        """Estimate the film by a formula; return None if no formula applies to the case.
 
-        load [N]; velocities: of bodies 1 and 2 along x and y [m/s].
+        load: normal load [N]. velocities: of bodies 1 and 2 along x and y [m/s].
         """
         along_y = any(velocity[1] for velocity in velocities)
         film = self.film
@@ -109,7 +109,7 @@ class FilmCase(FilmDescription):
             return None
 
     def _chosen_grid(self) -> FilmGridSection:
-        """Return the grid for the Hertz contact of the case."""
+        """Return a grid chosen from the Hertz contact of the case."""
         if self.film.approach is not None:
             raise ValueError("grid: [grid] with nx, ny, dx and dy is required with film.approach")
         load, mean = self.load_on(None), np.mean(self.velocities, axis=0)
@@ -130,7 +130,7 @@ class FilmCase(FilmDescription):
         )
 
     def _beyond_hertz(self) -> str:
-        """Return the field to which Hertz theory does not apply."""
+        """Return the name of the field that rules out Hertz theory."""
         layered = [name for name in ("body1", "body2") if getattr(self, name).coating]
         if layered:
             return f"{layered[0]}.layers"
@@ -139,10 +139,10 @@ class FilmCase(FilmDescription):
     def solve(
         self, *, progress: bool = False, checkpoint: str | os.PathLike[str] | None = None
     ) -> tuple[FilmSolution, ...]:
-        """Return the film at the speed, at each of `film.speeds`, or of each load or time.
+        """Return the film, or the films at all `film.speeds`, loads or times.
 
-        checkpoint: folder for a file of each load or time step, from which a repeated call resumes.
+        checkpoint: folder in which each load or time step is saved, to resume in a repeated call.
         Raises the errors of `lubrication.steady`, `stribeck`, `press_loads` and `transient`; the
-        attribute `result` of an error contains the films so far.
+        attribute `result` of an error contains the films solved so far.
         """
         return solved(self, progress, checkpoint)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction of a case file: a constant coefficient with full sliding, or a friction law."""
+"""Friction in a case file: a constant coefficient with full sliding, or a friction law."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def default_of(law: type[FrictionLaw], name: str) -> Any:
 
 
 def _friction_section() -> Any:
-    """Create the section with one field per law: a number for a single constant, else a table."""
+    """Create a section with one field per law: a number for one constant, a table for several."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of a case whose heat follows the motion of the bodies, or lasts over cycles."""
+"""Checks of frictional heating against the motion of the bodies and against wear."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def require_velocity_of_motion(
 
 
 def require_steps_of_cells(case: Any, axis: int) -> None:
-    """Raise ValueError for a segment whose steps along x (0) or y (1) are not whole cells."""
+    """Raise ValueError unless the steps of each segment are whole cells along x (0) or y (1)."""
     name = ("dx", "dy")[axis]
     size = getattr(case.grid, name)
     for number, steps in enumerate(case.steps_of_segments()):
@@ -64,7 +64,7 @@ def require_steps_of_cells(case: Any, axis: int) -> None:
 
 
 def _require_track(case: Any, heat: Heat) -> None:
-    """Raise ValueError if heated bodies return without a track, or travel beyond it."""
+    """Raise ValueError if a heated body reverses without heat.track, or moves beyond its track."""
     moved = [both_axes(step.get("advance", (0.0, 0.0))) for step in case.steps()]
     for body, axis in itertools.product((1, 2), (0, 1)):
         moves = [float(step[body - 1, axis]) for step in moved]

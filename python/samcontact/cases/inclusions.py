@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Inclusions of a body in a case file: given ones and random ones."""
+"""Inclusions of a body in a case file: single and random inclusions."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Kinds of case files, by the sections that they contain.
+"""Kinds of case files, recognised by the sections that they contain.
 
-The module of a kind is loaded with its first case: each takes longer than a small contact.
+The module of a kind is imported on first use: this takes longer than solving a small contact.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ if TYPE_CHECKING:
     ALL_KINDS: tuple[type[AnyCase], ...]
 
 CLASSES = {"asperities": "AsperityCase", "films": "FilmCase", "sliding": "SlidingCase"}
-"""Names of the classes of all kinds of files other than those of one contact, by module."""
+"""Class of each kind of case file except `Case`, by the name of its module."""
 SECTIONS = {"AsperityCase": "asperities", "FilmCase": "film", "SlidingCase": "sliding"}
-"""Section that only files of the kind have, by class."""
+"""Section that identifies a kind of case file, by the name of its class."""
 
 
 def kind_of(content: Mapping[str, Any]) -> type[AnyCase]:
-    """Return the class of a case with these sections."""
+    """Return the class for a case file with the sections in `content`."""
     if "lubricant" in content:
         return _class_in("films")
     for module, name in CLASSES.items():
@@ -45,7 +45,7 @@ def _class_in(module: str) -> type[AnyCase]:
 
 
 def __getattr__(name: str) -> Any:
-    """Load all kinds for `AnyCase`, their union, and `ALL_KINDS`, a tuple of their classes."""
+    """Import all kinds on access to `AnyCase`, their union, or `ALL_KINDS`, a tuple of them."""
     if name not in ("AnyCase", "ALL_KINDS"):
         raise AttributeError(f"module {__name__!r} has no attribute {in_short(name)}")
     asperities, films, sliding = map(_class_in, CLASSES)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lubricants of a case file: one model for each law, and oils by their grade or data sheet."""
+"""Lubricants of a case file: one section per viscosity law, and oils by grade or data sheet."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Kinematic = Annotated[Positive, in_unit("m**2/s")]
 Temperature = Annotated[Positive, in_unit("K")]
 Stress = Annotated[Positive, in_unit("Pa")]
 REFERENCE = LubricantHeat.temperature
-"""Temperature of the given viscosity by default [K]."""
+"""Default temperature at which the viscosity is given [K]."""
 Density = Literal["dowson-higginson", "incompressible"]
 
 
@@ -34,7 +34,7 @@ class LubricantThermal(Section):
 
 
 class _Lubricant(Section):
-    """Lubricant, with the constants of its shear stress, for the friction, and of its heat."""
+    """Lubricant, with optional constants for its shear stress (friction) and its heating."""
 
     eyring_stress: Stress | None = None
     carreau_stress: Stress | None = None
@@ -72,7 +72,7 @@ class _Lubricant(Section):
         return made
 
     def _warming(self, heat: LubricantThermal) -> tuple[float, float]:
-        """Return decrease of the viscosity [1/K] and temperature of the given viscosity [K]."""
+        """Return coefficient beta [1/K] and the temperature at which the viscosity is given [K]."""
         if heat.beta is None:
             raise ValueError("thermal.beta is required for this kind of lubricant: add it")
         return heat.beta, REFERENCE if heat.temperature is None else heat.temperature
@@ -106,7 +106,7 @@ class BarusLubricant(_Lubricant):
 
 
 class DoolittleLubricant(_Lubricant):
-    """Law of free volume, see `Lubricant.doolittle`."""
+    """Doolittle's free-volume law, see `Lubricant.doolittle`."""
 
     kind: Literal["doolittle"]
     viscosity: Viscosity
@@ -170,7 +170,7 @@ class GradeLubricant(_MineralOil):
 
 
 class OilLubricant(_MineralOil):
-    """Mineral oil by the viscosities of its data sheet, see `lubricants.oil`."""
+    """Mineral oil with viscosities from its data sheet, see `lubricants.oil`."""
 
     kind: Literal["oil"]
     nu40: Kinematic
@@ -186,7 +186,7 @@ def _law(density: str) -> str | None:
 
 
 def _with_kind(given: Any) -> Any:
-    """Return a lubricant with its kind, if a grade or the viscosities of a data sheet imply it."""
+    """Add the omitted `kind` to a lubricant if it follows from the fields `grade` or `nu40`."""
     if not isinstance(given, Mapping) or "kind" in given:
         return given
     for name, kind in (("grade", "grade"), ("nu40", "oil")):

@@ -57,7 +57,7 @@ class _Passes(Section):
 
 
 class Rolling(_Passes):
-    """Rolling over both bodies, see `paths.rolling`."""
+    """Rolling passes over both bodies, see `paths.rolling`."""
 
     slide_to_roll: Annotated[float, Field(ge=-2.0, le=2.0)] = 0.0
     lateral_creepage: Finite = 0.0
@@ -132,7 +132,7 @@ class Segment(TiltingSection):
         return self
 
     def with_load(self, nominal: float | None) -> Segment:
-        """Return the segment with `load_factor` times the load of the part as its load [N].
+        """Return the segment with its load [N]: `load_factor` times the load of the part.
 
         Raises ValueError if the part has no load.
         """
@@ -217,7 +217,7 @@ class Segment(TiltingSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the steps and the end of this segment; `reached`: end of the previous segment.
+        """Return the steps and the end state of this segment; `reached`: previous end state.
 
         Raises ValueError if the segment cannot start from the end of the previous segment.
         """
@@ -290,7 +290,7 @@ class FileRelief(HeightsFile):
     def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> Relief:
         """Return the relief for a grid.
 
-        cells: grid on which the heights are given, if they are evaluated on another grid.
+        cells: grid for which the file gives heights, if it differs from `grid`.
         """
         heights = self.plain(grid if cells is None else cells, folder)
         if heights is None:
@@ -303,7 +303,7 @@ class FileRelief(HeightsFile):
         return Relief(heights, first, self.periodic)
 
     def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
-        """Return the distances of the heights in the file along x and y [m]."""
+        """Return the distances between neighbouring heights in the file along x and y [m]."""
         given = self.plain(grid, folder) is not None
         return (grid.dx, grid.dy) if given else self.surface(folder).steps
 

@@ -115,12 +115,12 @@ class GearSurface(SurfaceShape):
         return self
 
     def contact(self) -> parts.FlankContact:
-        """Contact of the flanks at the given position."""
+        """Return the contact of the flanks at `position`."""
         own = {"position", "torque", "sharing", "shape", "roughness"}
         return parts.GearPair(**self.model_dump(exclude=own, exclude_none=True)).at(self.position)
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii at the contact; None without crowning, or with tip relief."""
+        """Radii along x and y at the contact [m]; None without crowning or with tip relief."""
         if self.crowning == 0.0 or self.tip_relief is not None:
             return None
         return self.contact().radius, self.face_width**2 / (8.0 * self.crowning)
@@ -141,7 +141,7 @@ class GearSurface(SurfaceShape):
         return super().reason_for_grid
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the tooth pair [N]; on a grid periodic along y, the load on its width."""
+        """Load on the tooth pair [N], or on the grid width if the grid is periodic along y."""
         if self.torque is None:
             return None
         load = self.contact().load(self.torque, self.sharing)
@@ -190,11 +190,11 @@ class CamSurface(SurfaceShape):
         return parts.Cam.table(self.base_radius, self.lift_angle or (), self.lift or ())
 
     def contact(self) -> parts.TappetContact:
-        """Contact of cam and tappet at the given angle."""
+        """Return the contact of cam and tappet at `cam_angle`."""
         return self.cam.at(self.cam_angle)
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii at the contact; the one along y is infinite without a crown."""
+        """Radii along x and y at the contact [m]; without a crown, the second one is infinite."""
         return self.contact().radius, self.crown_radius
 
     def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
@@ -216,7 +216,7 @@ class WheelRailSurface(SurfaceShape):
 
     @property
     def files(self) -> dict[str, str]:
-        """Names of the files, by field."""
+        """Names of the files that the section reads, by field name."""
         return {"rail": self.rail, "wheel": self.wheel}
 
     @property
@@ -224,7 +224,7 @@ class WheelRailSurface(SurfaceShape):
         return "the contact of two profiles is not that of Hertz theory"
 
     def contact(self, folder: Path) -> parts.WheelRail:
-        """Contact of the profiles; ValueError if a file is not readable or has no contact."""
+        """Return the contact of the profiles; ValueError if a file or the contact is invalid."""
         factor = 1.0 if self.unit == "m" else 1e-3
         return parts.WheelRail(
             factor * plain_heights(folder / self.rail),

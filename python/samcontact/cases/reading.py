@@ -22,7 +22,7 @@ else:
     import tomli as tomllib
 
 MAX_CHARACTERS = 100_000_000
-"""Size limit of a case file."""
+"""Maximum number of characters in a case file."""
 
 
 def load_case(path: str | Path) -> AnyCase:

@@ -10,7 +10,7 @@ from .base import Length, Positive, Section, in_unit
 from .slipping import EndState
 
 MAX_INCREMENTS = 400
-"""Default of the largest number of increments."""
+"""Default for the maximum number of increments."""
 
 
 class PullOff(Section):
@@ -21,9 +21,9 @@ class PullOff(Section):
     speed: Annotated[Positive, in_unit("m/s")] | None = None
 
     def steps(self, increments: int, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the path and the end of the segment; reached: end of the previous segment.
+        """Return the path and the end state of the segment; `reached`: previous end state.
 
-        increments: largest number of increments. Raises ValueError if there is no such segment.
+        increments: maximum number. Raises ValueError if there is no previous segment.
         """
         if not reached.quantity:
             raise ValueError(
@@ -38,5 +38,5 @@ class PullOff(Section):
 
 
 def settings_of_pull_off(given: Any) -> Any:
-    """Return the table of `pull_off` if it is given as true, and None for false."""
+    """Return an empty table for `pull_off = true`, None for false, otherwise the given value."""
     return {True: {}, False: None}.get(given, given) if isinstance(given, bool) else given

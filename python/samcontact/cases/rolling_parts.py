@@ -161,7 +161,7 @@ class BearingSurface(_RollingSurface):
 
     @property
     def has_loads(self) -> bool:
-        """Whether the loads on the bearing are given; if not, the path states the contact load."""
+        """Whether the loads on the bearing are given; if not, the path gives the contact load."""
         return bool(self.radial_load or self.axial_load)
 
     @property
@@ -201,7 +201,7 @@ class BearingSurface(_RollingSurface):
 
     @property
     def loads(self) -> tuple[float, float, float | None]:
-        """Radial load, axial load [N] and moment [N m]; 1 N radial if no load is given."""
+        """Radial and axial load [N] and moment [N m] on the bearing; default: 1 N radial load."""
         radial = (self.radial_load or 0.0) if self.has_loads else 1.0
         return radial, self.axial_load or 0.0, self.moment
 
@@ -281,9 +281,9 @@ def with_surface(content: Any) -> Any:
 
 
 def in_full(content: Any) -> Any:
-    """Return the content of `with_surface`, with a path added for a bearing that has none.
+    """Return the result of `with_surface`, with a default path added for a bearing without a path.
 
-    Without [[path]], the contact of a bearing is loaded; elastic-plastic bodies are also unloaded.
+    The default path loads the contact; elastic-plastic bodies are also unloaded.
     """
     found = with_surface(content)
     if not isinstance(found, dict):
@@ -305,7 +305,7 @@ def in_full(content: Any) -> Any:
 
 
 def short_places(message: str, content: Any) -> str:
-    """Return the lines of an error with the names of fields as written: in [roller], [bearing]."""
+    """Return an error message with field names as in the file: in [roller] or [bearing]."""
     for name in SHORT_FORMS:
         if isinstance(content, Mapping) and name in content:
             return re.sub(r"^surface\b", name, message, flags=re.MULTILINE)

@@ -158,7 +158,7 @@ class FileSurface(SurfaceShape, HeightsFile):
         return None if self.x is not None or self.periodic else self.plain(grid, folder)
 
     def sample_steps(self, grid: Grid, folder: Path) -> tuple[float, float]:
-        """Return the distances of the heights in the file along x and y [m]."""
+        """Return the distances between neighbouring heights in the file along x and y [m]."""
         given = self._of_cells(grid, folder) is not None
         return (grid.dx, grid.dy) if given else self.surface(folder).steps
 

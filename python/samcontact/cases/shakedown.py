@@ -27,7 +27,7 @@ class ShakedownSection(Section):
     def solve(
         self, simulation: Simulation, path: Path, progress: bool, checkpoint: Folder | None = None
     ) -> ShakedownResult:
-        """Repeat the path with `samcontact.shakedown.run`; use a simulation that has not run."""
+        """Repeat the path with `samcontact.shakedown.run`, starting with a new simulation."""
         return run(
             simulation,
             path,

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 Speed = Annotated[Positive, in_unit("m/s")]
 _USED = {"law", "E", "nu", "material", "relaxation", "layers", "thickness"}
-"""Fields of a body that have an effect."""
+"""Fields of a body that have an effect on viscoelastic sliding."""
 
 
 class SlidingSection(Section):

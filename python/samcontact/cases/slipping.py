@@ -30,11 +30,11 @@ class EndState(NamedTuple):
     value: float = 0.0
     forces: tuple[float | None, ...] = (0.0, 0.0, 0.0)
     about: tuple[tuple[float | None, float | None], ...] = ((0.0, 0.0), (0.0, 0.0))
-    """Moment and tilt, about x and about y; None if unknown."""
+    """Pairs of moment and tilt, first about x, then about y; None stands for an unknown value."""
 
 
 class TangentialSection(Section):
-    """Tangential motion of body 1 relative to body 2, or final force on body 2, in a segment."""
+    """Tangential motion of body 1 relative to body 2 in a segment, or final force on body 2."""
 
     shift_x: Position | None = None
     shift_y: Position | None = None

@@ -154,7 +154,7 @@ class Solid(Section):
 
     @property
     def known(self) -> materials.MaterialData | None:
-        """Entry of the library that `material` names."""
+        """Library data of the material named by `material`; None if no material is named."""
         name = getattr(self, "material", None)
         return None if name is None else materials.get(name)
 
@@ -198,7 +198,7 @@ class Solid(Section):
 
 
 def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
-    """Return the fields of a body with the constants that the library has for its material."""
+    """Return the fields of a body, completed by the library constants of its material."""
     law, name = given.get("law"), given.get("material")
     if not isinstance(law, str) or not isinstance(name, str):
         return given  # refused by the types of the fields
@@ -287,10 +287,10 @@ def _model(name: str, law: Law, part: str, namespace: dict[str, Any], *bases: ty
 def models(
     part: str, namespace: dict[str, Any], *bases: type[Solid], others: tuple[Any, ...] = ()
 ) -> Any:
-    """Union of the sections of all laws, e.g. `SwiftBody` for part = "Body".
+    """Create a union of the sections of all laws, e.g. of `SwiftBody` for part = "Body".
 
-    namespace: globals of the module of the sections. bases: as of `_model`. others: sections of
-    further laws.
+    namespace: globals of the module that defines the sections. bases: base classes as in `_model`.
+    others: sections of further laws.
     """
     laws = {name: law for name, law in LAWS.items() if law.constants or part == "Body"}
     made = tuple(_model(name, law, part, namespace, *bases) for name, law in laws.items())

@@ -46,7 +46,7 @@ class SelfAffineRoughness(Section):
     def build(self, grid: Grid, cells: Grid | None = None) -> FloatArray:
         """Return the heights in the cells of a grid.
 
-        cells: grid on which the roughness is generated, if its waves are evaluated on another one.
+        cells: grid on which the roughness is generated, if it differs from `grid`.
         """
         heights = surfaces.rough_self_affine(
             grid if cells is None else cells, **self.model_dump(exclude={"kind"})
@@ -62,8 +62,8 @@ class SelfAffineRoughness(Section):
 class FirstGrid(NamedTuple):
     """Expected contact of a part, for the choice of a grid.
 
-    half: half-widths of the contact along x and y [m]. refined: cells along y on the first grid,
-    divided by the number for a smooth contact of this width.
+    half: half-widths of the contact along x and y [m]. refined: number of cells along y on the
+    first grid, relative to the number for a smooth contact of equal width.
     """
 
     half: tuple[float, float]
@@ -82,7 +82,7 @@ class SurfaceShape(Section):
         return None
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the part [N], or on one period of a periodic grid; None if it has no load."""
+        """Load on the part [N], or on one period of a periodic grid; None if no load is given."""
         return None
 
     @property
@@ -93,14 +93,14 @@ class SurfaceShape(Section):
     def surface_speeds(self, rates: Mapping[str, float]) -> tuple[float, float] | None:
         """Return the speeds of bodies 1 and 2 along x, relative to the contact [m/s].
 
-        rates: angular speeds of the part by the names of [film], e.g. pinion_speed [rad/s]. None if
-        they do not belong to this part.
+        rates: angular speeds of the part [rad/s] by field of [film], e.g. pinion_speed. Returns
+        None if the part has no such angular speeds.
         """
         return None
 
     @property
     def reason_for_grid(self) -> str:
-        """Reason why accuracy requires [grid]; "" if the grid is chosen automatically."""
+        """Reason why a case with accuracy requires [grid]; "" if [grid] is not required."""
         radii = self.radii()
         if radii is None or not all(map(math.isfinite, radii)):
             return (
@@ -109,14 +109,14 @@ class SurfaceShape(Section):
         return ""
 
     def first_grid(self, load: float, E_star: float) -> FirstGrid | None:
-        """Extent and cells of a first grid at a load [N]; None if `radii` determine them."""
+        """Return the expected contact at a load [N], for a first grid; None if `radii` suffice."""
         return None
 
     def require_path(self, loads: Sequence[float | None]) -> None:
         """Raise ValueError if the loads given in the path [N] contradict the load of the part."""
 
     def on_bodies(self, *bodies: Body) -> None:
-        """Take the elastic constants of the bodies, if the shape depends on them."""
+        """Store elastic constants of the bodies if the shape depends on them."""
 
     @property
     def is_known(self) -> bool:
@@ -130,7 +130,7 @@ class SurfaceShape(Section):
     def build(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
         """Return the gap on a grid.
 
-        cells: grid on which the heights are given, if they are evaluated on another grid.
+        cells: grid for which heights are given, if it differs from `grid`.
         """
         gap = self.shape_gap(grid, folder, cells)
         return gap if self.roughness is None else gap + self.roughness.build(grid, cells)

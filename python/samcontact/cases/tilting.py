@@ -20,7 +20,7 @@ Angle = Annotated[Finite, in_unit("rad")]
 
 
 class AboutAxis(NamedTuple):
-    """Moment and tilt about an axis at the end of a segment; None if it is unknown."""
+    """Moment and tilt about an axis at the end of a segment; None stands for an unknown value."""
 
     moment: float | None = 0.0
     tilt: float | None = 0.0
@@ -77,7 +77,7 @@ class TiltingSection(TangentialSection):
         return self._held(reached._replace(about=tuple(ends)))
 
     def _held(self, reached: EndState) -> EndState:
-        """Return the end of a segment in which axes without moment and tilt do not rotate."""
+        """Return the end state; body 1 does not rotate about axes without a moment or tilt."""
         is_unloaded = reached[:2] == ("load", 0.0)
         ends = []
         for axis, now in zip("xy", reached.about, strict=True):
@@ -93,7 +93,7 @@ class TiltingSection(TangentialSection):
 def ramp(
     name: str, start: float | None, end: float | None, fractions: Sequence[float]
 ) -> list[float | None]:
-    """Return the values of a linear change at the end of each step; None without a target."""
+    """Return the values of a linear ramp at the end of each step; without `end`, all are None."""
     if end is None:
         return [None] * len(fractions)
     if start is None:

@@ -64,7 +64,7 @@ class WearSection(Section):
         checkpoint: str | os.PathLike[str] | None,
         progress: bool,
     ) -> WearResult | FrettingResult:
-        """Repeat the path as a load cycle with wear; the simulation passed in keeps its state."""
+        """Repeat the path as a load cycle with wear; the given simulation keeps its state."""
         from .. import wear
 
         # all settings of the case file, so that none is ignored

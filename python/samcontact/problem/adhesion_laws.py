@@ -22,11 +22,11 @@ from .contact_law import ContactLaw, HardContact, TensileLimit
 from .grid import Grid
 
 RESOLVED = 0.5
-"""Resolution number kappa of a range that is refined to the grid."""
+"""Resolution number kappa of the range that is chosen if no range is given."""
 RESOLVED_DROP = 0.4
-"""Resolution number of the drop of constant attraction, whose edge is sharper."""
+"""Resolution number kappa of the drop in `dugdale`: smaller, because its edge is sharper."""
 MAX_RESOLVED, MAX_SOLVABLE = 0.6, 1.0
-"""Resolution number kappa above which a warning is issued, and above which the law is refused."""
+"""Kappa above which a warning is issued, and kappa above which the law is rejected."""
 
 
 FRICTION_ON = ("repulsion", "compression")
@@ -44,8 +44,8 @@ class Adhesion(ContactLaw):
 
     A law is resolved if kappa = K0 s <= 0.6, where K0 is the displacement of a cell due to a unit
     pressure on it and s the steepest fall of the attraction with the gap. For larger kappa, single
-    cells jump. Above 0.6 a ResolutionWarning is issued; above 1 the law is refused. If the range is
-    None, the range for which kappa = 0.5 is used: the shortest that the grid resolves.
+    cells jump into or out of contact: a ResolutionWarning is issued above 0.6, and the law is
+    refused above 1. range=None stands for the shortest range that the grid resolves (kappa = 0.5).
 
     All constructors have the argument `friction_on`, the pressure on which friction depends. With
     "repulsion", friction depends on r. The attraction then adds to the load, and the friction force
@@ -68,9 +68,9 @@ class Adhesion(ContactLaw):
     ) -> ExponentialAdhesion:
         """Return the law a = w/range exp(-g/range).
 
-        w: work of adhesion [J/m^2]; range [m], None: refined to the grid; friction_on: see
-        `Adhesion`. Rey, Anciaux & Molinari (2017, doi:10.1007/s00466-017-1392-5). Raises ValueError
-        for values that are not > 0.
+        w: work of adhesion [J/m^2]; range [m], None: the shortest range that the grid resolves;
+        friction_on: see `Adhesion`. Raises ValueError for values that are not > 0. Source: Rey,
+        Anciaux & Molinari (2017, doi:10.1007/s00466-017-1392-5).
         """
         return ExponentialAdhesion(positive("w", w), range, friction_on=friction_on)
 
@@ -85,11 +85,11 @@ class Adhesion(ContactLaw):
 
     @staticmethod
     def dugdale(w: float, stress: float, *, friction_on: str = "repulsion") -> DugdaleAdhesion:
-        """Return the law of Maugis (1992, doi:10.1016/0021-9797(92)90285-T) with a resolved drop.
+        """Return Maugis' law of constant attraction (1992, doi:10.1016/0021-9797(92)90285-T).
 
-        w: work of adhesion [J/m^2]; stress: constant attraction [Pa] up to a gap near w/stress,
-        around which it falls to zero, as half a cosine wave, over the shortest distance that the
-        grid resolves; friction_on: see `Adhesion`.
+        w: work of adhesion [J/m^2]; stress: constant attraction [Pa] up to a gap near w/stress;
+        friction_on: see `Adhesion`. Near this gap the attraction falls to zero, as half a cosine
+        wave, over the shortest distance that the grid resolves.
         """
         return DugdaleAdhesion(positive("w", w), stress, friction_on=friction_on)
 
@@ -97,7 +97,7 @@ class Adhesion(ContactLaw):
     def lennard_jones(
         w: float, z0: float, *, friction_on: str = "repulsion"
     ) -> LennardJonesAdhesion:
-        """Return a = 8 w/(3 z0) [(1 + g/z0)^-3 - (1 + g/z0)^-9], with a hard wall at z0.
+        """Return a = 8 w/(3 z0) [(1 + g/z0)^-3 - (1 + g/z0)^-9], with a hard wall at g = 0.
 
         w: work of adhesion [J/m^2]; z0: equilibrium distance of the half-spaces [m];
         friction_on: see `Adhesion`.
@@ -110,16 +110,16 @@ class Adhesion(ContactLaw):
     ) -> TabulatedAdhesion:
         """Return a piecewise linear law.
 
-        gap: increasing, the first 0 [m]; stress: attraction >= 0 [Pa], the last 0; friction_on: see
-        `Adhesion`. Raises ValueError for other values.
+        gap: increasing gaps that start with 0 [m]; stress: attraction >= 0 at these gaps [Pa], 0 at
+        the last one; friction_on: see `Adhesion`. Raises ValueError for other values.
         """
         return TabulatedAdhesion(gap, stress, friction_on=friction_on)
 
     def on(self, grid: Grid, body1: Body, body2: Body) -> ResolvedAdhesion:
-        """Return the law as it is solved on a grid, with its range, kappa and Tabor number.
+        """Return the law as it is solved on a grid, with the range, kappa and the Tabor number.
 
-        Viscoelastic bodies count with their long-time moduli, for which the grid must resolve the
-        law as well. Raises TypeError if an argument is not a grid or a body, ValueError for a
+        For viscoelastic bodies, the long-time moduli are used, which require the smallest cells.
+        Raises TypeError if an argument is not a grid or a body, ValueError for a
         viscoelastic body without a long-time modulus.
         """
         require_type("grid", grid, Grid)
@@ -129,7 +129,7 @@ class Adhesion(ContactLaw):
         return ResolvedAdhesion(law, influence * law.steepest_fall, law != self, modulus, grid)
 
     def _refined(self, influence: float) -> Adhesion:
-        """Return the law with the range that the grid resolves, if none is given.
+        """Return the law with the shortest range that the grid resolves, if no range is given.
 
         influence: displacement of a cell due to a unit pressure on it [m/Pa].
         """
@@ -146,7 +146,7 @@ class Adhesion(ContactLaw):
         return True
 
     def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
-        """Return the law with the range that the grid resolves.
+        """Return the law as it is solved on a grid, with a range that the grid resolves.
 
         Raises ValueError if the cells are so large that single cells would jump.
         """
@@ -170,7 +170,7 @@ class Adhesion(ContactLaw):
         return _core.ContactLaw(self.kind, self._parameters(), self.rubs_by_compression)
 
     def _parameters(self) -> list[float]:
-        """Return the parameters of the law of the core."""
+        """Return the parameters for the law of the core."""
         return [getattr(self, name) for name in self._own_names()]
 
     def _own_names(self) -> list[str]:
@@ -329,7 +329,7 @@ class ResolvedAdhesion(HtmlTable):
 
     @property
     def finer(self) -> str:
-        """Text of the cell size for which kappa would be 0.5."""
+        """Cell size for which kappa would be 0.5, as text with its unit."""
         return quantity(max(self.grid.dx, self.grid.dy) * RESOLVED / self.kappa, "m")
 
     @property
@@ -340,7 +340,7 @@ class ResolvedAdhesion(HtmlTable):
     def tabor(self, radius: float) -> float:
         """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) for a radius R of the surfaces [m].
 
-        The length z is w over the peak of the attraction. For the exponential law, z is the range.
+        The length z is w divided by the peak attraction; for the exponential law, z is the range.
         `samcontact.adhesion.tabor` states which theory applies to a Tabor number. Raises ValueError
         if the radius is not > 0.
         """
@@ -359,9 +359,9 @@ class ResolvedAdhesion(HtmlTable):
 
 @lru_cache(maxsize=8)  # on periodic grids, the influence takes as long as a small contact
 def _of_cell(grid: Grid, body1: Body, body2: Body) -> tuple[float, float]:
-    """Return the displacement of a cell due to a unit pressure on it [m/Pa], and its modulus [Pa].
+    """Return the displacement of a cell under unit pressure [m/Pa], and the contact modulus [Pa].
 
-    The modulus E* is that of half-spaces with the same displacement of a single cell.
+    The modulus is E* of half-spaces with an equal displacement of a single cell under pressure.
     """
     cores = relaxed(body1)._core, relaxed(body2)._core
     alone = Grid(1, 1, grid.dx, grid.dy)

@@ -56,13 +56,13 @@ class ContactLaw(HtmlTable):
     def may_move(self, sticks: bool) -> bool:
         """Whether bodies may move through the grid; sticks: whether friction allows partial slip.
 
-        Between adhering bodies, only in full sliding.
+        Adhering bodies may move only in full sliding with an attraction that depends on the gap.
         """
         return (not boolean("sticks", sticks) and self.varies) or not self.attracts
 
     @property
     def varies(self) -> bool:
-        """Whether the attraction depends on the gap: there may be several solutions."""
+        """Whether the attraction depends on the gap, so that several solutions may exist."""
         return False
 
     @property

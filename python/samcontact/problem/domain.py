@@ -52,7 +52,7 @@ class SurfaceGeometry:
         return callable(self.gap) and all(r is None or callable(r) for r in reliefs)
 
     def over(self, grid: Grid, strip: tuple[float, float] = (-math.inf, math.inf)) -> Domain:
-        """Check the surfaces on a grid, and return them with the grid.
+        """Check the surfaces on a grid, and return the domain.
 
         strip: range of y in which both bodies exist [m]; the gap is infinite beyond it.
         """
@@ -69,7 +69,7 @@ class SurfaceGeometry:
 
 
 def _require_possible(grid: Grid, face: float) -> None:
-    """Raise ValueError on a periodic grid, and unless a free face lies on an edge of cells."""
+    """Raise ValueError if the grid is periodic, or if a free face is not on an edge of cells."""
     if grid.periodic:
         raise ValueError(
             f"free_faces cannot be combined with grid.periodic = {grid.periodic!r}, got a face at "

@@ -37,7 +37,7 @@ class FrictionLaw(HtmlTable):
     law: ClassVar[str]
     """Name of the law in case files and results."""
     sticks: ClassVar[bool]
-    """Whether cells stick if their shear is below the bound; otherwise all cells slide along x."""
+    """True: cells stick if their shear is below the bound. False: all cells slide along x."""
     constants: ClassVar[Mapping[str, Constant]]
     """Parameters of the law and their ranges."""
 
@@ -66,15 +66,15 @@ class FrictionLaw(HtmlTable):
         return {name: value for name, value in self.__dict__.items() if name != "_made"}
 
     def bound(self, pressure: ArrayLike) -> FloatArray:
-        """Return the maximum shear [Pa] for a pressure [Pa]: 0 out of contact, inf without slip.
+        """Return the maximum shear [Pa] at a pressure [Pa]: 0 out of contact, inf if unlimited.
 
-        It is the largest one in any direction, at any place and slip rate.
+        The result is the maximum over all directions, positions and slip rates.
         """
         bound: FloatArray = self.to_core().bound(finite_array("pressure", pressure))
         return bound
 
     def ratio(self, pressure: float) -> float:
-        """Return maximum shear / pressure [-], which never increases with the pressure [Pa]."""
+        """Return maximum shear / pressure [-]. This ratio never increases with pressure [Pa]."""
         return self.to_core().ratio(non_negative("pressure", pressure))
 
     @property
@@ -193,9 +193,9 @@ class Tresca(FrictionLaw):
     """Friction with a constant shear strength of the interface, independent of the pressure.
 
     The shear traction is at most the shear strength k in all contact cells. At the edge of the
-    contact, the shear traction is discontinuous. With dissimilar materials, neither contact nor
-    separation may then be consistent in cells at the edge, and a small tolerance may not be
-    reached.
+    contact, the shear traction is discontinuous. With dissimilar materials, cells at the edge may
+    then have no consistent solution, neither in contact nor separated, so that a small tolerance is
+    not reached.
 
     Attributes
     ----------
@@ -256,12 +256,12 @@ def sticking_law(friction: Any) -> FrictionLaw:
 
 
 def has_history(law: FrictionLaw, bodies: Iterable[Any]) -> bool:
-    """Whether partial slip or plastic strain is transported with the bodies, by whole cells."""
+    """Whether the bodies carry partial slip or plastic strain with them, cell by cell."""
     return law.sticks or any(body.is_plastic for body in bodies)
 
 
 def lasting(law: FrictionLaw, duration: float | None, name: str = "duration") -> float:
-    """Return the duration of an increment [s], or the speed of rolling; 0 if the law needs none.
+    """Check and return the duration of an increment [s] or the rolling speed [m/s]; 0 if unused.
 
     Raises ValueError for a value that is missing, not positive or without effect.
     """
@@ -293,7 +293,7 @@ _ATTRIBUTE_PREFIX = "friction_"
 
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
-    """Return the attributes of results: friction_law and the parameters (friction_...)."""
+    """Return the law as attributes of results: friction_law, and friction_... per parameter."""
     given = {name: value for name, value in law.to_tree().items() if value != []}
     return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in given.items()}
 

@@ -172,5 +172,5 @@ class Grid(HtmlTable):
 
 
 def within_period(grid: Grid, distance: float) -> float:
-    """Return a distance along x without whole periods, which do not change the surfaces [m]."""
+    """Return a distance along x [m], reduced by whole periods if the grid is periodic along x."""
     return math.remainder(distance, grid.nx * grid.dx) if grid.along_x else distance

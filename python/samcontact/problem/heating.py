@@ -23,12 +23,12 @@ NO_HEAT = Heat(0.0)
 MAX_PECLET_NUMBER = 1e7
 """Maximum of (speed times grid length)/diffusivity [-]; it limits the computing time."""
 MIN_DIFFUSION_LENGTH = 0.02
-"""Minimum diffusion length [cells] in the shortest step of a heat history; it bounds the time and
-memory of transient heating."""
+"""Minimum diffusion length [cells] in the shortest step of a heat history; it limits the computing
+time and the memory of transient heating."""
 MIN_THICKNESS = 1e-5
-"""Minimum thickness of a heated layer [cells]; it bounds the number of wavenumbers."""
+"""Minimum thickness of a heated layer [cells]; it limits the number of wavenumbers."""
 _ANY_CONSTANTS = (1.0, 0.0, 1.0)
-"""Thermal constants of a body without heat."""
+"""Placeholder for the thermal constants of a body that is not heated."""
 
 Bodies = tuple[Body, Body]
 
@@ -43,7 +43,7 @@ def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: Fricti
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
-    """Return the heating of each body for the core; raise ValueError if it is not supported.
+    """Return the heating of each body for the core; raise ValueError for unsupported heating.
 
     duration: length of the increment under transient heating [s].
     """
@@ -108,7 +108,7 @@ def _required_constants(
 
 
 def _of_missing(body: Body) -> str:
-    """Part of a message: which materials of a layered body have no thermal constants."""
+    """Return text for a message: which materials of a layered body lack thermal constants."""
     body = matrix_of(body)
     if not isinstance(body, Layered):
         return ""
@@ -118,7 +118,7 @@ def _of_missing(body: Body) -> str:
 
 
 def _require_in_layers(n: int, body: Body, grid: Grid) -> None:
-    """Raise ValueError for heat in layers that is not supported."""
+    """Raise ValueError if a layer of a heated body is too thin."""
     cell = max(grid.dx, grid.dy)
     for k, thickness in enumerate(_thicknesses(body)):
         if thickness < MIN_THICKNESS * cell:
@@ -136,7 +136,7 @@ def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float
 
 
 def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: float) -> None:
-    """Raise ValueError for steady heat of a periodic grid, and for motion along its period."""
+    """Raise ValueError on a periodic grid for steady heat, or heat that moves along a period."""
     if not grid.periodic:
         return
     if heat.time is None and heat.history is None:
@@ -207,10 +207,11 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
 
 
 def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], FloatArray] | None:
-    """Return the thermal softening of a body divided into cells of thickness dz [m], or None.
+    """Return a function for the thermal softening of a body in cells of thickness dz [m], or None.
 
-    Its arguments are temperature rises [K], shape (nx, ny, m), and the number of layers of cells
-    above them. It returns the factors on the yield stress, from the law of the material there.
+    The arguments of the function are temperature rises [K], shape (nx, ny, m), and the number of
+    cell layers above these cells. The function returns factors on the yield stress, by the law of
+    the material in each cell.
     """
     if body.softening is None:
         return None
@@ -231,7 +232,7 @@ def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], Fl
 
 
 def core_law(body: Body, dz: float | None) -> Callable[[FloatArray], FloatArray] | None:
-    """Return the thermal softening of a body for the core, with results of shape (nz, nx, ny)."""
+    """Return a function for softening in the core, with results of shape (nz, nx, ny), or None."""
     law = softening_of(body, dz)
     if law is None:
         return None
@@ -250,7 +251,7 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError for heat.partition with full sliding, or without it if friction needs it."""
+    """Raise ValueError if heat.partition is given in full sliding, or missing though required."""
     if friction.needs_temperature and heat.partition is None:
         raise ValueError(
             f"heat.partition is required with friction = {in_short(friction)}, which depends on "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cells of heterogeneous bodies for the core."""
+"""Conversion of the cells of heterogeneous bodies for the core."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from .two_phase_cells import set_two_phases
 def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
     """Return the cells that differ from the matrix of a body, and the materials of its inclusions.
 
-    The result is a tuple of the first cell of a box, the index of each of its cells among the mixed
-    cells [k][i][j] (-1 in the matrix), the constants of these cells by row (bulk and shear modulus,
-    share, misfit, material, normal of two phases, expansion), and the materials of the core; None
-    for a body without such cells. Raises ValueError for materials of inclusions that are not
-    supported.
+    The result is None for a body without such cells; otherwise it is a tuple of four items: the
+    first cell of a box around the differing cells; for each cell [k][i][j] of the box, its number
+    among the differing cells, or -1 in the matrix; one row of constants for each differing cell
+    (bulk and shear modulus, share of the inclusion, misfit, material, normal of two phases,
+    expansion); and the materials of the core. Raises ValueError for unsupported materials.
     """
     if not isinstance(body, Heterogeneous):
         return None

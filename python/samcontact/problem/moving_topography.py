@@ -34,8 +34,8 @@ class Relief(ShortRepr):
         the body moves towards +x, rows with negative indices enter the grid.
     periodic : bool, optional
         Whether the rows repeat along x. By default the surface is flat (height 0) beyond the rows.
-        On a grid that is periodic along x, every relief repeats with the period of the grid, which
-        must be a whole number of times the rows if they repeat, and at least as long otherwise.
+        On a grid that is periodic along x, every relief repeats with the period of the grid. Its
+        number of rows must then divide grid.nx if `periodic`, and otherwise be at most grid.nx.
     worn : array_like, shape (rows, ny), optional
         Depth of material already removed by wear [m], >= 0. The depths of yield profile and
         residual stress are then measured from the unworn surface. The heights are not changed by
@@ -100,7 +100,7 @@ def _require_period(name: str, relief: Relief, grid: Grid) -> None:
 
 
 def over_period(relief: Relief, rows: int) -> Relief:
-    """Return a relief that has the heights of another one, repeated with a period of `rows`."""
+    """Return a periodic relief of `rows` rows that contains the heights of the given relief."""
     count = len(relief.heights)
     at = np.arange(rows if relief.periodic else count)
 

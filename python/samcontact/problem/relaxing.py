@@ -27,7 +27,7 @@ def possible_heat(
 
 
 def _require_no_extrapolation(bodies: tuple[Body, Body], heat: Heat, settings: Settings) -> None:
-    """Raise ValueError for sub-increments whose heat history would advance the creep twice."""
+    """Raise ValueError for increment_tol with heat.history, which would advance the creep twice."""
     yields = any(body.is_plastic for body in bodies)
     if heat.history is not None and settings.increment_tol is not None and yields:
         require_no_relaxation(
@@ -56,7 +56,7 @@ def require_known_stress(heat: Heat, bodies: tuple[Body, Body], grid: Grid) -> N
 def relaxing_duration(duration: Any) -> float:
     """Check and return the duration of an increment [s]; infinite for the long-time state.
 
-    The duration may be 0 if the heat does not restrict it.
+    A duration of 0 is an elastic step. It passes this check, but heating may require more than 0.
     """
     if duration is None:
         raise ValueError(

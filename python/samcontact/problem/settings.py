@@ -24,7 +24,7 @@ from .friction import FrictionLaw, friction_law, is_law
 
 @dataclass(frozen=True)
 class RangeSetting:
-    """Range of a setting that is a finite number; None means that there is no such bound."""
+    """Bounds of a setting that is a finite number; None for a bound that does not exist."""
 
     gt: float | None = None
     ge: float | None = None

@@ -40,10 +40,10 @@ class SimulationSetup:
         return self.settings.law
 
     def steps_of_motion(self, grid: Grid) -> tuple[float, float | None]:
-        """Return the lengths along x and y [m] of which motions are multiples; None: any motion.
+        """Return the lengths along x and y [m] of which displacements of the bodies are multiples.
 
-        Along x, other motions move the origin of the contact. Along y, bodies without history can
-        move by any distance.
+        Along x, other displacements shift the contact origin in the grid. Along y, None means that
+        any displacement is possible, because the bodies have no history (see `has_history`).
         """
         return grid.dx, grid.dy if has_history(self.friction, self.bodies) else None
 
@@ -54,7 +54,7 @@ class SimulationSetup:
 
     @property
     def needs_duration(self) -> bool:
-        """Whether cold increments have a duration."""
+        """Whether increments without heat require a duration."""
         return relaxes(self.body1, self.body2) or self.friction.needs_duration
 
     def resolved_adhesion(self, grid: Grid) -> ContactLaw:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Partly filled cells in which matrix and inclusion flow plastically each by its own law."""
+"""Partly filled cells in which matrix and inclusion flow plastically, each by its own law."""
 
 from __future__ import annotations
 
@@ -15,18 +15,21 @@ from ..bodies.phase_mixing import relative_phase
 from .grid import Grid
 
 _MAX_MODULUS_RATIO = 20.0
-"""Ratio of moduli up to which a laminate is more accurate than mixed moduli."""
+"""Maximum ratio of the moduli of inclusion and matrix for which cells are computed as laminates.
+
+At larger ratios, mixed moduli are more accurate.
+"""
 
 
 def set_two_phases(
     body: Heterogeneous, cells: InclusionCells, grid: Grid, fields: Sequence[FloatArray]
 ) -> None:
-    """Set the constants of cells of two phases in place.
+    """Set the constants of the cells that are computed as two phases (laminates), in place.
 
     fields: bulk and shear modulus, share, six misfit strains, index of the material, three
-    components of the normal, and thermal expansion of each cell. Cells of two phases get the
-    constants of the inclusion and the normal of its surface: partly filled cells, unless nothing
-    yields, the matrix has backstresses, or the moduli differ by a large factor, as in a void.
+    components of the normal, and thermal expansion of each cell. The two-phase cells are the partly
+    filled cells, unless nothing yields, the matrix has backstresses, or the moduli differ by a
+    large factor, as in a void. Two-phase cells get the constants and the normal of the inclusion.
     """
     if not body.is_plastic or backstresses_of(body):
         return
@@ -54,9 +57,10 @@ def set_two_phases(
 
 
 def normals(cells: InclusionCells, grid: Grid) -> FloatArray:
-    """Unit normals of the surface of the inclusions in the cells of a box, shape (3, n, m, l).
+    """Return unit normals of the inclusion surfaces in the cells of a box, shape (3, n, m, l).
 
-    They follow from the gradient of the share of the cells around (Youngs 1982); 0 without one.
+    The normal of a cell follows from the gradient of the filled share of the neighbouring cells
+    (Youngs 1982), and is 0 where this gradient is 0.
     """
     share = np.pad(cells.share, ((1, 1), (1, 1), (0, 1)))
     # Beyond the surface of the body the share continues.

@@ -15,8 +15,8 @@ class Anisotropic(FrictionLaw):
     """Friction with different coefficients in two perpendicular directions of the surface.
 
     The shear traction s lies within an ellipse with the half-axes mu_x p and mu_y p. A cell whose
-    shear is on the ellipse slips along the normal of the ellipse (associated flow), so that
-    friction dissipates as much as it can. Equal coefficients give Coulomb friction.
+    shear is on the ellipse slips along the normal of the ellipse (associated flow), which gives the
+    maximum frictional dissipation. Equal coefficients give Coulomb friction.
 
     Attributes
     ----------
@@ -123,9 +123,10 @@ class FallingCoulomb(FrictionLaw):
     """Coulomb friction with a coefficient that falls as the slip rate v increases.
 
     mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
-    In short increments, a cell may be able to stick as well as to slip: such an increment is
+    In short increments, a cell may be in equilibrium with and without slip: such an increment is
     refused unless the law has a memory. With a memory d, v is a mean of the slip rates of a
-    material point over its slip path, with weights that decrease by 1/e over the distance d.
+    material point over its slip path, with weights that decrease by a factor of e over a distance
+    of d.
 
     Attributes
     ----------
@@ -166,10 +167,10 @@ class ThirdBody(FrictionLaw):
     Below its strength, the layer adds thickness/shear_modulus times the shear traction to the
     relative tangential displacement of each cell. The shear traction is at most min(mu p,
     strength); at this limit the layer flows or slips, which counts as slip. The layer has no normal
-    compliance. With hardening k, the strength of a cell changes with the plastic slip of the layer,
-    strength + k plastic_slip (at least 0); the part of the slip at the limit mu p is not plastic.
-    Prescribed tangential forces may exceed the strength before the increment if the layer hardens;
-    otherwise prescribe a shift to make the whole layer flow.
+    compliance. With hardening k, the strength of a cell is strength + k plastic_slip, at least 0,
+    with the plastic slip of the layer in this cell; slip at the limit mu p is not plastic.
+    If the layer hardens, prescribed tangential forces may exceed its strength before the increment.
+    If it does not harden, prescribe a shift to make the whole layer flow.
 
     Attributes
     ----------
@@ -182,9 +183,9 @@ class ThirdBody(FrictionLaw):
     thickness : float
         Thickness of the layer [m], >= 0, much smaller than the contact.
     hardening : float, optional
-        Change of the strength per plastic slip [Pa/m]; negative: the layer softens. A layer that
-        softens faster than 1/C, the inverse of the displacement of a cell under its own unit shear,
-        is refused when the contact is solved.
+        Change of the strength per plastic slip [Pa/m]; negative: softening. The solver raises
+        an error if the layer softens faster than 1/C, where C is the displacement of a cell under
+        its own unit shear.
 
     Raises
     ------

@@ -96,7 +96,7 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 
 
 def coarser_path(path: Path, sizes: Sizes) -> tuple[list[dict[str, Any]], list[int]]:
-    """Convert a path to cells twice as long; return the path and the new index of each increment.
+    """Convert a path to cells twice as long; also return the new index of each increment.
 
     Two successive increments that move the surfaces by an equal odd number of cells are merged.
 
@@ -174,8 +174,8 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
     -----
     The waves in this fraction are the last octave of wavenumbers on this grid. If the slope
     spectrum is a power law of the wavenumber, as for a self-affine surface, the next octave, which
-    this grid cannot resolve, contains at least this fraction times the ratio of the last two
-    octaves.
+    this grid cannot resolve, contains at least this fraction times the ratio of the last octave to
+    the octave before.
     """
     field = np.asarray(heights, dtype=np.float64)
     finite_array("heights", field, field.shape)

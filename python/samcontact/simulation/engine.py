@@ -75,7 +75,7 @@ class Engine:
         setup, grid = self.setup, domain.grid
         relieved = any(relief is not None for relief in domain.reliefs)
         relieved = relieved or setup.adhesion.attracts
-        # The estimate is that of the matrices.
+        # The Hertz estimate omits inclusions.
         bodies = matrix_of(setup.body1), matrix_of(setup.body2)
         self.estimate = ContactSetup(grid, domain.initial_gap, bodies, relieved)
         self._arguments = StepArguments(grid, setup.bodies, setup.friction, setup.settings.spring)
@@ -99,7 +99,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; its surfaces must equal `current` in the common cells."""
+        """Return the domain of a grid; its surfaces must agree with `current` in common cells."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
@@ -247,7 +247,7 @@ class Engine:
             self._switch_to(counts)
 
     def _switch_to(self, counts: Sequence[int]) -> None:
-        """Switch to a larger domain in the current state."""
+        """Switch to a larger domain, and keep the current state."""
         grid = replace(self.domain.grid, nx=counts[0], ny=counts[1])
         domain, smaller = self._checked_domain(grid, self.domain), self.core
         self._open(domain, lambda core: core.take_over(smaller))

@@ -65,11 +65,11 @@ def value(state: State, name: str) -> float:
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """Return local maxima, the largest of which is the quantity; each of them converges separately.
+    """Return one or several values whose maximum is the quantity; each value converges separately.
 
-    For a volume field they are the maximum below the surface and the maximum at the surface; for a
-    layer, the maximum inside the layer and the maxima at both faces. Which maximum is the largest
-    may depend on the grid.
+    A volume field has several values: the maximum below the surface and the maximum at the surface;
+    for each layer, the maximum inside the layer and the maxima at both faces. Which of these maxima
+    is the largest may depend on the grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)

@@ -7,7 +7,7 @@ import threading
 
 
 class ExclusiveAccess:
-    """Context manager in which no other thread or softening law may change a simulation."""
+    """Context manager that keeps other threads and softening laws from changing a simulation."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()

@@ -33,8 +33,8 @@ def set_plastic_strain(
 ) -> None:
     """Set the plastic strain of a body, see `Simulation.set_plastic_strain`.
 
-    anywhere: whether the strain may lie entirely outside the grid, into which it may move later, as
-    in a preparation.
+    anywhere: whether the strain may lie entirely outside the grid, as in a preparation, whose
+    strain may move into the grid later.
     """
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])
@@ -73,7 +73,7 @@ def plastic_fields(
     terms: int,
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-    """Check a plastic state; return its fields with depth first. terms: number of backstresses."""
+    """Check a plastic state; return its fields with z before x. terms: number of backstresses."""
     given = real_array("strain", strain).shape
     fits = len(given) == 4 and min(given) > 0
     rows = grid.nx
@@ -106,7 +106,7 @@ def _require_over_grid(grid: Grid, strain: FloatArray, first: int) -> None:
 def eigenstrain_field(
     grid: Grid, strain: ArrayLike, first: Cells, cells: Cells | None
 ) -> tuple[tuple[int, int, int], FloatArray]:
-    """Check an eigenstrain, and return its first cell and its field with depth as first axis."""
+    """Check an eigenstrain, and return its first cell and its field, shape (6, nz, nx, ny)."""
     place = _three("first", first, 0)
     if not grid.has_volume:
         raise ValueError(f"grid must have dz for an eigenstrain, got {grid!r}")

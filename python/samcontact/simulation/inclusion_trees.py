@@ -16,12 +16,12 @@ from ..bodies.voxels import VoxelBlock
 from ..restart.tree import Tree, array
 
 _SIZES = (3, 3, 9, 6)
-"""Numbers of each inclusion: centre, radii, axes and misfit strain; then its material."""
+"""Numbers of values for centre, radii, axes and misfit of an inclusion; its material follows."""
 _VOID = -1
 
 
 def tree_of(body: Heterogeneous, tree_of_part: Callable[[Material | Layered], Tree]) -> Tree:
-    """Convert a body to a tree; its materials by `tree_of_part`."""
+    """Convert a body to a tree; `tree_of_part` converts each of its materials."""
     materials = [m for m in dict.fromkeys(body.phases) if m is not None]
 
     def index(material: Material | None) -> int:
@@ -54,7 +54,7 @@ def tree_of(body: Heterogeneous, tree_of_part: Callable[[Material | Layered], Tr
 def body_of(
     part: Tree, material: Callable[[Tree], Material], matrix: Material | Layered
 ) -> Heterogeneous:
-    """Convert a tree back to a body with this matrix; its other materials by `material`."""
+    """Convert a tree back to a body with this matrix; `material` converts its other materials."""
     known = part.get("materials", {})
     materials = [material(known[n]) for n in sorted(known, key=int)]
 
@@ -86,5 +86,5 @@ def body_of(
 
 
 def is_heterogeneous(part: Any) -> bool:
-    """Whether a tree is that of a heterogeneous body."""
+    """Whether a tree describes a heterogeneous body."""
     return bool(part["law"] == Heterogeneous.law)

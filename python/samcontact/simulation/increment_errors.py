@@ -39,18 +39,18 @@ _MIN_CELLS = {True: 6.0, False: 16.0}
 plastic flow, the size of increments affects only a few cells, at the boundary of the stick zone."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
-"""Ratio of the error of n increments to the difference between n and 2n, for plastic strain and for
-other fields; exact for first-order convergence."""
+"""Error with n increments divided by the difference between results with n and 2n increments, for
+plastic strain and for other fields; exact for first-order convergence."""
 _HALVING_FACTORS = 2.0, 1.5
-"""Ratio of the error of n increments to the difference between n/2 and n, for plastic strain and
-for other fields. In theory, the ratio is 1 for order 1, and 2.4 for order 1/2, which occurs in
-single cells. The two ratios used here are calibrated, see docs/theory/accuracy.md."""
+"""Error with n increments divided by the difference between results with n/2 and n increments, for
+plastic strain and for other fields. In theory, the ratio is 1 for order 1, and 2.4 for order 1/2,
+which occurs in single cells. The two values used are calibrated, see docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 
 _RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
-"""Both ratios for viscoelastic bodies without plastic flow or partial slip, after halving and after
-doubling: exact for first-order convergence, an upper bound for the usual second order."""
+"""Ratios as above for creep without plastic flow or partial slip, with half (True) or twice (False)
+as many increments: exact for first-order convergence, an upper bound for second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
 """Function that runs a setup on a grid, with an initial heat, along a path."""
@@ -307,7 +307,7 @@ def _difference(both: Sequence[tuple[FloatArray, ...]], floor: float) -> float:
 
 
 def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Restrict two fields to their common cells: centred areas, layers from the surface down."""
+    """Restrict two fields to common cells: equal centres, layers from the surface down."""
     if one.shape == other.shape:
         return one, other
     x = 1 if one.ndim == 3 and len(one) == 2 else 0  # for a pair of components
@@ -323,7 +323,7 @@ def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]
 
 
 def _value_differences(setup: SimulationSetup, grid: Grid, marks: Pairs) -> dict[str, float]:
-    """Return the differences of quantities with error control, relative to the larger value."""
+    """Return the differences of quantities with error control, relative to their maxima."""
     names = error_controlled_quantities.names(setup.bodies, volume=grid.has_volume)
     one, other = (
         [error_controlled_quantities.values(pair[which], names) for pair in marks]

@@ -19,7 +19,7 @@ Step = Mapping[str, Any]
 Sizes = tuple[float, float | None]
 """Cell sizes along x and y [m]; None along y if bodies may move by parts of cells along y."""
 Ends = list[tuple[int, int]]
-"""Index pairs (from 0): an increment of one path, and one of another path with an equal target."""
+"""Pairs of indices (from 0) of increments in two paths that end at equal targets."""
 _TARGETS = ("load", "approach", "torque")
 _PAIRS = ("tangential_load", "moment", "tilt")
 """Targets along or about x and y, each of which may be None."""
@@ -30,21 +30,21 @@ _MAX_REMAINING_FRACTION = 0.65
 
 
 def _is_by_cells(changes: FloatArray, sizes: Sizes) -> bool:
-    """Whether displacements [body][axis] are multiples of cell sizes, as far as they must be."""
+    """Whether displacements [body][axis] are multiples of cell sizes, where this is required."""
     if sizes[1] is None and changes[:, 1].any():  # bodies without a history
         return True
     return are_multiples(changes, sizes)
 
 
 def are_multiples(changes: FloatArray, sizes: Sizes) -> bool:
-    """Whether displacements [body][axis] are multiples of the cell sizes; along y, if given."""
+    """Whether displacements [body][axis] are multiples of cell sizes; sizes[1] None: x only."""
     axes = 1 if sizes[1] is None else 2
     cells = changes[:, :axes] / np.array(sizes[:axes])
     return bool(np.allclose(cells, np.round(cells), atol=1e-6))
 
 
 def cleaned(step: Step) -> dict[str, Any]:
-    """Return the arguments of a step; those that are None, and an advance of zero, are omitted."""
+    """Return the arguments of a step without those that are None and without an advance of zero."""
     kept = dict(step)
     for name, value in step.items():
         if name == "advance" and value is not None and value is not AT_REST:
@@ -181,7 +181,7 @@ def _continues(before: Step, step: Step, after: Step) -> bool:
 
 
 def _pairs(name: str, step: Step, after: Step) -> list[tuple[float | None, float | None]]:
-    """Return the components of a motion in two increments."""
+    """Return pairs of the components of a motion in two increments."""
     if name == "shift":
         return list(zip(step[name], after[name], strict=True))
     one, other = (both_axes(each[name]).ravel().tolist() for each in (step, after))

@@ -51,7 +51,7 @@ def describe(engine: Engine, **what: Any) -> Identity:
 def journal_of(
     folder: str | os.PathLike[str] | None, engine: Engine, **what: Any
 ) -> Iterator[Journal | None]:
-    """Context manager: lock a folder and provide the journal of the run; None if no folder."""
+    """Context manager: lock a folder and provide the journal of the run; None without a folder."""
     if folder is None:
         yield None
         return
@@ -99,7 +99,7 @@ class Journal:
                 break
 
     def next(self) -> State | None:
-        """Restore the next increment from its checkpoint and return the state; None without one.
+        """Restore the next increment and return its state; None if there is no checkpoint of it.
 
         A damaged checkpoint is ignored with a warning; the increment is then solved again.
         """
@@ -123,7 +123,7 @@ class Journal:
             self.engine.restore(kept)
 
     def add(self, state: State | None = None) -> None:
-        """Store a checkpoint after a new increment, of the current state or of an earlier state."""
+        """Store a checkpoint after a new increment, of the current state or of `state`."""
         kept = self.engine.snapshot(state)
         write_checkpoint(self._file(self.count + 1), kept, run=self.run_identity)
         self.count += 1

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""History of heat and creep of a simulation, which another simulation of the bodies can continue.
+"""Histories of heat and creep of a simulation, which another simulation can continue.
 
-The surfaces of the other simulation may be worn. Its plastic strain is set separately.
+The other simulation has the same bodies, with surfaces that may be worn. Its plastic strain is set
+separately.
 """
 
 from __future__ import annotations
@@ -24,12 +25,12 @@ _HEAT = ("past1", "past2", "past_symmetry", "time", "duration")
 """Parts of a state that contain the heat of earlier increments."""
 _MEMORIES = ("traction_memory1", "traction_memory2")
 _FIELDS = ("pressure", "shear_x", "shear_y", "slip_rate", "plastic_slip")
-"""Surface fields that an increment of partial slip continues."""
+"""Surface fields from which an increment with partial slip continues."""
 _CREEP = (
     *_MEMORIES, *_FIELDS, "load", "approach", "tilt", "motion", "shear_symmetry", "travel",
     "lateral_travel", "time",
 )  # fmt: skip
-"""Parts of a state that increments of viscoelastic bodies continue."""
+"""Parts of a state from which increments with viscoelastic bodies continue."""
 
 
 def heat_of(state: State) -> Tree:
@@ -57,7 +58,7 @@ def continue_history(engine: Engine, *parts: Tree) -> None:
 
 
 def widened(creep: Tree, old: Grid, grid: Grid) -> Tree:
-    """Return the tractions and traction memory of a grid on a larger grid with the same centre."""
+    """Return the result of `creep_of` for a larger grid with the same centre."""
     before = [(n - m) // 2 for n, m in zip(grid.surface_shape, old.surface_shape, strict=True)]
     wider = dict(creep)
     for name in _FIELDS:

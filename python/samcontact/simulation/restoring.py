@@ -73,7 +73,7 @@ def without_estimates(cls: type[Any], arguments: Mapping[str, Any]) -> Any:
 def repeat_with(cls: type[Any], preparation: Preparation | None = None) -> Repeat:
     """Return a function that runs a setup along a path, without error estimates.
 
-    preparation: change of each simulation before its path.
+    preparation: function that changes each simulation before its path.
     """
 
     def repeated(

@@ -52,7 +52,7 @@ class Simulation(Configured, HtmlTable):
         Upper and lower body; at most one is rigid.
     gap : array_like, shape (nx, ny), or callable
         Initial separation of the undeformed bodies [m], inf where a body is absent; or a function
-        of a grid, ``lambda grid: surfaces.paraboloid(grid, R)``: the grid then grows; see Notes.
+        of a grid, ``lambda grid: surfaces.paraboloid(grid, R)``, to allow a larger grid; see Notes.
     friction : float or FrictionLaw, optional
         Friction law. A float is a coefficient mu >= 0 [-] for full sliding, with shear along +x on
         body 2; `Coulomb(mu)` allows partial slip, driven by `step`.
@@ -61,9 +61,9 @@ class Simulation(Configured, HtmlTable):
         strain increment and of the yield violation; with inclusions at least 1e-4 (voids: 1e-3).
     increment_tol : float, optional
         Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
-        plastic strain relative to their maxima. Each is solved in one step and in two halves, then
-        extrapolated to second order. If more than 64 are needed, a ValueError states a sufficient
-        tolerance. Default: no subdivision, first order.
+        plastic strain relative to their maxima. Each sub-increment is solved in one step and in two
+        halves, then extrapolated to second order. If more than 64 are needed, a ValueError states a
+        sufficient tolerance. Default: no subdivision, first order.
     on_border : {"error", "warn"}, optional
         Action if the contact reaches the grid edge; "warn" keeps the grid as it is.
     on_stall : {"error", "warn"}, optional
@@ -206,8 +206,8 @@ class Simulation(Configured, HtmlTable):
         advance : pair of floats, or pair of pairs, optional
             Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
             [m]: equal for rolling towards -x, different for sliding by the difference (creepage
-            with `Coulomb`). Plastic strain moves with the body. Motion by whole cells is exact,
-            else see `State.origin`. Or ((x1, y1), (x2, y2)): whole cells along y, or full sliding.
+            with `Coulomb`). Plastic strain moves with the body. For fractions of a cell, see
+            `State.origin`. ((x1, y1), (x2, y2)) adds motion along y: whole cells, or full sliding.
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.
@@ -308,7 +308,7 @@ class Simulation(Configured, HtmlTable):
         """Advance viscoelastic bodies to their long-time state, at an unchanged time.
 
         hold: "load" or "approach", kept constant; default: as in the last step. Raises ValueError
-        without a viscoelastic body, or for a fluid. `State.viscous_work`: work in a slow change.
+        without a viscoelastic body, or for a fluid. `State.viscous_work` assumes a slow change.
         """
         return self.step(**relaxing_step(self.engine, hold))
 

@@ -91,7 +91,7 @@ _NO_MOTION = TangentialInput((False, False, False), (0.0, 0.0, 0.0))
 
 
 class StepArguments:
-    """Checks of the arguments of increments on one grid; only a changed heat is checked again."""
+    """Checks of increment arguments on one grid; the heat is checked again only if it changes."""
 
     def __init__(
         self, grid: Grid, bodies: Bodies, friction: FrictionLaw, spring: float = 0.0
@@ -168,7 +168,7 @@ class StepArguments:
     def _require_heat_of_motion(
         self, heat: Heat, duration: float, travels: Travels, *, is_loaded: bool
     ) -> None:
-        """Raise ValueError unless the heat follows bodies that move in an increment."""
+        """Raise ValueError unless the motion in an increment agrees with the heat."""
         grid = self.grid
         if heat.history is not None:
             _require_motion_of_heat(heat, duration, travels, grid)
@@ -184,7 +184,7 @@ class StepArguments:
             _require_velocity_of_heat(heat, duration, travels, grid)
 
     def _heat_with(self, heat: Heat, factor: float | Sequence[float]) -> Heat:
-        """Return the heat with another factor."""
+        """Return the heat with a new factor (heat flux per unit pressure)."""
         if heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
@@ -216,7 +216,7 @@ def _travels(grid: Grid, advance: ArrayLike) -> Travels:
 
 
 def _require_endless_along_y(bodies: Bodies) -> None:
-    """Raise ValueError for bodies whose end faces would move with them."""
+    """Raise ValueError for bodies with free faces, which must not move along y."""
     for n, body in enumerate(bodies, 1):
         if getattr(body, "free_faces", None) is not None:
             raise ValueError(
@@ -336,8 +336,8 @@ def _of_friction(
 def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid: Grid) -> None:
     """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
 
-    With a track, the velocity follows from the motion. With a track along y, bodies without a
-    history may move by fractions of a cell, which have no effect on the positions of cells.
+    With a track, the velocity follows from the motion. With a track along y, motion by fractions of
+    a cell passes this check; motion of bodies with a history is checked separately.
     """
     if heat.track is not None:
         for axis, (cells, length) in enumerate(zip(advance, heat.tracks, strict=True)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Increments of a path that contains retractions, whose number follows from the states."""
+"""Increments of a path with retractions, whose number of increments depends on the solution."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .engine import Engine
 
 _STEP_PER_LENGTH = 0.25
-"""Default step of a retraction, relative to the length of the law of adhesion."""
+"""Default step of a retraction, relative to the work of adhesion over the peak attraction."""
 
 Path = Sequence[Mapping[str, Any]]
 
@@ -54,7 +54,7 @@ def run_list(name: str, path: Any) -> list[dict[str, Any]]:
 def unfolded(
     path: Path, engine: Engine, current: Callable[[], State]
 ) -> Iterator[Mapping[str, Any]]:
-    """Iterate over the arguments of the increments; each is solved before the next is asked.
+    """Iterate over the arguments of increments; the caller solves each before it takes the next.
 
     current: function that returns the state after the increments so far. Raises ValueError without
     adhesion, or if a retraction does not separate the surfaces.

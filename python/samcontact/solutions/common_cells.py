@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of a body in two states, on the union of the cells of both states."""
+"""Fields of a body in two states, extended to the cells of both states."""
 
 from __future__ import annotations
 

@@ -30,10 +30,10 @@ def contact_area(
     """Contact area from the pressure in the cells of a grid [m^2].
 
     Counting the cells under pressure is a method of first order, and nearly always overestimates
-    the area. If the contact spots are resolved, the contact edge is located within the cells by the
-    squared pressure, which falls linearly to zero at the edge of a smooth contact. This method is
-    of second order. If the spots are not resolved, or if the area by this method would exceed the
-    count (nearly full contact), each cell side on the contact outline reduces the count by (pi - 1
+    the area. If the contact spots are resolved, the contact edge is located within the cells from
+    the squared pressure, which falls linearly to zero at the edge of a smooth contact. This method
+    is of second order. If the spots are not resolved, or if the located area would exceed the count
+    (nearly full contact), each cell side on the contact outline reduces the count by (pi - 1
     + ln 2)/24 of a cell. This is the mean overestimate of counting, averaged over all directions of
     a smooth edge (Yastrebov, Anciaux and Molinari 2017, doi:10.1016/j.triboint.2017.04.023). For
     intermediate resolution, the area is a weighted mean of the areas by the two methods. Cell sides
@@ -67,7 +67,7 @@ def perimeter_correction(
 
 
 def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple[float, float]:
-    """Return the contact area, and the perimeter correction contained in it [cells]."""
+    """Return the contact area, and the perimeter correction by which it was reduced [cells]."""
     field = np.asarray(pressure, dtype=np.float64)
     inside = in_contact(field)
     count = int(np.count_nonzero(inside))
@@ -105,7 +105,7 @@ def _located(pressure: ArrayLike, periodic: str, gap: ArrayLike | None) -> tuple
 
 
 def _on_cells(sides: Sides, gap: ArrayLike | None, periodic: str) -> NDArray[np.bool_]:
-    """Return, for each cell side, whether the contact edge lies on it: at a step of the gap."""
+    """Return, for each cell side, whether a step of the gap fixes the contact edge on this side."""
     if gap is None:
         return np.zeros(len(sides.i), dtype=np.bool_)
     return steps_next_to(sides, np.asarray(gap, dtype=np.float64), periodic)[0]
@@ -118,9 +118,9 @@ def _inside_of_zero_line(
 
     The squared pressure is extrapolated to the first cells without pressure by a parabola through
     the second to fourth cell from the edge; the first cell is omitted, because its pressure depends
-    on the position of the edge in it. The extrapolated value is at most zero. At a step of the gap
-    the squared pressure vanishes half-way between the cell centres. The area is computed in
-    triangles between the centres.
+    on the position of the edge in this cell. The extrapolated value is at most zero. At a step of
+    the gap, the squared pressure vanishes half-way between the cell centres. The area is computed
+    in triangles between the centres.
     """
     field = (pressure / pressure.max()) ** 2
     held = np.full(field.shape, np.nan)

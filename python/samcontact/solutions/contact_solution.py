@@ -188,9 +188,9 @@ class PartialSlipSolution(ShearedSolution):
         With dissimilar materials this residual refers to the final pressure, and `error` is the
         complementarity error of the pressure for the final shear.
     energy_gap : float
-        Error bound of the shear, as an energy [J]: for the computed slip, friction could dissipate
-        at most `energy_gap` more. The elastic energy of the error of the shear is at most half of
-        `energy_gap`. NaN for infinite friction.
+        Error bound of the shear, as an energy [J]: with the computed slip, no admissible shear
+        traction dissipates more than `energy_gap` in addition to the computed one. The elastic
+        energy of the error of the shear is at most half of `energy_gap`. NaN for infinite friction.
     sweeps : int
         Number of alternating solutions for pressure and for shear; 1 if pressure and shear are
         uncoupled.
@@ -208,9 +208,9 @@ class PartialSlipSolution(ShearedSolution):
     slip_rate : ndarray, shape (nx, ny), or None
         With `FallingCoulomb`: slip rate that determines the friction of each cell [m/s].
     falling_number : float
-        With `FallingCoulomb`: largest -dmu/dv p C/t of a cell, with the displacement C of a cell
-        under its own unit shear and the duration t. Solutions of an increment are unique for values
-        below 1 at all slip rates.
+        With `FallingCoulomb`: maximum of -dmu/dv p C/t over all cells [-], with the pressure p, the
+        displacement C of a cell under its own unit shear and the duration t of the increment. If
+        this number is below 1 at all slip rates, the solution of the increment is unique.
     plastic_slip : ndarray, shape (nx, ny), or None
         With a `ThirdBody` that hardens: plastic slip of the layer so far [m].
     """
@@ -310,17 +310,17 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
 
 
 def slip_rate_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
-    """Return the slip rate of a solution on a grid with equal cells [m/s]; None: no slip rate."""
+    """Return the slip rate on a grid with equal cells [m/s]; None if the solution has none."""
     return _centred_on(solution.slip_rate, solution.grid, grid)
 
 
 def plastic_slip_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
-    """Return the plastic slip of a solution on a grid with equal cells [m]; None: none."""
+    """Return the plastic slip on a grid with equal cells [m]; None if the solution has none."""
     return _centred_on(solution.plastic_slip, solution.grid, grid)
 
 
 def _centred_on(field: FloatArray | None, before: Grid, grid: Grid) -> FloatArray | None:
-    """Return a field of a grid on a larger one, with 0 in the cells beyond the first."""
+    """Return a field on a larger grid with the same centre, padded with 0 beyond `before`."""
     if field is None:
         return None
     margins = [

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class InclusionState:
-    """Fields of the inclusions of a state, at its position."""
+    """Base class of `State` with the fields of inclusions, at the current position of the body."""
 
     if TYPE_CHECKING:
         setup: SimulationSetup
@@ -35,13 +35,13 @@ class InclusionState:
         ) -> FloatArray: ...
 
     def share(self, body: int = 2) -> FloatArray:
-        """Share of each cell that inclusions fill, 0 to 1, shape (nx, ny, nz); 0 without them."""
+        """Share of each cell that is filled by inclusions [-], from 0 to 1, shape (nx, ny, nz)."""
         return self._field("share", body, lambda: self._of_cells("share", 0.0, body))
 
     def phase(self, body: int = 2) -> NDArray[Any]:
-        """Number of the inclusion that fills most of a cell, shape (nx, ny, nz).
+        """Index of the inclusion that fills most of each cell, shape (nx, ny, nz).
 
-        It counts the `inclusions` of the `Heterogeneous` body from 0; -1 in the matrix.
+        Index 0 is the first of the `inclusions` of the `Heterogeneous` body; -1 is the matrix.
         """
         return self._field("phase", body, lambda: self._of_cells("phase", -1, body))
 

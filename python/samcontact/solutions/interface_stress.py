@@ -16,7 +16,7 @@ from ..problem.grid import Grid
 
 SIDES = ("above", "below")
 _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
-"""For n cells, weights of their mean stresses that extrapolate a polynomial to the first face."""
+"""Weights that extrapolate the mean stresses of n cells to the outer face of the first cell."""
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
@@ -40,8 +40,8 @@ def stress_at_interfaces(
 ) -> FloatArray:
     """Return the stress on both sides of each interface [Pa], see `State.interface_stress`.
 
-    tractions: pressure and shear on the body; residual_stress: function of a number of cell layers
-    that returns the stress due to plastic strain.
+    tractions: pressure and shear on the body; residual_stress: function that returns the stress due
+    to plastic strain in a given number of cell layers, or None if there is no such stress.
     """
     pressure, shear = tractions
     depths = layered.interfaces

@@ -49,7 +49,7 @@ class Outline(NamedTuple):
     """Number r of cells. Along x and y, the contact extends without a gap from r cells before the
     cell of maximum pressure to r - 1 cells after it, and is thus at least 2 r cells wide."""
     rises: bool
-    """Whether a cell at a side of the contact has a higher pressure than the next inner cell."""
+    """Whether a cell at the outline has a higher pressure than the next inner cell."""
     largest: float
     """Maximum pressure [Pa]."""
 
@@ -63,7 +63,7 @@ def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
 
 
 class Sides(NamedTuple):
-    """Sides of cells (i, j) normal to an axis; step: direction of the next cell, +1 or -1."""
+    """Sides of cells (i, j) normal to an axis; step: direction from cell to side, +1 or -1."""
 
     i: Ints
     j: Ints
@@ -71,7 +71,7 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Return i and j of the cells `cells` cells outwards, cyclic at the edge of the grid."""
+        """Return i and j of the cells that lie `cells` cells outwards, cyclic at the grid edge."""
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
@@ -115,9 +115,9 @@ def steps_next_to(
 ) -> tuple[NDArray[np.bool_], FloatArray]:
     """Return whether the gap has an upward step at each side, and the height of each step [m].
 
-    Slopes are differences of the gap between neighbouring cells. The height of a step exceeds the
-    change of slope across the side, and `MIN_STEP_RATIO` times the changes of slope next to the
-    side. If there is no body outside (gap NaN or infinite), the height of the step is infinite.
+    Slopes are differences of the gap between neighbouring cells. A jump of the gap is a step if its
+    height exceeds the change of slope across the side, and `MIN_STEP_RATIO` times the changes of
+    slope next to the side. Without a body outside (gap NaN or infinite), the height is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -178,10 +178,10 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether a cell has more than `MIN_EDGE_PRESSURE_RATIO` times its neighbours' pressures.
+    """Whether any cell has more than `MIN_EDGE_PRESSURE_RATIO` times the pressure of neighbours.
 
-    The two neighbours along x are meant, or the two neighbours along y. Every contact edge towards
-    which the pressure rises has such a cell, and a smooth contact has none.
+    The neighbours are the two along x, or the two along y. Every contact edge towards which the
+    pressure rises has such a cell, and a smooth contact has none.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T

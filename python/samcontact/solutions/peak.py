@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 
 _STRESS_TOLERANCE = 1e-3
-"""Relative tolerance of equal stresses: without hardening, many increments reach the yield
-stress."""
+"""Relative difference up to which stresses count as equal: without hardening, many increments
+reach the yield stress."""
 _ROUNDING_ERROR = 1e-9
-"""Relative tolerance of equal pressures and loads, for rounding errors."""
+"""Relative difference up to which pressures or loads count as equal, for rounding errors."""
 
 
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
@@ -24,8 +24,8 @@ def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
 
     If several increments have equal stress, the increment with the largest pressure is chosen; if
     their pressures are equal too, the increment with the largest load; then the first increment. In
-    rolling contact the load is constant, and the increment at a rough spot of the track is the most
-    informative.
+    rolling contact with a constant load, this rule selects the increment at a rough spot of the
+    track.
 
     Parameters
     ----------

@@ -47,8 +47,8 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
     of the body (z into it); tension is positive. Methods take body = 1 or 2; methods for volume
     fields raise ValueError for a grid without layers or a rigid body. The nz layers of volume
-    fields lie at `depths`. Fields are read-only, and the most recent ones are cached. A pickle or
-    copy is independent, with a simulation of its own.
+    fields lie at `depths`. Fields are read-only, and the most recent ones are cached. A pickled or
+    copied state contains all data of its simulation, and does not depend on the original.
     """
 
     domain: Domain
@@ -89,7 +89,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         return self._core.layers() if self._given_layers is None else self._given_layers
 
     def at_layers(self, layers: int) -> State:
-        """Return this state with volume fields of another number of layers, >= 1."""
+        """Return this state with another number of layers in its volume fields, >= 1."""
         integer("layers", layers, 1)
         if layers == self.layers:
             return self
@@ -115,8 +115,8 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Position of the contact origin (x = 0) relative to the grid centre [m].
 
         The distance is at most half a cell. Grid cells coincide with cells of the elastic-plastic
-        body (body 2 if both are), so the contact is displaced in the grid by the remaining fraction
-        of a cell.
+        body (body 2 if both yield), so the contact is displaced in the grid by the remaining
+        fraction of a cell.
         """
         return float(self._core.origin) * self.grid.dx
 
@@ -135,7 +135,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         ----------
         body : {1, 2}
         margin : int, optional
-            Cells added at both ends of the strain, none along a period. Default: grid/4.
+            Cells added at both ends of the strained part; none if periodic along x. Default: nx/4.
 
         Returns
         -------
@@ -237,7 +237,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         The components zz, yz and xz are continuous up to the grid error; xx, yy and xy jump. Stress
         due to tractions is exact at the interface; stress due to plastic strain and inclusions is
         extrapolated from three cells on each side (fewer in thinner layers), so it is inaccurate
-        next to an inclusion that is closer. Raises ValueError for a body without layers, or with an
+        within three cells of an inclusion. Raises ValueError for a body without layers, or with an
         `offset`.
         """
         return self._field("interface_stress", body, lambda: self._at_interfaces(body))
@@ -313,9 +313,9 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
-        It is due to plastic strain and `eigenstrain`; viscoelastic bodies: the part not yet
-        recovered. On a periodic grid it is relative to great depth. axis="x" or "y": the tangential
-        displacement, along axes that both bodies share.
+        It is due to plastic strain and `eigenstrain`, and in viscoelastic bodies to creep that is
+        not yet recovered. On a periodic grid, it is relative to great depth. With axis="x" or "y":
+        the tangential displacement along x or y of the grid, for both bodies.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1

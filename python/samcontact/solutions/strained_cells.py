@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 def strained_cells(
     zone: Zone, shape: Sequence[int]
 ) -> tuple[tuple[NDArray[np.intp], ...], tuple[NDArray[np.intp], ...]]:
-    """Return the indices of the cells of the grid with plastic strain.
+    """Return the indices of the cells with plastic strain that lie in the grid.
 
-    The first are those in the zone, the second those in the grid.
+    The first tuple contains the indices in the zone, the second tuple the indices in the grid.
     """
     inside = np.nonzero(zone.equivalent_plastic_strain())
     there = [at + first for at, first in zip(inside, (*zone.first, 0), strict=True)]

@@ -35,9 +35,9 @@ def stress_at_points(
 
     The closed forms of all loaded cells are summed (Love 1929; `kernels.pressure_stress` and
     `kernels.shear_stress`). At cell centres the result equals `ContactSolver.stress`. At
-    points on the surface where loaded cells meet, the mean of the stresses half a cell to both
-    sides is returned. The computing time is proportional to the number of points times the number
-    of loaded cells; memory is constant.
+    points of the surface on lines where loaded cells meet, the result is the mean of the stresses
+    half a cell away on both sides. The computing time is proportional to the number of points times
+    the number of loaded cells; memory is constant.
     """
     given = {name: _finite(name, values) for name, values in zip("xyz", points, strict=True)}
     x, y, z = together(**given)
@@ -58,9 +58,9 @@ def stress_at_points(
 def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatArray:
     """Return half a cell size [m] for surface points on lines where loaded cells meet, otherwise 0.
 
-    With uniform tractions in each cell, the stress near a jump of the traction grows with the
-    logarithm of the distance. The mean of the values half a cell to both sides does not contain
-    this term.
+    With uniform tractions in each cell, the stress near a jump of the traction contains the
+    logarithm of the distance. The mean of the values half a cell away on both sides does not
+    contain this term.
     """
     half = np.zeros_like(points)
     cells: list[tuple[IntArray, IntArray]] = []

@@ -125,7 +125,7 @@ class AttractionState(SlipRateState):
 
     @property
     def attraction_energy(self) -> float:
-        """Work to open the gap against the attraction [J]; 0 without attraction."""
+        """Work of opening the closed gap against the attraction [J]; 0 without attraction."""
         return float(self._core.attraction_energy())
 
 

@@ -144,9 +144,10 @@ class Track(FixedAttributes):
         Returns
         -------
         xarray.Dataset
-            Dataset with the dimensions x, y and, with a volume, z and component. Each field of this
-            class except `backstress` gives a variable. The attributes are the number of the body
-            and the cell sizes [m].
+            Dataset with the dimensions x, y and, with a volume, z and component. The variables are
+            the residual displacement and, with a volume, plastic strain and its equivalent, and
+            residual stress with its von Mises and mean normal stress. The attributes are the number
+            of the body and the cell sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

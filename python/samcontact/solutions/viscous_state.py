@@ -9,12 +9,12 @@ from .._util.checks import FloatArray, choice
 
 
 class ViscousState:
-    """Memory of viscoelastic bodies at the end of an increment."""
+    """Base class of `State` with quantities that depend on the history of viscoelastic bodies."""
 
     _core: Any
 
     def equivalent_pressure(self, body: int = 2) -> FloatArray:
-        """Pressure that would cause the displacement in an elastic body [Pa], shape (nx, ny).
+        """Pressure that would give an elastic body the same displacement [Pa], shape (nx, ny).
 
         The displacement of a viscoelastic body depends on the history of the pressure. An elastic
         body with the instantaneous modulus has an equal displacement under the equivalent pressure.
@@ -29,9 +29,9 @@ class ViscousState:
         """Energy dissipated by the viscosity of a body since the start [J]; 0 if it is elastic.
 
         It is the work of the tractions on the surface of the body minus the elastic energy of the
-        body. It is exact if the equivalent tractions are linear in each step. The elastic energy
-        requires one convolution for each relaxation time and is computed on access. A difference of
-        at most 1e-12 of the elastic energy is rounding, of which a negative one counts as 0.
+        body. It is exact if the equivalent tractions (see `equivalent_pressure`) are linear in time
+        in each step. The elastic energy requires one convolution for each relaxation time and is
+        computed on access. Negative results within 1e-12 of the elastic energy are set to 0.
         """
         return float(self._core.viscous_work(choice("body", body, (1, 2)) - 1))
 

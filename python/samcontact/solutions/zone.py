@@ -89,5 +89,5 @@ class Zone(FixedAttributes):
 
 
 def _centres(first: int, count: int, cells: int, size: float) -> FloatArray:
-    """Return the centres [m] of cells that are counted from the first cell of the grid."""
+    """Return the centres of `count` cells [m]; `first`: index of the first of them in the grid."""
     return read_only(np.asarray((first - 0.5 * (cells - 1) + np.arange(count)) * size, np.float64))
