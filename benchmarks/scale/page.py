@@ -113,7 +113,7 @@ def communication(rows: Rows) -> str:
                           f"{2 * count.number:.0f}", f"{count.number * each / 1e9:.3g}",
                           f"{count.number * each / cluster.RATE / 60:.2g}"])  # fmt: skip
     return table(
-        ["job", "processes", "sent per displacement and process [GB]", "size of a message [MB]",
+        ["job", "processes", "sent per evaluation and process [GB]", "size of a message [MB]",
          "transposes of a solution", "sent per solution and process [GB]",
          f"time at {cluster.RATE / 1e9:g} GB/s [min]"], lines,
     )  # fmt: skip

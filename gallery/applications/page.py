@@ -80,7 +80,8 @@ def page(application: Application, record: dict[str, Any]) -> str:
     one = application
     values = {a["key"]: shown(a["value"], a["unit"], 3) for a in record["answers"]}
     commands = "\n".join(f"$ samcontact {c}" for c in (f"new {one.kind}", *one.commands))
-    times = ", ".join(f"{seconds:.0f} s" for seconds in record["seconds"])
+    timed = zip(one.commands, record["seconds"], strict=True)
+    times = ", ".join(f"`{command.split()[0]}` {seconds:.0f} s" for command, seconds in timed)
     functions = "\n".join(f"- `{name}`: {what}" for name, what in one.functions)
     tables = "\n\n".join(f"```text\n{table}\n```" for table in record["tables"])
     title, guide = one.guide
@@ -109,7 +110,7 @@ def page(application: Application, record: dict[str, Any]) -> str:
 {commands}
 ```
 
-Processor time of each command on one core, figures included: {times}.
+Processor time on one core, figures included: {times}.
 
 {tables}
 

@@ -242,8 +242,8 @@ def _require_fixed_path(case: Any, section: str, reason: str) -> None:
     for index, segment in enumerate(case.path):
         if segment.pull_off is not None:
             raise ValueError(
-                f"path[{index}].pull_off cannot be combined with {section}, because its number of "
-                f"increments {reason}: prescribe approach"
+                f"path[{index}].pull_off cannot be combined with {section}, because the number of "
+                f"increments of a pull-off {reason}: prescribe approach instead"
             )
 
 

@@ -292,8 +292,8 @@ def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:
         )
     if abs(first - second) > grid.dx:
         raise ValueError(
-            f"advance of the bodies must differ by at most one cell, {grid.dx!r} m, got {first!r} "
-            f"and {second!r} m: use smaller steps, or full sliding with friction as a number"
+            f"advance of body 1 and of body 2 must differ by at most one cell, {grid.dx!r} m, got "
+            f"{first!r} and {second!r} m: use smaller steps, or full sliding (friction = 0.3, say)"
         )
     if drive.given.is_force[0] and first != second:
         raise ValueError(

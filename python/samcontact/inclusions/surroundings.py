@@ -55,7 +55,8 @@ def checked_field(field: FatigueField, body: Heterogeneous) -> list[FloatArray]:
     if tuple(field.coordinates) != ("x", "y", "z"):
         raise ValueError(
             "field must have the axes x, y and z, got "
-            f"{', '.join(field.coordinates) or 'a stress array'}: use a cycle of states"
+            f"{', '.join(field.coordinates) or 'a stress array'}: evaluate the criterion for "
+            "a cycle of states"
         )
     axes = [np.asarray(field.coordinates[name]) for name in "xyz"]
     if min(axis.size for axis in axes) < 2:
