@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load search: the load at which a quantity of a contact reaches a value."""
+"""Search for the load at which a quantity of a contact reaches a given value."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""(Upper limit of the load)/(maximum load of the case); (lower limit)/(initial load)."""
+"""Upper limit of the load / maximum load of the case; lower limit / first load tried."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]: (`error` + deviation from the target)/(d(value)/d(load)).
+        Load and load error [N], which is (`error` + |value - target|)/(d(value)/d(load)).
     value, error : float
         Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State
@@ -91,7 +91,7 @@ class FoundLoad(HtmlTable):
 
 
 class LoadSearch:
-    """Load search, which solves each load at most once per grid.
+    """Search for a load, which solves the case at most once for each load and grid.
 
     start, max_load: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
     """
@@ -181,7 +181,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names, in results files, of quantities whose sum or maximum is the target quantity."""
+        """Names, in results files, of the quantities whose sum or maximum is compared."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -295,7 +295,7 @@ def prepare_search(
 
 
 def _checked_build(build: Callable[[float], Built], load: float) -> Built:
-    """Call the user's function at a load [N]; return simulation and path after checks."""
+    """Return the simulation and path that the user's function gives for a load [N]."""
     built = build(load)
     if not (isinstance(built, tuple) and len(built) == 2):
         raise TypeError(
@@ -370,7 +370,7 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Return the slope of (value - target)/target between the last load and the load nearest it."""
+    """Return the slope of (value - target)/target between the last load and its nearest earlier."""
     *others, (load, deviation) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (deviation - value) / (load - other)
@@ -394,7 +394,7 @@ def _outcome(search: LoadSearch, load: float, deviation: float, slope: float) ->
 
 
 def _relative(values: FloatArray, errors: FloatArray) -> float:
-    """Return the relative error at the increment at which the value is largest."""
+    """Return the relative error at the increment with the largest value."""
     known = np.where(np.isfinite(errors), np.abs(values), -1.0)
     at = int(known.argmax())
     return float(errors[at] / known[at]) if known[at] > 0 else 0.0

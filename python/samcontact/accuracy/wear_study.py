@@ -79,7 +79,10 @@ class WearStudy:
         return list(range(len(solution.repeated.cycles)))
 
     def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return the values of each cycle; after wear has ceased, all later cycles are equal."""
+        """Return the values of each cycle.
+
+        After wear has ceased, the values of the last cycle are repeated, with a worn depth of 0.
+        """
         columns = [self._column(solution.repeated, name) for name in names]
         table = np.array(columns, dtype=np.float64).T
         missing = self.count - len(table)
@@ -98,7 +101,7 @@ class WearStudy:
         return [float(value if place is None else value[place]) for value in values]
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return errors of the contact area, whose outline changes by whole cells."""
+        """Return the errors of the contact area, whose outline changes by whole cells; others 0."""
         found = np.zeros((self.count, len(names)))
         loaded = max(solution.states, key=lambda state: state.load)
         for n, name in enumerate(names):

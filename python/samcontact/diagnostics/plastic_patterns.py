@@ -22,8 +22,8 @@ LIMIT_PRESSURE_RATIO = 3.0
 """Mean pressure of a fully plastic contact divided by the yield stress."""
 _MAX_LIMIT_EXCESS = 1.05
 _MIN_ALTERNATION = 0.15
-"""Minimum result of `alternation` for a warning: smooth plastic zones of four layers have smaller
-values, grid artefacts up to 0.2."""
+"""Minimum result of `alternation` for a warning. Smooth plastic zones with four layers have smaller
+values; grid artefacts have values up to 0.2."""
 
 
 def warn_of_limit(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
