@@ -140,7 +140,7 @@ class RefinableCase:
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the increments of a segment: 1 if it is elastic, else a multiple of `increments`."""
+        """Return the increments of a segment: 1 if elastic, or else a multiple of `increments`."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
