@@ -181,7 +181,7 @@ class Maugis:
         return self._solved(radius)[1]
 
     def outer_radius(self, radius: ArrayLike) -> FloatArray:
-        """Return the radius [m] up to which the surfaces attract, at contact radii [m]."""
+        """Return the outer radius [m] of the attraction at contact radii [m], same shape."""
         return self._solved(radius)[2]
 
     @property
@@ -261,7 +261,7 @@ def jkr_profile(
     angle, share = 0.25 * np.pi * (nodes + 1), 0.25 * np.pi * weights
 
     def shape(x: FloatArray) -> FloatArray:
-        """Return x times the integral of f'(r)/sqrt(x^2 - r^2) from 0 to x, with r = x sin."""
+        """Return x times the integral of f'(r)/sqrt(x^2 - r^2) over r from 0 to x."""
         at = x[..., None] * np.sin(angle)
         slopes = finite_array("slope", slope(at), at.shape)
         found: FloatArray = x * (slopes @ share)

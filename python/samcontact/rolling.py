@@ -173,7 +173,7 @@ def steady(
 
 
 def _require_free(**tangential: Any) -> None:
-    """Raise ValueError for tangential arguments of viscoelastic bodies without friction."""
+    """Raise ValueError if tangential arguments are given without friction."""
     for name, value in tangential.items():
         if value is not None:
             raise ValueError(

@@ -52,7 +52,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     Parameters
     ----------
     name : str
-        Resolved name of the quantity.
+        Name of the quantity, as returned by `resolved`.
     target : float
         Target value in SI units.
     simulation : Simulation

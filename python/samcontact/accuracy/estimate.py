@@ -31,17 +31,17 @@ _ROUNDING_ERROR = 1e-12
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
-"""Minimum of the relative change that is assumed for a correction between a coarse grid and the
-finest grid. The correction extrapolates values to infinitely many increments."""
+"""Minimum relative change assumed for a correction that is computed on a coarse grid and applied on
+the finest grid. The correction extrapolates values to infinitely many increments."""
 CORRECTION_CHANGE_PER_GRID = 3.0
-"""Relative change that is assumed for this correction between a coarse grid and the finest grid,
-divided by the relative difference of the values themselves between the two grids."""
+"""Relative change assumed for this correction, divided by the relative difference of the values
+between the coarse grid and the finest grid."""
 
 REGULAR_RATIOS = {1: (1.4, 3.0), 2: (1.4, 6.0)}
-"""Range of the ratio c(n)/c(2 n) in which convergence counts as regular, for each highest order.
-Here, c(n) is the correction of a value that was computed with n increments. The ratio is 2 for
-order 1 and 4 for order 2. Outside the range, the irregular part c(n) - 2 c(2 n) of the correction
-may change on a finer grid."""
+"""Range of the ratio c(n)/c(2 n) in which convergence counts as regular. The key is the highest
+possible order of convergence; c(n) is the correction of a value that was computed with n
+increments. The ratio is 2 for order 1 and 4 for order 2. Outside the range, the irregular part
+c(n) - 2 c(2 n) of the correction may change on a finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
 """Relative error added for the contact area, as a fraction of the relative correction of the
@@ -113,7 +113,7 @@ def extrapolate_grids(series: ArrayLike, lowest: ArrayLike = ASSUMED_ORDER) -> E
 
 
 def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) -> Estimate:
-    """Estimate the change of a value up to infinitely many increments.
+    """Estimate the change of a value if the number of increments goes to infinity.
 
     Parameters
     ----------

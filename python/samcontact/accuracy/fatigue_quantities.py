@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 PREFIX = "fatigue_"
 PARTS = 2
-"""Number of values of a criterion, whose maximum is reported: one below and one at the surface."""
+"""Number of values per criterion, below and at the surface; their maximum is reported."""
 ORDER = 1.0
 """Lowest order of convergence in the cell size. It is only 1 because the maximum moves between
 cells and between instants as the grid is refined."""
@@ -35,7 +35,7 @@ def names(case: Case, bodies: Sequence[Body]) -> list[str]:
 
 
 def depends_on_increments(case: Case) -> bool:
-    """Whether criteria depend on the number of increments, since the stress cycle has them all."""
+    """Whether the stress cycle contains all increments, so that criteria depend on their number."""
     return case.fatigue is not None and case.fatigue.steady_axis is None
 
 

@@ -270,7 +270,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the indices of the increments whose volume errors are estimated, see `GridErrors`."""
+    """Return the indices of the increments at which errors of volume quantities are estimated."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}

@@ -30,13 +30,14 @@ HERTZ_MARGIN_ALONG_TRAVEL = 2.0
 carried along by a body then remains in the grid for a longer distance."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _CELLS_OF_SAMPLE = 2.0
-"""Cells per sample of a surface whose heights are interpolated, on the first grid."""
+"""Cells of the first grid per distance between the samples of a surface that is interpolated."""
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the largest common divisor of the thicknesses of
 elastic-plastic layers. Maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
-"""Maximum ratio of the cell width of the first grid to this largest common divisor."""
+"""Maximum ratio of the cell width of the first grid to the largest common divisor of the layer
+thicknesses."""
 
 
 class Grids(Protocol):

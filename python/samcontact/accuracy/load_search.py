@@ -91,7 +91,7 @@ class FoundLoad(HtmlTable):
 
 
 class LoadSearch:
-    """Search for a load, which solves the case at most once for each load and grid.
+    """Search for a load, in which the case is solved at most once for each load and grid.
 
     start, max_load: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
     """
@@ -181,7 +181,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names, in results files, of the quantities whose sum or maximum is compared."""
+        """Names, in results files, of quantities whose sum or maximum is compared with `target`."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -191,7 +191,7 @@ class LoadSearch:
 
     @property
     def has_depth_profile(self) -> bool:
-        """Whether first yield is sought and yield stress or initial stress varies with depth."""
+        """Whether first yield is sought in a body with depth-dependent yield or initial stress."""
         return self.name == YIELD and any(map(has_depth_profile, self.yielding.values()))
 
     def refuse(self, reason: object) -> ValueError:
@@ -221,12 +221,12 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary of the same layout; all forces are multiplied by
+        Case, path of a case file, or dictionary of the same layout, whose forces are multiplied by
         one factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
-        without a body number, the larger value of both bodies. The value used is the larger of the
-        values at maximum load and at the end of the path. Special names: "permanent_deformation",
+        Quantity with an error in results files, e.g. "max_pressure", "imprint_depth_body2". A name
+        without body number means the larger value of both bodies. The larger of the values at
+        maximum load and at the end of the path is used. Special names: "permanent_deformation",
         the sum of the residual imprint depths of both bodies at the end of the path; "yield", the
         maximum ratio of von Mises stress to local yield stress in an elastic solution (1 at first
         yield).
@@ -235,7 +235,7 @@ def find_load(
     tolerance : float, optional
         Relative tolerance on the quantity [-], in [1e-8, 0.1].
     largest_load : float, optional
-        Maximum contact load [N]; default: 100 times that of the case. Required with a function.
+        Maximum contact load [N]. Default: 100 times the load of the case. Required with a function.
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
@@ -370,7 +370,7 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Return the slope of (value - target)/target between the last load and its nearest earlier."""
+    """Return the slope of (value - target)/target between the last load and the nearest other."""
     *others, (load, deviation) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (deviation - value) / (load - other)

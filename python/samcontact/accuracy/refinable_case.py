@@ -52,7 +52,7 @@ class GridRun:
     memory: float
     seconds: float
     margins: FloatArray | float = 0.0
-    """Errors of the values that a comparison of grids may miss, in the shape of the values."""
+    """Errors that a comparison of grids may miss, in the shape of `values`."""
     note: str = ""
     """Result, as text, that must be equal on the finest grids."""
     solved: GridSolution | None = None
@@ -85,7 +85,7 @@ class RefinableCase:
         """Highest order of convergence in the number of increments."""
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
-        """Whether layers are elastic. Stress is then not evaluated: cells cross interfaces."""
+        """Whether layers are elastic. Stress is then not evaluated, as cells cross interfaces."""
         self.study = study_of(case, self.bodies)
         self.names = list(self.study.names)
         contact: Any = case.contact

@@ -45,14 +45,14 @@ INCREMENT_TIME_SHARE = 0.3
 MAX_IRREGULAR_SHARE = 0.25
 """Limit of the ratio of `Correction.irregular` to the prescribed accuracy."""
 MAX_CORRECTION_CHANGE = 0.5
-"""Possible error of the correction when applied to the finest grid, divided by the prescribed
-accuracy. Above this limit the correction is determined on a finer grid."""
+"""Limit of the error that a correction from coarse grids may have on the finest grid, divided by
+the prescribed accuracy. Above this limit, the correction is determined on a finer grid."""
 NEXT_GRID_TIME_SHARE = 0.5
 """Time limit of a run with more increments on a finer grid, relative to the expected time of the
 next grid."""
 MAX_CORRECTED_ERROR = 10.0
-"""Maximum error due to the increments for which values are corrected, divided by the prescribed
-accuracy. With larger errors, more increments are used."""
+"""Maximum error due to the increments that is corrected by extrapolation, divided by the prescribed
+accuracy. If the error is larger, the number of increments is increased."""
 MAX_GRIDS = 24
 
 
@@ -156,7 +156,7 @@ class AccuracySearch:
         return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
     def _choose_increments(self) -> None:
-        """Choose the number of increments from coarse-grid runs with doubled increments."""
+        """Choose the number of increments, from coarse-grid runs with 2, 4, 8 ... increments."""
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
@@ -179,13 +179,13 @@ class AccuracySearch:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Return the estimate of each quantity: the maximum of its parts, e.g. of its materials."""
+        """Return the estimate of each quantity, the maximum over its parts (e.g. materials)."""
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
         """Solve grid `TRIAL_LEVEL` with twice as many increments as before.
 
-        Return whether a solution was added: the numbers of increments and the time are limited.
+        Return False if the limit on the number of increments or on the time prevents the solution.
         """
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS

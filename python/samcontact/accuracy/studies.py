@@ -52,7 +52,7 @@ class Study(Protocol):
         ...
 
     def described(self, name: str) -> tuple[Quantity, int | None]:
-        """Return names and unit of a quantity, and the number of its body."""
+        """Return names and unit of a quantity, and the number of its body or None."""
         ...
 
     def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
@@ -68,7 +68,7 @@ class Study(Protocol):
         ...
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return errors of the compared values that a comparison of grids may miss."""
+        """Return errors that a comparison of grids may miss, in the shape of the values."""
         ...
 
     def note(self, solution: GridSolution) -> str:

@@ -43,8 +43,8 @@ _TIGHTEST_TOL = 1e-12
 def intermediate(body: Body, speed: float, grid: Grid) -> Body:
     """Return an elastic body with the mean of the compliances for very fast and for slow waves.
 
-    The slow waves are twice as long as the grid. For faster waves, the complex compliance of a
-    standard linear solid differs from the returned compliance by less than this compliance itself.
+    The slow waves are twice as long as the grid. For all shorter waves, the complex compliance of a
+    standard linear solid differs from the returned compliance by less than the latter.
     """
     if relaxation_of(body) is None:
         return body
@@ -99,7 +99,7 @@ class _Acceleration:
 def roll_creeping(
     rest: CreepingRest, roll: Roll, gap: FloatArray, tol: float, start: tuple[Tractions, Motion]
 ) -> dict[str, Any]:
-    """Solve elastic bodies repeatedly, each time with the remainder due to the last tractions.
+    """Solve the contact of elastic bodies repeatedly, with the remainder due to the last tractions.
 
     Parameters
     ----------

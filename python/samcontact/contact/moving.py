@@ -25,7 +25,7 @@ UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
 """Tangential drive of a contact without shear."""
 
 _HIGHER = [2.0**power for power in range(13, 0, -1)]
-"""Speeds of a continuation, as multiples of the given speeds."""
+"""Factors on the given speeds in a continuation from higher speeds."""
 
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
 """Function that creates the solution. Its arguments are the grid, the displacement [m] of

@@ -35,7 +35,7 @@ from .normal_drive import NormalDrive
 from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
 
 LOOSEST_ADHESIVE = 1e-7
-"""Tolerance above which repulsion cannot be distinguished from the error of an adhesive tension."""
+"""Maximum tolerance with adhesion. Above it, repulsion cannot be distinguished from errors."""
 
 
 class ContactSolver(ContactFields):

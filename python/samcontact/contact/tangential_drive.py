@@ -313,7 +313,7 @@ def _maybe(name: str, value: Any) -> float | None:
 
 
 def pair_of(name: str, pair: Any, relation: str = "along") -> list[float | None]:
-    """Return a pair of numbers along (or about) x and y, each of which may be None."""
+    """Return the two numbers of a pair for x and y, each of which may be None."""
     if pair is None:
         return [None, None]
     if (

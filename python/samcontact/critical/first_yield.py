@@ -152,7 +152,7 @@ class _GlobalSearch:
 
 
 class _LocalSearch:
-    """Search on a finer grid around a position, which includes all kinks of depth profiles."""
+    """Search on a finer grid around a position. The grid includes all kinks of depth profiles."""
 
     def __init__(
         self,

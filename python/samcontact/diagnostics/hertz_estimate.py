@@ -33,7 +33,7 @@ sphere of radius R on a grid of half-width r, this ratio is (r/R)^2/4."""
 MAX_EXTENDED_DEVIATION = 0.1
 """Maximum deviation of a gap from a paraboloid at the ends of the Hertz contact, divided by the
 height there. Beyond the grid, the deviation is assumed to grow like the fourth power of the
-distance from the centre, as the gap may flatten or drop towards the end of a body."""
+distance from the centre, because a gap may flatten or drop towards the end of a body."""
 _ROUNDING_MARGIN = 1e-6
 """Relative margin for rounding errors, at both ends of the range of loads that pass all checks."""
 _FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
@@ -61,7 +61,7 @@ class _Fit(NamedTuple):
     half_lengths: tuple[float, float]
     """Largest |x| and |y| of the cell centres [m]."""
     basis: FloatArray
-    """Values at the points of the six terms in x and y, which are divided by the half-lengths."""
+    """Values of the six terms at the points, computed from x and y divided by the half-lengths."""
     products: FloatArray
     """Products of each two terms, summed over the points."""
 
@@ -94,7 +94,7 @@ class Paraboloid(NamedTuple):
     def fits(self, expected: ExpectedContact) -> bool:
         """Whether a Hertz contact lies within the reach of the paraboloid.
 
-        Also True for a contact wider than the radii, for which the unit checks are to be made.
+        Also True for a contact that is wide relative to the radii, which unit checks then detect.
         """
         if all(e <= r for e, r in zip(_extent_of(expected, self), self.reach, strict=True)):
             return True

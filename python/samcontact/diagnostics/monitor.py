@@ -31,7 +31,7 @@ class Monitor:
     limit_warned: bool = False
     alternation_warned: bool = False
     checks_increments: bool = True
-    """Whether the error due to increments is still estimated after each increment."""
+    """Whether the error due to the size of the increments is estimated after each increment."""
     checks_steps: bool = True
     """Whether the grid resolution is checked after each step, instead of at the end of a run."""
     clipping_warned: bool = False

@@ -41,14 +41,14 @@ MAX_YIELD_FACTOR = 20.0
 MAX_PROFILE_DEPTH = 0.1
 """Maximum depth of hardening, residual stress or layers [m]; mill rolls are hardened to 0.1 m."""
 MIN_STRESS_RATIO = 1e-7
-"""Minimum ratio of residual stress, or of backstress modulus, to E; for steel, 0.02 MPa."""
+"""Minimum ratio of residual stress, or of backstress modulus, to E. For steel, this is 0.02 MPa."""
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
 """Maximum ratio of backstress modulus to E. The modulus is E Et/(E - Et) for a tangent modulus Et,
 and becomes large for Et near E."""
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300 m/s."""
 MAX_WEAR_COEFFICIENT = 1e-9
-"""Maximum wear volume per work, or per load and distance [1/Pa]; e.g. rubber on abrasive paper."""
+"""Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
@@ -71,7 +71,7 @@ class PlausibilityCheck(NamedTuple):
     remedy: Callable[[], str]
     """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether a Hertz contact is checked; on failure, checks after the solution are skipped."""
+    """Whether a Hertz contact is checked. If it fails, checks after the solution are skipped."""
 
 
 class ExpectedExtent(NamedTuple):
@@ -177,7 +177,7 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, list[Mater
 
 
 def _failed(findings: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
-    """Select the failed checks; reports do not list passed checks."""
+    """Iterate over the failed checks."""
     return (finding for finding in findings if not finding.check.passed)
 
 

@@ -22,9 +22,9 @@ MAX_TIMES = 3.0
 
 
 CREEP_CELLS = 0.02, 1.0
-"""Range of the creep distance of a moving material (speed times creep time) [cells] in which the
-cells do not resolve the creep. Below this range, the material has its long-time modulus everywhere.
-"""
+"""Range of the creep distance [cells] in which cells do not resolve the creep of moving material.
+The creep distance is the speed times the creep time. Below the range, the material has its
+long-time modulus everywhere."""
 
 
 @dataclass

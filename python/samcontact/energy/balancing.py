@@ -327,7 +327,7 @@ def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
 
 
 def _expansion_work(simulation: Simulation, states: Sequence[State]) -> float:
-    """Return the work of thermal expansion on the pressure and on the plastic strain [J]."""
+    """Return the work of thermal expansion against the pressure and on the plastic strain [J]."""
     total = 0.0
     for body, material in enumerate(_bodies(simulation), 1):
         if material.thermal is None or not any(
@@ -379,10 +379,11 @@ def _elastic_solver(simulation: Simulation, state: State) -> ContactSolver:
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:
-    """Return the elastic energy due to the tractions [J], half their work on the displacement.
+    """Return the elastic energy due to the tractions [J].
 
-    For a viscoelastic body, it is the supplied work minus the viscous work. The change of energy
-    due to inclusions is added.
+    For elastic bodies, it is half the work of the tractions on the elastic displacement that they
+    cause. For viscoelastic bodies, it is the supplied work minus the viscous work. The change of
+    energy due to inclusions is added.
     """
     solver = _elastic_solver(simulation, state)
     pressure, shear = state.pressure, state.shear

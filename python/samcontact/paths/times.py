@@ -77,7 +77,7 @@ def oscillation(
         Number of periods. A steady loop requires about the longest relaxation time, or a start from
         the relaxed state: ``sim.step(load=mean, duration=0.0)``, then ``sim.relax()``.
     increments : int
-        Number of steps per period, >= 4; 40 give the loss angle to second order.
+        Number of steps per period, >= 4. The error of the loss angle is of second order in a step.
     quantity : {"load", "approach"}
 
     Returns
