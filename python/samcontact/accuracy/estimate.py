@@ -31,11 +31,11 @@ _ROUNDING_ERROR = 1e-12
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
-"""Minimum relative change assumed for a correction that is computed on a coarse grid and applied on
-the finest grid. The correction extrapolates values to infinitely many increments."""
+"""Minimum relative change that is assumed for an increment correction between a coarse grid and the
+finest grid. An increment correction extrapolates a value to infinitely many increments."""
 CORRECTION_CHANGE_PER_GRID = 3.0
-"""Relative change assumed for this correction, divided by the relative difference of the values
-between the coarse grid and the finest grid."""
+"""Relative change that is assumed for an increment correction, divided by the relative difference
+of the values between the coarse grid and the finest grid."""
 
 REGULAR_RATIOS = {1: (1.4, 3.0), 2: (1.4, 6.0)}
 """Range of the ratio c(n)/c(2 n) in which convergence counts as regular. The key is the highest
@@ -125,7 +125,7 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) 
         value.
     max_order : {1, 2}, optional
         Highest order of convergence in the number of increments. With 1, the order is taken as 1;
-        with 2, the observed order is used, limited to 1 to 2.
+        with 2, the observed order is used, limited to the range from 1 to 2.
 
     Returns
     -------
@@ -158,7 +158,7 @@ def _further(d: FloatArray, max_order: int) -> FloatArray:
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
-    """Estimate the relative change of a correction for increments between two grids.
+    """Estimate the relative change of an increment correction from a coarse to the finest grid.
 
     Parameters
     ----------
@@ -171,7 +171,7 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
 
 
 def irregular(more: FloatArray, doubled: FloatArray, max_order: int = 1) -> FloatArray:
-    """Return the irregular part of the corrections for increments, see `REGULAR_RATIOS`.
+    """Return the irregular part of increment corrections, see `REGULAR_RATIOS`.
 
     Parameters
     ----------
@@ -196,7 +196,9 @@ def irregular(more: FloatArray, doubled: FloatArray, max_order: int = 1) -> Floa
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of each group of values, with an error from the errors of the whole group.
+    """Return the maximum of each group of values, and the error of this maximum.
+
+    The error follows from the values and errors of the whole group.
 
     Parameters
     ----------

@@ -154,8 +154,8 @@ def estimate_errors(
     Returns
     -------
     GridErrors
-        Each error is the difference of the two solutions: three times the true error for
-        second-order convergence, equal to the true error for first-order convergence. Both
+        Each error is the difference between the two solutions. It is three times the true error for
+        second-order convergence, and equal to the true error for first-order convergence. Both
         solutions have the same increments; the effect of the increments is estimated separately
         (`GridErrors.increments`).
 

@@ -306,7 +306,7 @@ def _checked_build(build: Callable[[float], Built], load: float) -> Built:
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """Return the indices of the last increment at maximum load and of the last increment."""
+    """Return the indices of the last increment at maximum load and the last one of the path."""
     loads = [state.load for state in states]
     max_load = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= max_load), len(states) - 1}

@@ -55,7 +55,8 @@ def to_accuracy(
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. At least three or four grids are solved.
+        Limit of the total time [s]. Default: 3600. At least three or four grids are solved, even if
+        they take longer.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional

@@ -228,7 +228,7 @@ class AccuracySearch:
         return combined(found, self.parts)
 
     def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
-        """Return the possible error of applying corrections for increments to the finest grid.
+        """Return the possible error of applying increment corrections to the finest grid.
 
         The corrections were computed on coarse grids.
         """
@@ -274,10 +274,10 @@ class AccuracySearch:
         return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[GridRun], worst: float) -> bool:
-        """Whether memory and time suffice for the next grid; if not, set `needs` to a text.
+        """Whether memory and time suffice for the next grid.
 
-        The text states how much memory and time are required. worst: maximum ratio of error to
-        prescribed accuracy; it is assumed that each finer grid halves this ratio.
+        If not, `needs` is set to a text on the memory and time required. worst: maximum ratio of
+        error to prescribed accuracy; it is assumed that each finer grid halves this ratio.
         """
         last = grids[-1]
         growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3

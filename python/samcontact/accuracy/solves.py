@@ -55,7 +55,7 @@ class Solves:
 
     @contextmanager
     def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
-        """Read stored results from a folder and write new results to it, unless it is None."""
+        """Use a folder to read stored results and to write new results; None: store nothing."""
         if folder is None:
             yield
             return
@@ -86,7 +86,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """Solve all increments of a path that are not stored; return all states on a common grid."""
+        """Solve the increments of a path that are not stored; return states on a common grid."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step

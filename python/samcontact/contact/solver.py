@@ -232,8 +232,8 @@ class ContactSolver(ContactFields):
             (`FallingCoulomb`).
         slip_rate : float, optional
             With `duration`: initial slip rate of all cells in the iteration [m/s], >= 0, which
-            selects one of several solutions. Default: the slip rate of `previous`, or 0. By
-            default, an increment that may have several solutions is refused.
+            selects one of several solutions. Default: the slip rate of `previous`, or 0. Without
+            `slip_rate`, an increment that may have several solutions is refused.
 
         Returns
         -------

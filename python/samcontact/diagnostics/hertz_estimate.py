@@ -32,8 +32,9 @@ MAX_PARABOLOID_DEVIATION = 0.03
 sphere of radius R on a grid of half-width r, this ratio is (r/R)^2/4."""
 MAX_EXTENDED_DEVIATION = 0.1
 """Maximum deviation of a gap from a paraboloid at the ends of the Hertz contact, divided by the
-height there. Beyond the grid, the deviation is assumed to grow like the fourth power of the
-distance from the centre, because a gap may flatten or drop towards the end of a body."""
+height of the paraboloid there. If these ends lie beyond the grid, the deviation is assumed to grow
+like the fourth power of the distance, because a gap may flatten or drop towards the end of a body.
+"""
 _ROUNDING_MARGIN = 1e-6
 """Relative margin for rounding errors, at both ends of the range of loads that pass all checks."""
 _FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid

@@ -62,7 +62,7 @@ class Motion:
 
     @property
     def on_grid(self) -> float:
-        """Travel of the body through the grid [m]; the contact itself moves by part of a cell."""
+        """Travel of the body through the grid [m]: its travel plus the motion of the contact."""
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:

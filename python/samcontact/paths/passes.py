@@ -208,7 +208,8 @@ def rolling(
     tangential_load_x : float, optional
         With `Coulomb`: force on body 2 while rolling [N], which determines the creepage.
     back_and_forth : bool
-        Whether the direction of the passes alternates. The load then remains between the passes.
+        Whether the direction of the passes alternates. The contact is then not unloaded between
+        passes.
     speed : float, optional
         Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: the
         duration of each rolling or return step is its length divided by the speed, and each load
