@@ -50,7 +50,7 @@ class ErrorRow(NamedTuple):
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
-    """Return one row for each quantity whose error the results contain, if any."""
+    """Return one row for each quantity whose error is in the results; without errors, no rows."""
     names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
     values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
               for name in names}  # fmt: skip

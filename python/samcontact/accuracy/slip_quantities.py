@@ -55,9 +55,10 @@ def _component(given: Any, axis: int | None) -> float:
 def values_of(states: Sequence[State], name: str, tol: float) -> list[float]:
     """Return the value of a quantity in each state [SI units].
 
-    A force, motion or work is returned as 0 if it is a rounding error, i.e. below `tol` times a
-    scale. The scale is the load for forces, the approach for motions, and their product for work;
-    it is multiplied by the contact size for a torque, and divided by the size for a rotation.
+    A force, motion or work is returned as 0 if it is a rounding error, i.e. below `tol` times its
+    scale: the load for forces, the load times the contact size for the torque, the approach for
+    displacements, the approach divided by the contact size for the rotation, and the load times the
+    approach for work.
     """
     if name == SHEAR:
         return [peak_value(np.hypot(*state.shear)) for state in states]

@@ -56,7 +56,7 @@ HEAT_CAPACITY_RANGE = 1e5, 1e7
 MAX_EXPANSION = 2e-3
 """Maximum thermal expansion [1/K]: rubber has up to 7e-4."""
 MAX_TEMPERATURE_RISE = 3e5
-"""Maximum temperature rise [K], as computed without melting."""
+"""Maximum temperature rise [K]. It is above all melting points, as melting is not modelled."""
 _THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
 _MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width in cells after correction of a unit
 _MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
