@@ -19,11 +19,11 @@ SHARE_OF_END = 0.6
 def correction_of_sliding(law: FrictionLaw, states: Sequence[State]) -> FloatArray:
     """Return (work of the tangential force) - (mean force times motion) in each increment [J].
 
-    The result is zero if some cells stick at the end of the increment. Otherwise, the contact is
-    assumed to stick partially at first: the force approaches the friction limit with the power 3/2
-    of the motion, as for balls under constant load (Mindlin & Deresiewicz 1953). The contact then
-    slides at the friction limit, which changes with the load. The sliding distance is the minimum
-    slip of all contact cells.
+    The result is zero if some cells stick at the end of the increment. Otherwise, the increment is
+    assumed to begin with partial slip, in which the force approaches the friction limit with the
+    power 3/2 of the motion, as for balls under constant load (Mindlin & Deresiewicz 1953). The
+    contact then slides at the friction limit, which changes with the load. The sliding distance is
+    the minimum slip of all contact cells.
     """
     if not law.sticks or law.prevents_slip:
         return np.zeros(len(states) - 1)
