@@ -30,8 +30,8 @@ _DIRECTIONS = ("x", "y")
 Pressing = tuple[FloatArray, _core.Drive]
 """Initial gap [m], and the normal drive: load or approach, and moments or tilts."""
 Settings = tuple[float, int, bool, bool]
-"""Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether,
-without convergence, the state with the smallest error is accepted."""
+"""Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether
+the state with the smallest error is accepted if the solver does not converge."""
 
 
 @dataclass(frozen=True)
