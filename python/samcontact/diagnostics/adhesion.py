@@ -63,8 +63,8 @@ def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterat
     if found.kappa > MAX_RESOLVED:
         yield (
             f"the grid does not resolve the adhesion: kappa = {found.kappa:.3g} (at most "
-            f"{MAX_RESOLVED:g} expected), so that single cells may jump. Use cells of at most "
-            f"{found.finer}, or a longer range"
+            f"{MAX_RESOLVED:g} expected), so that single cells may jump into contact. Use cells of "
+            f"at most {found.finer}, or a longer range"
         )
     strengths = [float(body.yield_stress_at(0.0)) for body in bodies if body.is_plastic]
     weakest = min(strengths, default=math.inf)

@@ -103,8 +103,8 @@ class RelaxationSteps:
                     f"the load changes from {quantity(before.load, 'N')} to "
                     f"{quantity(after.load, 'N')} in an increment of {quantity(duration, 's')} and "
                     f"is then constant, but body {number} relaxes with the time "
-                    f"{quantity(min(fast), 's')}: the change counts as steady during the "
-                    "increment; apply it with duration = 0, then short increments (paths.creep), "
-                    "or in several increments if it is slow"
+                    f"{quantity(min(fast), 's')}: the load is assumed to change steadily during "
+                    "the increment; apply a sudden change with duration = 0, then use short "
+                    "increments (paths.creep); apply a slow change in several increments"
                 )
         return ""

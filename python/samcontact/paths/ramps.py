@@ -82,7 +82,7 @@ def _growing(name: str, first: float, total: float, count: int) -> list[float]:
 
 
 def growing_durations(total: float, first: float, count: int) -> FloatArray:
-    """Return durations whose cumulative sums form a geometric sequence from `first` to `total` [s]."""
+    """Return durations [s] whose running sums form a geometric sequence from `first` to `total`."""
     times = np.geomspace(first, total, count)
     return np.diff(times, prepend=0.0)
 
