@@ -30,7 +30,7 @@ HERTZ_MARGIN_ALONG_TRAVEL = 2.0
 carried along by a body then remains in the grid for a longer distance."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _CELLS_OF_SAMPLE = 2.0
-"""Cells of the first grid per distance between the samples of a surface that is interpolated."""
+"""Minimum number of cells of the first grid between two samples of an interpolated surface."""
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
 """Minimum number of cells of the first grid in the largest common divisor of the thicknesses of

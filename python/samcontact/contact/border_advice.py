@@ -75,7 +75,7 @@ def _rows_beyond_faces(setup: ContactSetup) -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Describe the tilt of a gap as text; "" unless the tilt exceeds half of the other heights."""
+    """Describe the tilt of a gap as text; "" unless it exceeds half of the heights without tilt."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]
