@@ -68,8 +68,8 @@ void bind_errors(py::module_& m) {
   pull_off_error.call_once_and_store_result([&] {
     const py::exception<PullOffError> type(m, "PullOffError", convergence_error.get_stored());
     type.attr("__doc__") =
-        "Error of a load that pulls two surfaces more than their adhesion bears.\n"
-        "`pull_off` is the largest tension reached [N], `approach` its approach [m].";
+        "Error of a load whose tension exceeds the largest tension that adhesion allows.\n"
+        "`pull_off` is the largest tension reached [N]; `approach` is the approach there [m].";
     type.attr("pull_off") = 0.0;
     type.attr("approach") = 0.0;
     return py::object(type);

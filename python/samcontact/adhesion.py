@@ -26,14 +26,14 @@ _POINTS = 200
 def tabor(R: float, w: float, E_star: float, range: float) -> float:
     """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) [-].
 
-    R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: length z of the
-    attraction [m], w divided by its largest value. Tabor (1977,
+    R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: range z of the
+    attraction [m], which is w divided by the largest attraction. Tabor (1977,
     doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
 
-    Above about 5 the theory of Johnson, Kendall and Roberts (`jkr`) applies, below about 0.1 the
-    theory of Derjaguin, Muller and Toporov (`dmt`), after the adhesion map of Johnson & Greenwood
-    (1997, doi:10.1006/jcis.1997.4984). Between them, use `maugis`. At these limits, the pull-off
-    force of `maugis` differs from `jkr` by 0.4 % and from `dmt` by 3 %.
+    For Tabor numbers above about 5, the theory of Johnson, Kendall and Roberts (`jkr`) applies;
+    below about 0.1, the theory of Derjaguin, Muller and Toporov (`dmt`) applies (adhesion map of
+    Johnson & Greenwood 1997, doi:10.1006/jcis.1997.4984). Between these limits, use `maugis`. At
+    the limits, the pull-off force of `maugis` differs from `jkr` by 0.4 % and from `dmt` by 3 %.
     """
     given = {"R": R, "w": w, "E_star": E_star, "range": range}
     R, w, E_star, range = (positive(name, value) for name, value in given.items())
@@ -41,7 +41,7 @@ def tabor(R: float, w: float, E_star: float, range: float) -> float:
 
 
 def dmt(R: float, w: float) -> float:
-    """Return the pull-off force 2 pi w R [N] of a stiff sphere with long-ranged attraction.
+    """Return the pull-off force 2 pi w R [N] of a stiff sphere with long-range attraction.
 
     R: radius [m]; w: work of adhesion [J/m^2]. Derjaguin, Muller & Toporov (1975,
     doi:10.1016/0021-9797(75)90018-1). Raises ValueError for values that are not > 0.
@@ -51,7 +51,7 @@ def dmt(R: float, w: float) -> float:
 
 @dataclass(frozen=True)
 class Jkr:
-    """Sphere with short-ranged adhesion, from `jkr`.
+    """Sphere with adhesion of short range, from `jkr`.
 
     Attributes
     ----------
@@ -118,7 +118,7 @@ def jkr(R: float, w: float, E_star: float) -> Jkr:
 
 @dataclass(frozen=True)
 class Maugis:
-    """Sphere with constant attraction up to a gap, from `maugis`.
+    """Sphere with constant attraction up to a limiting gap, from `maugis`.
 
     Attributes
     ----------
@@ -181,7 +181,7 @@ class Maugis:
         return self._solved(radius)[1]
 
     def outer_radius(self, radius: ArrayLike) -> FloatArray:
-        """Return the radius [m] up to which the surfaces attract, at contact radii [m]."""
+        """Return the outer radius [m] of the attraction at contact radii [m], same shape."""
         return self._solved(radius)[2]
 
     @property
@@ -261,7 +261,7 @@ def jkr_profile(
     angle, share = 0.25 * np.pi * (nodes + 1), 0.25 * np.pi * weights
 
     def shape(x: FloatArray) -> FloatArray:
-        """Return x times the integral of f'(r)/sqrt(x^2 - r^2) from 0 to x, with r = x sin."""
+        """Return x times the integral of f'(r)/sqrt(x^2 - r^2) over r from 0 to x."""
         at = x[..., None] * np.sin(angle)
         slopes = finite_array("slope", slope(at), at.shape)
         found: FloatArray = x * (slopes @ share)
@@ -301,7 +301,7 @@ class WaveContact:
 
     @property
     def alpha(self) -> float:
-        """Parameter of adhesion sqrt(2 E* w/length)/flattening_pressure [-]."""
+        """Adhesion parameter sqrt(2 E* w/length)/flattening_pressure [-]."""
         return float(np.sqrt(2 * self.E_star * self.w / self.length) / self.flattening_pressure)
 
     def mean_pressure(self, half_width: ArrayLike) -> FloatArray:

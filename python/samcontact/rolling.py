@@ -70,8 +70,8 @@ def steady(
     Parameters
     ----------
     grid : Grid
-        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain; otherwise
-        a single row of cells is a strip of width dy.
+        Grid that is not periodic along x. `periodic="y"` models rollers in plane strain. Without
+        it, a single row of cells is a strip of width dy.
     body1, body2 : Material or Layered
         Upper and lower body; at most one is rigid. Plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
@@ -97,7 +97,7 @@ def steady(
         torque has zero creepage.
     speed : float, optional
         Speed of the surfaces through the contact [m/s]: with viscoelastic bodies, >= 0 (0: both
-        have their long-time moduli); with friction that depends on the slip rate
+        bodies have their long-time moduli); with friction that depends on the slip rate
         (`FallingCoulomb`), > 0. Otherwise the solution does not depend on the speed.
     start : RollingSolution or FreeRollingSolution, optional
         Solution for similar creepages, forces or speed, used as initial guess of the iteration.
@@ -126,8 +126,9 @@ def steady(
     -----
     J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
     long, so the error is proportional to the cell size. The page on rolling describes the
-    iteration. The creep of viscoelastic bodies includes the whole track behind the contact; it is
-    computed from the last tractions until they no longer change.
+    iteration. The creep of viscoelastic bodies includes the whole track behind the contact. It is
+    computed repeatedly from the tractions of the last solution until the tractions no longer
+    change.
     """
     require_type("grid", grid, Grid)
     require_bodies(body1, body2)
@@ -172,7 +173,7 @@ def steady(
 
 
 def _require_free(**tangential: Any) -> None:
-    """Raise ValueError for tangential arguments of viscoelastic bodies without friction."""
+    """Raise ValueError if tangential arguments are given without friction."""
     for name, value in tangential.items():
         if value is not None:
             raise ValueError(
@@ -182,7 +183,7 @@ def _require_free(**tangential: Any) -> None:
 
 
 def _rolls(speed: Any) -> float:
-    """Return the speed of viscoelastic bodies [m/s]."""
+    """Return the rolling speed of viscoelastic bodies [m/s], after checks."""
     if speed is None:
         raise ValueError(
             "speed must be given with viscoelastic bodies [m/s]: their contact depends on it"
@@ -227,7 +228,7 @@ class _Rolling:
     speed: float = 0.0
     """Rolling speed [m/s]; 0 for friction that does not depend on the slip rate."""
     creep: Callable[[Grid], CreepingRest] | None = None
-    """Displacement on a grid in addition to that of the elastic bodies of the solver."""
+    """Function that creates the additional displacement of viscoelastic bodies for a grid."""
 
     def solved(
         self,

@@ -62,8 +62,8 @@ class ConvergenceError(RuntimeError):
 
 class PullOffError(ConvergenceError):
     """
-    Error of a load that pulls two surfaces more than their adhesion bears.
-    `pull_off` is the largest tension reached [N], `approach` its approach [m].
+    Error of a load whose tension exceeds the largest tension that adhesion allows.
+    `pull_off` is the largest tension reached [N]; `approach` is the approach there [m].
     """
 
     approach: float

@@ -22,14 +22,16 @@ if TYPE_CHECKING:
 
 _ESTIMATE_MARGIN = 3.0
 """Safety factor on bounds that are estimated from Hertz theory or from the yield stress of
-elastic-plastic bodies. For Hertz theory, a gap may deviate by 3 % from a paraboloid."""
+elastic-plastic bodies. Hertz theory is used for gaps that deviate by up to 3 % from a paraboloid.
+"""
 _UNIT_ERROR_FACTORS = {
     "m": {"µm": 1e-6, "mm": 1e-3, "nm": 1e-9},
     "m²": {"mm²": 1e-6, "µm²": 1e-12},
     "Pa": {"GPa": 1e9, "MPa": 1e6, "kPa": 1e3},
     "": {"%": 1e-2, "x 1e-6": 1e-6},
 }
-"""Units that the user may have meant instead of the SI unit, likeliest first, with factors."""
+"""For each SI unit, the units that the user may have meant instead, likeliest first, and their
+values in the SI unit."""
 _DEPTH_QUANTITIES = ("approach", "imprint_depth", PERMANENT_DEFORMATION)
 
 
@@ -50,7 +52,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     Parameters
     ----------
     name : str
-        Resolved name of the quantity.
+        Name of the quantity, as returned by `resolved`.
     target : float
         Target value in SI units.
     simulation : Simulation
@@ -85,7 +87,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
 
 
 def _upper_bound(name: str, simulation: Simulation, max_load: float) -> _Limit | None:
-    """Return the upper bound of a quantity for loads up to `max_load` [N]; None if unknown."""
+    """Return the upper bound of a quantity for loads up to `max_load` [N], or None if unknown."""
     first = name.partition(",")[0]
     kind, _, number = first.partition("_body")
     both = simulation.body1, simulation.body2
@@ -122,7 +124,11 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 
 
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
-    """Return a bound: the grid width for a depth, or the area of a fixed grid for an area."""
+    """Return the upper bound that the size of the grid sets, or None without such a bound.
+
+    The bound is the grid width for a depth. For the contact area, it is the area of the grid,
+    unless the grid can be enlarged.
+    """
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
         side = max(grid.nx * grid.dx, grid.ny * grid.dy)
@@ -159,7 +165,7 @@ def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -
 
 
 def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return, as text, why `target` is too small for the grid; None if the grid resolves it."""
+    """Return the reason why `target` is too small for the grid as text, or None if it is not."""
     grid, estimate = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"

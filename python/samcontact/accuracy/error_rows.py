@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rows of tables with the maximum of each quantity of a run and its error."""
+"""Table rows, each with the maximum of one quantity in a run and the error of this maximum."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ NO_LIMIT = "does not converge"
 class ErrorRow(NamedTuple):
     """Maximum of a quantity in a run: label, increment number, value and relative error.
 
-    With a prescribed accuracy, the error is the maximum error divided by the maximum value.
+    If the accuracy was prescribed, `relative` is the maximum error of all increments divided by the
+    maximum value.
     """
 
     label: str
@@ -37,7 +38,7 @@ class ErrorRow(NamedTuple):
 
     @property
     def percent(self) -> str:
-        """Relative error [%] as text; a note if the quantity does not converge with the grid."""
+        """Relative error [%] as text, or a note that the quantity does not converge."""
         return f"{100 * self.relative:.2g}" if np.isfinite(self.relative) else NO_LIMIT
 
     @property
@@ -49,7 +50,7 @@ class ErrorRow(NamedTuple):
 
 
 def error_rows(dataset: xr.Dataset) -> list[ErrorRow]:
-    """Return a row for each quantity with an error in the results; empty list without errors."""
+    """Return one row for each quantity whose error is in the results; without errors, no rows."""
     names = [str(name)[: -len("_error")] for name in dataset if str(name).endswith("_error")]
     values = {name: dataset[f"{name}_best" if f"{name}_best" in dataset else name].values
               for name in names}  # fmt: skip

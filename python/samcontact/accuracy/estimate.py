@@ -24,23 +24,24 @@ SAFETY_FACTOR = 1.5
 """Estimated error divided by the difference between the last two grids. With convergence of order
 1.5 the true ratio is 1.47, with order 2 it is 1."""
 MIN_RELATIVE_ERROR = 0.002
-"""Minimum relative error on the coarsest grid, because a difference between grids may vanish by
-chance. On finer grids the minimum decreases with the square of the cell size."""
+"""Minimum estimated relative error on the coarsest grid. It is needed because a difference between
+grids may vanish by chance. On finer grids the minimum decreases with the order of convergence."""
 _ROUNDING_ERROR = 1e-12
-"""Relative difference of grids below which a quantity counts as prescribed."""
+"""Relative difference of a quantity between grids below which the quantity counts as prescribed."""
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
-"""Minimum assumed relative change of a correction for increments from a coarse to the finest
-grid."""
+"""Minimum relative change that is assumed for an increment correction between a coarse grid and the
+finest grid. An increment correction extrapolates a value to infinitely many increments."""
 CORRECTION_CHANGE_PER_GRID = 3.0
-"""Assumed relative change of a correction for increments from a coarse grid to the finest grid,
-divided by the relative difference of the values on the two grids."""
+"""Relative change that is assumed for an increment correction, divided by the relative difference
+of the values between the coarse grid and the finest grid."""
 
 REGULAR_RATIOS = {1: (1.4, 3.0), 2: (1.4, 6.0)}
-"""Range of the ratio c(n)/c(2 n) in which convergence is taken as regular, by the highest order,
-where c(n) is the correction of a value for n increments. The ratio is 2 for order 1 and 4 for order
-2. Outside this range, c(n) - 2 c(2 n) may change on a finer grid."""
+"""Range of the ratio c(n)/c(2 n) in which convergence counts as regular. The key is the highest
+possible order of convergence; c(n) is the correction of a value that was computed with n
+increments. The ratio is 2 for order 1 and 4 for order 2. Outside the range, the irregular part
+c(n) - 2 c(2 n) of the correction may change on a finer grid."""
 
 MIN_AREA_CORRECTION_CHANGE = 0.3
 """Relative error added for the contact area, as a fraction of the relative correction of the
@@ -70,13 +71,16 @@ def extrapolate_grids(series: ArrayLike, lowest: ArrayLike = ASSUMED_ORDER) -> E
     Returns
     -------
     Estimate
-        Extrapolated values, if the last three differences have one sign and the ratios of
-        successive differences give convergence orders from `MIN_ORDER` to `MAX_ORDER`. Otherwise,
-        the values of the finest grid: their error is `SAFETY_FACTOR` times the maximum of the last
-        three differences, each scaled to the finest grid with the lowest order m; for m < 2, the
-        factor is at least 1/(`REFINEMENT_RATIO`^m - 1), the sum of all further differences. This
-        error, divided by the value, is at least `MIN_RELATIVE_ERROR`, scaled with order m from the
-        first grid.
+        Extrapolated values, if the last three differences between successive grids have one sign
+        and their ratios give convergence orders from `MIN_ORDER` to `MAX_ORDER`; otherwise, the
+        values of the finest grid. The error of an extrapolated value is its change since the
+        previous grid, but at least `MIN_EXTRAPOLATION_ERROR` times the extrapolation.
+
+        The error of a value that is not extrapolated is a factor times the maximum of the last
+        three differences, each scaled to the finest grid with the lowest order m. The factor is
+        `SAFETY_FACTOR`, but at least 1/(`REFINEMENT_RATIO`^m - 1): with order m, all further
+        differences add up to this multiple of the last difference. The relative error is at least
+        `MIN_RELATIVE_ERROR` on the first grid; this minimum decreases with order m on finer grids.
     """
     f = np.asarray(series, dtype=np.float64)
     if len(f) == 1:
@@ -109,7 +113,7 @@ def extrapolate_grids(series: ArrayLike, lowest: ArrayLike = ASSUMED_ORDER) -> E
 
 
 def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) -> Estimate:
-    """Estimate the change of a value up to infinitely many increments.
+    """Estimate the change of a value if the number of increments goes to infinity.
 
     Parameters
     ----------
@@ -120,8 +124,8 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) 
         Index in `steps` of the doubling that starts from the number of increments used for the
         value.
     max_order : {1, 2}, optional
-        Highest order of convergence in the increments; the lowest is 1. If it is 2, the observed
-        order is used.
+        Highest order of convergence in the number of increments. With 1, the order is taken as 1;
+        with 2, the observed order is used, limited to the range from 1 to 2.
 
     Returns
     -------
@@ -140,9 +144,10 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) 
 
 
 def _further(d: FloatArray, max_order: int) -> FloatArray:
-    """Return the change of a value in all doublings that follow the doublings d, shape (runs, ...).
+    """Return the change of a value in all further doublings of the number of increments.
 
-    With order 1, they together change the value as much as the last doubling.
+    d: change of the value in each known doubling, shape (runs, ...). With convergence of order 1,
+    all further doublings together change the value as much as the last known doubling.
     """
     last: FloatArray = d[-1]
     if max_order == 1 or len(d) == 1:
@@ -153,7 +158,7 @@ def _further(d: FloatArray, max_order: int) -> FloatArray:
 
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
-    """Estimate how much a correction for increments changes between two grids, relatively.
+    """Estimate the relative change of an increment correction from a coarse to the finest grid.
 
     Parameters
     ----------
@@ -166,19 +171,19 @@ def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
 
 
 def irregular(more: FloatArray, doubled: FloatArray, max_order: int = 1) -> FloatArray:
-    """Return the part of the corrections for increments that is not of a regular order.
+    """Return the irregular part of increment corrections, see `REGULAR_RATIOS`.
 
     Parameters
     ----------
     more, doubled : ndarray
-        Corrections of the values for n and for 2 n increments.
+        Corrections of values computed with n and with 2 n increments.
     max_order : {1, 2}, optional
-        Highest order of convergence in the increments.
+        Highest order of convergence in the number of increments.
 
     Returns
     -------
     ndarray
-        Part of each correction that is not of a regular order; zero where the ratio of the two
+        Magnitude of the irregular part of each correction; zero where the ratio of the two
         corrections is within `REGULAR_RATIOS`.
     """
     low, high = REGULAR_RATIOS[max_order]
@@ -191,7 +196,9 @@ def irregular(more: FloatArray, doubled: FloatArray, max_order: int = 1) -> Floa
 
 
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
-    """Return the maximum of each group of values, with an error from the errors of all its values.
+    """Return the maximum of each group of values, and the error of this maximum.
+
+    The error follows from the values and errors of the whole group.
 
     Parameters
     ----------

@@ -17,26 +17,30 @@ if TYPE_CHECKING:
 
 PREFIX = "fatigue_"
 PARTS = 2
-"""Number of values whose maximum is a criterion: below the surface and at the surface."""
+"""Number of values per criterion, below and at the surface; their maximum is reported."""
 ORDER = 1.0
-"""Lowest order of convergence in the cell size: the maximum moves between cells and instants."""
+"""Lowest order of convergence in the cell size. It is only 1 because the maximum moves between
+cells and between instants as the grid is refined."""
 QUANTITIES = CONTACT | {name: SWEEP[name] for name in SWEEP if name.startswith(PREFIX)}
 
 
 def names(case: Case, bodies: Sequence[Body]) -> list[str]:
-    """Return the criteria of [fatigue]; none in a layered body, where they jump at interfaces."""
+    """Return the names of the criteria of [fatigue].
+
+    There are none for a layered body, because the criteria are discontinuous at interfaces.
+    """
     if case.fatigue is None or len(materials_of(bodies[case.output.body - 1])) > 1:
         return []
     return [f"{PREFIX}{name}" for name in case.fatigue.criteria]
 
 
 def depends_on_increments(case: Case) -> bool:
-    """Whether the stress cycle consists of all increments, so that their number matters."""
+    """Whether the stress cycle contains all increments, so that criteria depend on their number."""
     return case.fatigue is not None and case.fatigue.steady_axis is None
 
 
 def parts(solution: GridSolution, chosen: Sequence[str]) -> dict[str, tuple[float, ...]]:
-    """Return the maxima of criteria below the surface and at the surface, by name."""
+    """Return, for each criterion, its maximum below the surface and its maximum at the surface."""
     if not chosen:
         return {}
     section, body = solution.case.fatigue, solution.case.output.body

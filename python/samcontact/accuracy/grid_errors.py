@@ -145,7 +145,7 @@ def estimate_errors(
     Parameters
     ----------
     run : Case or Simulation
-        Case, which is solved first; or simulation after a run, with its `path` and `states`.
+        Case, which is solved first; or a simulation after a run, together with `path` and `states`.
     path : list of dict
         Argument of `Simulation.run`, starting from undeformed bodies.
     states : sequence of State
@@ -154,8 +154,8 @@ def estimate_errors(
     Returns
     -------
     GridErrors
-        Each error is the difference of the two solutions: three times the true error for
-        second-order convergence, equal to the true error for first-order convergence. Both
+        Each error is the difference between the two solutions. It is three times the true error for
+        second-order convergence, and equal to the true error for first-order convergence. Both
         solutions have the same increments; the effect of the increments is estimated separately
         (`GridErrors.increments`).
 
@@ -223,7 +223,10 @@ def estimated(
     states: Sequence[State],
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
-    """Estimate the grid errors of a run; `solve` returns the states of the coarser simulation."""
+    """Estimate the grid errors of a run.
+
+    solve: function that solves a simulation on the coarser grid and returns its states.
+    """
     steps, which = coarsened_path(run, path)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # these warnings concern the coarser grid
@@ -267,7 +270,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the indices of the increments whose volume errors are estimated, see `GridErrors`."""
+    """Return the indices of the increments at which errors of volume quantities are estimated."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
@@ -280,9 +283,12 @@ def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
 def _differences(
     fine: Mapping[str, float], coarse: Mapping[str, float], state: State, *, sharp: bool
 ) -> dict[str, float]:
-    """Return differences between two grids by name, with a minimum, as grids may agree by chance.
+    """Return the difference of each quantity between two grids, by name.
 
-    The difference is infinite for quantities that are singular at a sharp edge.
+    Two grids may agree by chance. Therefore, each relative difference is at least 20 % of the
+    largest in its group of `_KINDS`, and the difference of the contact area is at least
+    `of_outline` times the area. The difference is infinite for quantities that are singular at a
+    sharp edge.
     """
     found = {name: abs(value - coarse[name]) for name, value in fine.items()}
     endless = {name for name in fine if sharp and sharp_edges.is_singular(name)}
@@ -314,10 +320,11 @@ def of_outline(state: State) -> float:
 def _slip_errors(
     states: Sequence[State], coarse: Sequence[State]
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
-    """Return, with errors, the frictional work and the tangential quantities not prescribed.
+    """Return value and error of the frictional work and of tangential quantities, by name.
 
-    The error of each increment is at least 20 % of the largest error up to this increment, because
-    both grids may agree by chance where a quantity changes sign.
+    Quantities that are prescribed or zero are omitted. The error of each increment is at least 20 %
+    of the largest error up to this increment, because both grids may agree by chance where a
+    quantity changes sign.
     """
     found = {}
     mine, other = along_surface(states), along_surface(coarse)
@@ -334,14 +341,14 @@ def _slip_errors(
 
 
 def increments_note(attributes: Mapping[Any, Any]) -> str:
-    """Return the effect of more increments on whole fields as text; "" if it is unknown."""
+    """Return a text on the effect of more increments on whole fields, or "" if it is unknown."""
     start = "increment_error_"
     shares = {str(n).removeprefix(start): s for n, s in attributes.items() if start in str(n)}
     return f"{increment_errors.error_summary(shares)} of its maximum" if shares else ""
 
 
 def slope_note(share: float) -> str:
-    """Return, as text, the fraction of mean-square slope at wavelengths below four cells."""
+    """Return a text on the fraction of the mean-square slope at wavelengths below four cells."""
     if not np.isfinite(share):
         return ""
     beyond = (

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class GridSolution(NamedTuple):
-    """Solution on one grid: case with this grid, simulation, states and the warnings issued."""
+    """Solution on one grid: case with this grid, simulation, states and issued warnings."""
 
     case: Case
     simulation: Simulation
@@ -78,7 +78,7 @@ class GridSolution(NamedTuple):
 
 
 def _is_sheared(state: State) -> bool:
-    """Whether a state has shear traction under a law of partial slip."""
+    """Whether a state has shear traction, with a friction law that allows partial slip."""
     if not state.setup.friction.sticks:
         return False
     return bool(np.abs(state.shear).max() > ROUNDING_ERROR * np.abs(state.pressure).max())
@@ -87,8 +87,8 @@ def _is_sheared(state: State) -> bool:
 def marks_of(case: Case) -> list[int]:
     """Return the indices of the increments at which values are compared.
 
-    These are the last increment of each segment, the last increment under load of passes, and the
-    increments at which the direction of fretting changes.
+    These are the last increment of each segment; for passes, also the last increment under load;
+    for fretting, also the increments at which the direction changes.
     """
     marks: list[int] = []
     count = 0

@@ -30,13 +30,14 @@ HERTZ_MARGIN_ALONG_TRAVEL = 2.0
 carried along by a body then remains in the grid for a longer distance."""
 _MIN_CELLS_OF_DETAIL = 4.0  # cells across the smallest detail of a surface, on the first grid
 _CELLS_OF_SAMPLE = 2.0
-"""Cells per sample of a surface whose heights are interpolated, on the first grid."""
+"""Minimum number of cells of the first grid between two samples of an interpolated surface."""
 _ELASTIC_DEPTH = 1.2  # depth of the grid of elastic bodies, relative to the smaller semi-axis
 _MIN_CELLS_IN_LAYER = 3
-"""Minimum number of cells, on the first grid, in the largest common divisor of the thicknesses of
-elastic-plastic layers: maxima at an interface are extrapolated from this number of cells."""
+"""Minimum number of cells of the first grid in the largest common divisor of the thicknesses of
+elastic-plastic layers. Maxima at an interface are extrapolated from this number of cells."""
 _MAX_CELL_ASPECT = 8.0
-"""Maximum ratio of the cell width of the first grid to this largest common divisor."""
+"""Maximum ratio of the cell width of the first grid to the largest common divisor of the layer
+thicknesses."""
 
 
 class Grids(Protocol):
@@ -47,7 +48,10 @@ class Grids(Protocol):
         ...
 
     def on(self, level: int, *, free: bool) -> GridSection:
-        """Return the grid of a level; `free`: whether the number of layers is left open."""
+        """Return the grid of a level.
+
+        free: whether the number of cell layers along z is left open.
+        """
         ...
 
     def settle(self, level: int, half: tuple[float, float]) -> None:
@@ -56,12 +60,12 @@ class Grids(Protocol):
 
 
 def grids_of(case: Case, bodies: Sequence[Body]) -> Grids:
-    """Return grids around the Hertz contact or, if [grid] is needed, grids with its extent."""
+    """Return grids around the Hertz contact, or with the extent of [grid] if the case needs it."""
     return GivenGrids(case, bodies) if case.reason_for_grid else HertzGrids(case, bodies)
 
 
 class HertzGrids:
-    """Grids around the Hertz contact of a case at maximum load, whose extent is chosen."""
+    """Grids of automatically chosen extent around the Hertz contact of a case at maximum load."""
 
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         self.case, self.bodies = case, bodies
@@ -114,7 +118,7 @@ class HertzGrids:
         return self.semi_axes[0] / cells, self.semi_axes[1] / (cells * self._refined)
 
     def on(self, level: int, *, free: bool) -> GridSection:
-        """Return the grid of a level; the centre of a cell lies at the grid centre."""
+        """Return the grid of a level, with the centre of a cell at the grid centre."""
         from ..cases.sections import GridSection
 
         dx, dy = sizes = self.sizes(level)
@@ -132,7 +136,7 @@ class HertzGrids:
 
 
 class GivenGrids:
-    """Grids with the extent of [grid], and cells that resolve surfaces at least as well."""
+    """Grids with the extent of [grid], and with cells small enough for the surface details."""
 
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         if case.grid is None:
@@ -174,7 +178,7 @@ class GivenGrids:
         return self._along(0, level)[1], self._along(1, level)[1]
 
     def on(self, level: int, *, free: bool) -> GridSection:
-        """Return the grid of a level; it has layers if [grid] has layers."""
+        """Return the grid of a level, with cell layers along z if [grid] has them."""
         (nx, dx), (ny, dy) = (self._along(axis, level) for axis in (0, 1))
         changes: dict[str, Any] = {"nx": nx, "ny": ny, "dx": dx, "dy": dy}
         if self.grid.dz is not None:
@@ -185,11 +189,11 @@ class GivenGrids:
         return self.grid.model_copy(update=changes)
 
     def settle(self, level: int, half: tuple[float, float]) -> None:
-        """Keep the extent: the surface is known only there, or the extent is its period."""
+        """Keep the extent of [grid]: the surface is known only there, or this is its period."""
 
 
 class Depths:
-    """Cell sizes along z that divide the thicknesses of the layers of elastic-plastic bodies.
+    """Cell sizes along z with which each elastic-plastic layer has a whole number of cells.
 
     first: cell size along z on the first grid, for bodies without layers [m].
     """
@@ -214,7 +218,10 @@ class Depths:
         self._part = part
 
     def size(self, level: int, wanted: float) -> float:
-        """Return the cell size [m] at a grid level; `wanted`: size for bodies without layers."""
+        """Return the cell size along z [m] at a grid level.
+
+        wanted: cell size for bodies without layers [m].
+        """
         if self._part is None:
             return wanted
         cells = max(_MIN_CELLS_IN_LAYER, math.ceil(self._part / self._first))
@@ -245,7 +252,7 @@ def samples_of(case: Case) -> list[tuple[float, float]]:
 
 
 def interpolated_surface(case: Case) -> str:
-    """Return, as text, which surface is solved if heights are interpolated; "" if none are."""
+    """Return a note on interpolated surface heights, or "" if no heights are interpolated."""
     if not case.reason_for_grid or not (steps := samples_of(case)):
         return ""
     along = [quantity(min(axis), "m", 3) for axis in zip(*steps, strict=True)]
@@ -256,7 +263,10 @@ def interpolated_surface(case: Case) -> str:
 
 
 def slope_between_samples(case: Case) -> float:
-    """Return `slope_beyond` of the gap at the samples; NaN if no surface is interpolated."""
+    """Return the fraction of the gap's mean-square slope at wavelengths below four samples.
+
+    Return NaN if no surface is interpolated.
+    """
     if case.grid is None or not case.reason_for_grid or not (steps := samples_of(case)):
         return math.nan
     axes = (case.grid.nx, case.grid.dx), (case.grid.ny, case.grid.dy)
@@ -272,7 +282,7 @@ def slope_between_samples(case: Case) -> float:
 
 
 def common_part(lengths: Sequence[float]) -> float | None:
-    """Return the largest common divisor of lengths; None if below 1/64 of the first length."""
+    """Return the largest common divisor of lengths, or None if below 1/64 of the first length."""
     for parts in range(1, 65):
         part = lengths[0] / parts
         counts = [length / part for length in lengths]

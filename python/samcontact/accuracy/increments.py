@@ -15,11 +15,11 @@ from .refinable_case import GridRun
 Runs = Mapping[tuple[int, int], GridRun]
 """Runs by (grid level, number of increments); level 0 is the coarsest grid."""
 TRIAL_LEVEL = 1
-"""Level of the grid on which the case is solved with every number of increments."""
+"""Level of the coarse grid on which the case is solved with each number of increments tried."""
 
 
 class Doubling(NamedTuple):
-    """Number of increments n, and the level of the finest grid solved with n and 2 n increments."""
+    """Number of increments n, and the finest grid level solved with both n and 2 n increments."""
 
     increments: int
     grid: int
@@ -36,7 +36,7 @@ class Correction(NamedTuple):
     by_grid: list[FloatArray]
     """For each doubling, possible error of the correction when it is applied to the finest grid."""
     irregular: FloatArray
-    """Part of the correction that is not of a regular order."""
+    """Part of the correction that does not follow a regular order of convergence."""
 
 
 def trial_runs(runs: Runs) -> list[GridRun]:
@@ -46,9 +46,10 @@ def trial_runs(runs: Runs) -> list[GridRun]:
 
 
 def correction(runs: Runs, used: int, finest: FloatArray, max_order: int = 1) -> Correction:
-    """Return the correction of the values `finest` of the finest grid with `used` increments.
+    """Return the correction of values of the finest grid to infinitely many increments.
 
-    max_order: highest order of convergence in the increments.
+    finest: values of the finest grid. used: number of increments with which they were computed.
+    max_order: highest order of convergence in the number of increments.
     """
     made = []
     for run in trial_runs(runs)[:-1]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load search: the load at which a quantity of a contact reaches a value."""
+"""Search for the load at which a quantity of a contact reaches a given value."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""(Upper limit of the load)/(maximum load of the case); (lower limit)/(initial load)."""
+"""Upper limit of the load / maximum load of the case; lower limit / first load tried."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and its error [N]: (`error` + deviation from the target)/(d(value)/d(load)).
+        Load and load error [N], which is (`error` + |value - target|)/(d(value)/d(load)).
     value, error : float
         Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State
@@ -91,7 +91,7 @@ class FoundLoad(HtmlTable):
 
 
 class LoadSearch:
-    """Load search, which solves each load at most once per grid.
+    """Search for a load, in which the case is solved at most once for each load and grid.
 
     start, max_load: initial and maximum load [N]; tolerance: relative tolerance on the quantity.
     """
@@ -181,7 +181,7 @@ class LoadSearch:
 
     @property
     def parts(self) -> list[str]:
-        """Names, in results files, of quantities whose sum or maximum is the target quantity."""
+        """Names, in results files, of quantities whose sum or maximum is compared with `target`."""
         if self.name == PERMANENT_DEFORMATION:
             bodies = enumerate(self.bodies, 1)
             return [f"imprint_depth_body{n}" for n, body in bodies if body.is_plastic]
@@ -191,7 +191,7 @@ class LoadSearch:
 
     @property
     def has_depth_profile(self) -> bool:
-        """Whether first yield is sought and yield stress or initial stress varies with depth."""
+        """Whether first yield is sought in a body with depth-dependent yield or initial stress."""
         return self.name == YIELD and any(map(has_depth_profile, self.yielding.values()))
 
     def refuse(self, reason: object) -> ValueError:
@@ -221,12 +221,12 @@ def find_load(
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary of the same layout; all forces are multiplied by
+        Case, path of a case file, or dictionary of the same layout, whose forces are multiplied by
         one factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Quantity with error estimate in results files, e.g. "max_pressure", "imprint_depth_body2";
-        without a body number, the larger value of both bodies. The value used is the larger of the
-        values at maximum load and at the end of the path. Special names: "permanent_deformation",
+        Quantity with an error in results files, e.g. "max_pressure", "imprint_depth_body2". A name
+        without body number means the larger value of both bodies. The larger of the values at
+        maximum load and at the end of the path is used. Special names: "permanent_deformation",
         the sum of the residual imprint depths of both bodies at the end of the path; "yield", the
         maximum ratio of von Mises stress to local yield stress in an elastic solution (1 at first
         yield).
@@ -235,7 +235,7 @@ def find_load(
     tolerance : float, optional
         Relative tolerance on the quantity [-], in [1e-8, 0.1].
     largest_load : float, optional
-        Maximum contact load [N]; default: 100 times that of the case. Required with a function.
+        Maximum contact load [N]. Default: 100 times the load of the case. Required with a function.
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
@@ -295,7 +295,7 @@ def prepare_search(
 
 
 def _checked_build(build: Callable[[float], Built], load: float) -> Built:
-    """Call the user's function at a load [N]; return simulation and path after checks."""
+    """Return the simulation and path that the user's function gives for a load [N]."""
     built = build(load)
     if not (isinstance(built, tuple) and len(built) == 2):
         raise TypeError(
@@ -306,7 +306,7 @@ def _checked_build(build: Callable[[float], Built], load: float) -> Built:
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """Return the indices of the last increment at maximum load and of the last increment."""
+    """Return the indices of the last increment at maximum load and the last one of the path."""
     loads = [state.load for state in states]
     max_load = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= max_load), len(states) - 1}
@@ -370,7 +370,7 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Return the slope of (value - target)/target between the last load and the load nearest it."""
+    """Return the slope of (value - target)/target between the last load and the nearest other."""
     *others, (load, deviation) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (deviation - value) / (load - other)
@@ -394,7 +394,7 @@ def _outcome(search: LoadSearch, load: float, deviation: float, slope: float) ->
 
 
 def _relative(values: FloatArray, errors: FloatArray) -> float:
-    """Return the relative error at the increment at which the value is largest."""
+    """Return the relative error at the increment with the largest value."""
     known = np.where(np.isfinite(errors), np.abs(values), -1.0)
     at = int(known.argmax())
     return float(errors[at] / known[at]) if known[at] > 0 else 0.0

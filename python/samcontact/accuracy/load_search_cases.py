@@ -77,7 +77,11 @@ def require_known(name: object) -> None:
 
 
 def resolved(name: str, simulation: Simulation) -> str:
-    """Return a quantity's name with body number; ValueError if the simulation cannot compute it."""
+    """Return the name of a quantity with its body number.
+
+    A name without body number gives the names for both bodies, separated by a comma, if both have
+    the quantity. Raises ValueError if the simulation cannot compute the quantity.
+    """
     require_known(name)
     bodies = simulation.body1, simulation.body2
     if name == YIELD:
@@ -135,7 +139,7 @@ def label_and_unit(name: str) -> tuple[str, str]:
 def elastic(simulation: Simulation) -> Simulation:
     """Return a copy of a simulation with elastic instead of elastic-plastic bodies.
 
-    Raises ValueError for a simulation with dents, which are plastic strain from the start.
+    Raises ValueError for a simulation with dents, because dents are initial plastic strain.
     """
     if simulation.engine.preparation is not None:
         raise ValueError(

@@ -51,9 +51,9 @@ class AccuracyResult(HtmlTable):
     case: Case
     """Case with the finest grid and the increments used on this grid."""
     runs: tuple[tuple[int, int, int, float], ...]
-    """Cells along x and y, increments per segment and time [s] of each run."""
+    """For each run: cells along x, cells along y, increments per segment, computing time [s]."""
     repeated: WearResult | FrettingResult | ShakedownResult | None = None
-    """Result of repeated cycles on the finest grid; None for a path that is solved once."""
+    """Result of repeated cycles on the finest grid, or None for a path that is solved once."""
     needs: str = ""
     """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
     surface: str = ""
@@ -66,7 +66,7 @@ class AccuracyResult(HtmlTable):
 
     @property
     def shakedown(self) -> ShakedownResult | None:
-        """Response to repeated cycles on the finest grid; None without [shakedown]."""
+        """Response to repeated cycles on the finest grid, or None without [shakedown]."""
         from ..shakedown import ShakedownResult
 
         return self.repeated if isinstance(self.repeated, ShakedownResult) else None
@@ -142,7 +142,10 @@ class AccuracyResult(HtmlTable):
 
 
 def largest(series: FloatArray, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the maximum of each quantity, with its error; input shape (increments, quantities)."""
+    """Return the value of largest magnitude of each quantity over the increments, and its error.
+
+    series, errors: values and their errors, shape (increments, quantities).
+    """
     at = np.abs(series).argmax(axis=0)
     columns = np.arange(series.shape[1])
     return series[at, columns], errors[at, columns]

@@ -36,8 +36,9 @@ def to_accuracy(
     """Solve a case on finer and finer grids until all errors are below the prescribed accuracy.
 
     Grid, layers and increments are chosen automatically; ``increments`` and ``step`` of the case
-    are not used. Periodic, rough and measured surfaces, and wear, keep the extent of [grid]. Errors
-    of interpolated heights refer to the interpolated surface, see docs/theory/accuracy.md.
+    are not used. With periodic, rough or measured surfaces, and with wear, all grids have the
+    extent of [grid]. If surface heights are interpolated, the errors refer to the interpolated
+    surface, see docs/theory/accuracy.md.
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ def to_accuracy(
         layout of a case file.
     accuracy : float or dict, optional
         Maximum relative error [-], in (0, 1): one number for all quantities, or a number for each
-        quantity by name. Default: accuracy of the case.
+        quantity by name. Default: `accuracy` of the case.
     quantities : sequence of str, optional
         Quantities whose error is controlled, by their names in results files, e.g. "max_pressure",
         "imprint_depth_body2". Default: the quantities that the case names; if it names none, all
@@ -54,7 +55,8 @@ def to_accuracy(
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. At least three or four grids are solved.
+        Limit of the total time [s]. Default: 3600. At least three or four grids are solved, even if
+        they take longer.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional
@@ -71,8 +73,9 @@ def to_accuracy(
     Raises
     ------
     ValueError
-        An argument is out of range, `checkpoint` was written for another case, or the case needs
-        [grid], or has no limit on finer grids. The message names the cause and a remedy.
+        An argument is out of range, `checkpoint` was written for another case, the case lacks a
+        [grid] that it needs, or its results have no limit on finer grids. The message names the
+        cause and a remedy.
 
     Warns
     -----

@@ -27,9 +27,11 @@ TOL_SHARE = 0.01
 of the values of about a tenth of the tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the number of increments of a segment with a `start`. The first increment leads from
-the end of the previous segment to a value beyond `start`; more increments make it shorter."""
+the end of the previous segment to a value beyond `start`; the factor makes this increment
+shorter."""
 _FIRST_INCREMENTS = 2
-"""Number of increments for which a `first_duration` applies; with more increments it is shorter."""
+"""Number of increments for which `first_duration` of a segment applies. With n times as many
+increments, the first duration is n times shorter."""
 _FIELDS_WITHOUT_EFFECT = {
     "title", "description", "output", "estimate_error", "accuracy", "quantities", "max_memory",
     "max_time",
@@ -50,9 +52,9 @@ class GridRun:
     memory: float
     seconds: float
     margins: FloatArray | float = 0.0
-    """Errors of the values that a comparison of grids may miss, in the shape of the values."""
+    """Errors that a comparison of grids may miss, in the shape of `values`."""
     note: str = ""
-    """Finding in which the finest grids must agree."""
+    """Result, as text, that must be equal on the finest grids."""
     solved: GridSolution | None = None
 
     @property
@@ -83,7 +85,7 @@ class RefinableCase:
         """Highest order of convergence in the number of increments."""
         layered = any(isinstance(body, Layered) for body in self.bodies)
         self.elastic_layers = layered and not self.yields
-        """Whether layers are elastic. Stress is then not evaluated: cells cross interfaces."""
+        """Whether layers are elastic. Stress is then not evaluated, as cells cross interfaces."""
         self.study = study_of(case, self.bodies)
         self.names = list(self.study.names)
         contact: Any = case.contact
@@ -114,7 +116,7 @@ class RefinableCase:
         return f"RefinableCase({self.case!r})"
 
     def on(self, level: int, increments: int) -> Case:
-        """Return the case on the grid of a level."""
+        """Return the case with the grid of a level and a number of increments per segment."""
         grid = self.grids.on(level, free=self.yields or self.elastic_layers)
         path = []
         for number, segment in enumerate(self.case.path):
@@ -138,7 +140,7 @@ class RefinableCase:
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the number of increments of segment `number`: 1, or a multiple of `increments`."""
+        """Return the increments of a segment: 1 if elastic, or else a multiple of `increments`."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -175,7 +177,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Store what a run shows: half-widths for later grids, and segments without flow."""
+        """Choose the extent of later grids and the elastic segments from the results of a run."""
         self.grids.settle(run.level, run.half)
         if not self._all_increments:
             path = self.case.path
@@ -188,7 +190,7 @@ class RefinableCase:
 
 
 def require_refinable(case: Case) -> None:
-    """Raise ValueError, with a remedy, for a case whose errors cannot be stated."""
+    """Raise ValueError, with a remedy, for a case whose grid errors cannot be estimated."""
     if case.wear is not None and case.wear.window is not None:
         raise ValueError(
             "wear.window is a number of cells, so that the results depend on the grid: use "

@@ -33,30 +33,34 @@ from .solves import Solves
 _logger = logging.getLogger("samcontact")
 
 MIN_GRIDS = {False: 3, True: 4}
-"""Minimum number of grids, without and with quantities that may converge with an order below 2:
-two differences of such quantities are often both small by chance."""
+"""Minimum number of grids. It is larger (key True) with quantities that may converge with an order
+below 2: two successive differences of such quantities are often both small by chance."""
 MIN_INCREMENTS, MAX_INCREMENTS = 2, 512
 """Range of the number of increments per segment."""
 INCREMENT_QUANTITIES = ("max_pressure", "contact_area")
 """Quantities that are always evaluated, because the error of the contact area due to increments is
 estimated from the change of the maximum pressure."""
 INCREMENT_TIME_SHARE = 0.3
-"""Fraction of the allowed time for choosing the increments."""
+"""Maximum fraction of the allowed time that is spent on choosing the number of increments."""
 MAX_IRREGULAR_SHARE = 0.25
 """Limit of the ratio of `Correction.irregular` to the prescribed accuracy."""
 MAX_CORRECTION_CHANGE = 0.5
-"""Possible error of the correction when applied to the finest grid, divided by the prescribed
-accuracy. Above this limit the correction is determined on a finer grid."""
+"""Limit of the error that a correction from coarse grids may have on the finest grid, divided by
+the prescribed accuracy. Above this limit, the correction is determined on a finer grid."""
 NEXT_GRID_TIME_SHARE = 0.5
 """Time limit of a run with more increments on a finer grid, relative to the expected time of the
 next grid."""
 MAX_CORRECTED_ERROR = 10.0
-"""Maximum error due to the increments, relative to the prescribed accuracy, that is corrected."""
+"""Maximum error due to the increments that is corrected by extrapolation, divided by the prescribed
+accuracy. If the error is larger, the number of increments is increased."""
 MAX_GRIDS = 24
 
 
 class AccuracySearch:
-    """Runs of a case on several grids, each solved once, and errors estimated from the runs."""
+    """Runs of a case with several grids and numbers of increments, and errors estimated from them.
+
+    No combination of grid and number of increments is solved twice.
+    """
 
     def __init__(
         self,
@@ -142,17 +146,17 @@ class AccuracySearch:
                 self.needs = f"{names} do not converge at a sharp edge on any grid"
 
     def best(self) -> AccuracyResult | None:
-        """Return the result of the grids so far; None if there are too few to estimate errors."""
+        """Return the result so far, or None if there are too few grids to estimate errors."""
         return self._outcome(self.grids) if len(self.grids) >= self.min_grids else None
 
     def _errors_above_target(self, found: Estimate) -> str:
-        """Return, as text, the errors that exceed the prescribed accuracy."""
+        """Return a text that lists the errors that exceed the prescribed accuracy."""
         relative = dict(zip(self.targets, self._relative(found), strict=True))
         above = [f"{n} {percent(e)}" for n, e in relative.items() if e > self.targets[n]]
         return f"  estimated errors: {', '.join(above) or 'all below the prescribed accuracy'}"
 
     def _choose_increments(self) -> None:
-        """Choose the number of increments from coarse-grid runs with doubled increments."""
+        """Choose the number of increments, from coarse-grid runs with 2, 4, 8 ... increments."""
         while True:
             series = trial_runs(self.runs)
             if len(series) >= 3:
@@ -175,13 +179,13 @@ class AccuracySearch:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Return the estimate of each quantity; in layered bodies, the maximum over materials."""
+        """Return the estimate of each quantity, the maximum over its parts (e.g. materials)."""
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:
-        """Solve grid `TRIAL_LEVEL` with twice the increments, within the limits of number and time.
+        """Solve grid `TRIAL_LEVEL` with twice as many increments as before.
 
-        Return whether a solution was added.
+        Return False if the limit on the number of increments or on the time prevents the solution.
         """
         series = trial_runs(self.runs)
         count = 2 * series[-1].increments if series else MIN_INCREMENTS
@@ -211,7 +215,10 @@ class AccuracySearch:
         return False
 
     def _estimate(self, grids: list[GridRun]) -> Estimate:
-        """Return values with grid and increment errors; arrays (increments, quantities)."""
+        """Return values with the errors due to grid and increments.
+
+        The arrays have shape (compared increments, quantities).
+        """
         found = extrapolate_grids([run.values for run in grids], self.refinable.orders)
         found = found._replace(errors=found.errors + grids[-1].margins)
         if self.refinable.has_history:
@@ -221,7 +228,7 @@ class AccuracySearch:
         return combined(found, self.parts)
 
     def _with_cross_error(self, values: FloatArray, more: Correction) -> FloatArray:
-        """Return the possible error of applying corrections for increments to the finest grid.
+        """Return the possible error of applying increment corrections to the finest grid.
 
         The corrections were computed on coarse grids.
         """
@@ -234,7 +241,7 @@ class AccuracySearch:
         return mixed
 
     def _relative(self, found: Estimate) -> FloatArray:
-        """Return the maximum error of each chosen quantity, divided by its maximum value."""
+        """Return the maximum error of each chosen quantity, divided by the maximum value."""
         scale = np.max(np.abs(found.values), axis=0)
         share = np.divide(found.errors, scale, out=np.zeros_like(found.errors), where=scale > 0)
         return np.asarray(np.max(share, axis=0)[self.chosen])
@@ -259,7 +266,7 @@ class AccuracySearch:
         return depends and self._on_finer_grid(grids, found)
 
     def _growth(self, grids: list[GridRun]) -> float:
-        """Return the ratio of the estimated time for the next grid to the time of the last [-]."""
+        """Return (estimated time for the next grid)/(time for the last grid) [-]."""
         known = len(grids) > 2
         growth = (
             grids[-1].seconds / max(grids[-2].seconds, 1e-3) if known else 2.5 * REFINEMENT_RATIO
@@ -267,10 +274,10 @@ class AccuracySearch:
         return min(max(growth, 2.0), 8.0)
 
     def _affordable(self, grids: list[GridRun], worst: float) -> bool:
-        """Whether memory and time suffice for the next grid; if not, set `needs` to a text.
+        """Whether memory and time suffice for the next grid.
 
-        The text states how much memory and time are required. worst: maximum ratio of error to
-        prescribed accuracy; it is assumed that each finer grid halves this ratio.
+        If not, `needs` is set to a text on the memory and time required. worst: maximum ratio of
+        error to prescribed accuracy; it is assumed that each finer grid halves this ratio.
         """
         last = grids[-1]
         growth, size = self._growth(grids), last.memory * REFINEMENT_RATIO**3
@@ -324,7 +331,7 @@ class AccuracySearch:
 
 
 def _disagreement(grids: list[GridRun]) -> str:
-    """Return, as text, how the findings of the last two grids differ; "" if they do not."""
+    """Return a text on the difference between the notes of the last two grids, or "" if equal."""
     last, before = grids[-1].note, grids[-2].note if len(grids) > 1 else grids[-1].note
     return "" if last == before else f"{last} on the finest grid, but {before} on the one before"
 

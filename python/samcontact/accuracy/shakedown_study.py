@@ -27,7 +27,7 @@ _OF_CONTACT = ("max_pressure", "contact_area")
 
 
 class ShakedownStudy:
-    """Repeated path, with the state after its last cycle."""
+    """Path that is repeated in cycles. Errors are estimated for the state after the last cycle."""
 
     dimension = "increment"
 
@@ -60,7 +60,10 @@ class ShakedownStudy:
         return [0]
 
     def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return the values after the last cycle; strains below the tolerance of cycles are 0."""
+        """Return the values after the last cycle.
+
+        Plastic strain per cycle below the tolerance of [shakedown] is returned as 0.
+        """
         found, section = solution.repeated, solution.case.shakedown
         assert section is not None
         row: list[float] = []

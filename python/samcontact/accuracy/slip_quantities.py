@@ -22,18 +22,18 @@ _FORCES = ("tangential_load", "tangential_load", "torque")
 
 
 def orders_of(names: Sequence[str], *, moves: bool) -> dict[str, float]:
-    """Return the lowest orders of convergence in the cell size that are below 2.
+    """Return the lowest orders of convergence in the cell size, for quantities with orders below 2.
 
-    The shear has a cusp at the edge of the stick zone, where it rises as the square root of the
-    distance; the stress may be largest there. The stick fraction changes by whole cells. The
-    frictional work of moving bodies is of first order.
+    The shear traction has a cusp at the edge of the stick zone, where it changes as the square root
+    of the distance to this edge. The von Mises stress may have its maximum there. The stick
+    fraction changes by whole cells. The frictional work of moving bodies converges with order 1.
     """
     stresses = [name for name in names if name.startswith("max_von_mises")]
     return {SHEAR: 0.5, STICK: 1.0} | dict.fromkeys([*stresses, *[WORK] * moves], 1.0)
 
 
 def driven(steps: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return the quantities that respond to the tangential motions and forces of a path."""
+    """Return the names of quantities that respond to prescribed tangential motions and forces."""
     found = []
     for n, ((motion, axis), force) in enumerate(zip(_DIRECTIONS, _FORCES, strict=True)):
         if any(_component(step.get(motion), axis) for step in steps):
@@ -53,10 +53,12 @@ def _component(given: Any, axis: int | None) -> float:
 
 
 def values_of(states: Sequence[State], name: str, tol: float) -> list[float]:
-    """Return a quantity of states [SI units].
+    """Return the value of a quantity in each state [SI units].
 
-    A force, motion or work below `tol` times its scale (load, approach, contact size) is a
-    rounding error, and is returned as 0.
+    A force, motion or work is returned as 0 if it is a rounding error, i.e. below `tol` times its
+    scale: the load for forces, the load times the contact size for the torque, the approach for
+    displacements, the approach divided by the contact size for the rotation, and the load times the
+    approach for work.
     """
     if name == SHEAR:
         return [peak_value(np.hypot(*state.shear)) for state in states]

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Storage for a task that needs several solutions: all results, and increments of the latest
-ones."""
+"""Storage of the results of several solutions, and of the increments of the latest solutions."""
 
 from __future__ import annotations
 
@@ -39,7 +38,7 @@ class _Solve(NamedTuple):
 
 
 class Solves:
-    """Solutions of one task by name: results of all solutions, and increments still needed.
+    """Results of all solutions of one task, by name, and the increments that are still needed.
 
     Parameters
     ----------
@@ -56,7 +55,7 @@ class Solves:
 
     @contextmanager
     def kept_in(self, folder: str | os.PathLike[str] | None) -> Iterator[None]:
-        """Read stored results from a folder and write new ones to it; with None, store nothing."""
+        """Use a folder to read stored results and to write new results; None: store nothing."""
         if folder is None:
             yield
             return
@@ -87,7 +86,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """Solve increments of a path that are not stored; return all states on a common grid."""
+        """Solve the increments of a path that are not stored; return states on a common grid."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step
@@ -95,7 +94,7 @@ class Solves:
         return on_common_grid(solve.states)
 
     def file(self, name: str, file: str) -> Path | None:
-        """Return the path of a checkpoint file of the solution `name`; None without files."""
+        """Return the path of a checkpoint file of the solution `name`, or None without a folder."""
         if self._folder is None:
             return None
         folder = self._folder / name

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 DEFAULT_ORDER = 2.0
 SPOTS_ORDER = 1.0
-"""Lowest order on surfaces that may touch in many spots, which appear and merge on finer grids."""
+"""Lowest order of convergence for surfaces that may touch in many spots, because spots appear and
+merge on finer grids."""
 
 
 class Study(Protocol):
@@ -43,7 +44,7 @@ class Study(Protocol):
     """Quantities whose errors are controlled if none are named."""
 
     def parts(self, name: str) -> int:
-        """Return the number of values whose maximum is a quantity."""
+        """Return the number of values whose maximum is the quantity, e.g. one per material."""
         ...
 
     def order(self, name: str) -> float:
@@ -51,7 +52,7 @@ class Study(Protocol):
         ...
 
     def described(self, name: str) -> tuple[Quantity, int | None]:
-        """Return names and unit of a quantity, and the number of its body."""
+        """Return names and unit of a quantity, and the number of its body or None."""
         ...
 
     def solve(self, case: Case, name: str, solves: Solves, progress: bool) -> GridSolution:
@@ -67,11 +68,11 @@ class Study(Protocol):
         ...
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return errors of the compared values that a comparison of grids may miss."""
+        """Return errors that a comparison of grids may miss, in the shape of the values."""
         ...
 
     def note(self, solution: GridSolution) -> str:
-        """Return, as text, a finding in which the finest grids must agree; "" if there is none."""
+        """Return a result, as text, that must be equal on the finest grids; "" if there is none."""
         ...
 
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
@@ -147,7 +148,10 @@ class PathStudy:
         return np.array([[v for parts in row for v in parts] for row in zip(*columns, strict=True)])
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return errors of contact areas of many spots, whose outlines change by whole cells."""
+        """Return the errors of contact areas that consist of many spots; 0 for other quantities.
+
+        The outlines of the spots change by whole cells.
+        """
         columns: list[FloatArray] = []
         for name in names:
             of_spots = self._has_spots and name == "contact_area"

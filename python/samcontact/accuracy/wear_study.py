@@ -29,9 +29,9 @@ _OF_LAW = {
     True: ("worn_volume", "depth", "max_pressure", "contact_area", "max_equivalent_plastic_strain"),
     False: ("worn_volume", "depth", "max_pressure", "contact_area", "friction_work"),
 }
-"""Quantities of wear by plastic strain, and of wear by slip."""
+"""Quantities for wear by plastic strain (True) and for wear by slip (False)."""
 _OTHERS = {True: ("max_von_mises",), False: ("slip_distance", "stick_area")}
-"""Quantities whose errors are controlled only if they are named."""
+"""Quantities whose errors are controlled only if the case names the quantities."""
 
 
 class WearStudy:
@@ -79,7 +79,10 @@ class WearStudy:
         return list(range(len(solution.repeated.cycles)))
 
     def values(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return the values of each cycle; after wear has ceased, all later cycles are equal."""
+        """Return the values of each cycle.
+
+        After wear has ceased, the values of the last cycle are repeated, with a worn depth of 0.
+        """
         columns = [self._column(solution.repeated, name) for name in names]
         table = np.array(columns, dtype=np.float64).T
         missing = self.count - len(table)
@@ -98,7 +101,7 @@ class WearStudy:
         return [float(value if place is None else value[place]) for value in values]
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return errors of the contact area, whose outline changes by whole cells."""
+        """Return errors of the contact area, whose outline changes by whole cells; 0 for others."""
         found = np.zeros((self.count, len(names)))
         loaded = max(solution.states, key=lambda state: state.load)
         for n, name in enumerate(names):

@@ -32,8 +32,8 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
-    If the first remedy replaces the remedy in `text`, `remedy_prefix` (a second remedy with a
-    leading comma) is appended to the message.
+    Some of these remedies replace the remedy in `text`. `remedy_prefix`, a further remedy that
+    begins with a comma, is then appended to the message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if remedy and "normal to y" in before and (rows := _rows_beyond_faces(setup)):
@@ -58,7 +58,7 @@ def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
 
 
 def _rows_beyond_faces(setup: ContactSetup) -> str:
-    """Remedy if the grid has no row of cells beyond a free face that it reaches; otherwise ""."""
+    """Return a remedy if a nearby free face has no row of grid cells beyond it; otherwise ""."""
     grid, half = setup.grid, 0.5 * setup.grid.ny * setup.grid.dy
     reached = [
         face for face in contact_strip(setup.bodies)
@@ -75,7 +75,7 @@ def _rows_beyond_faces(setup: ContactSetup) -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Describe the tilt of a gap; "" unless it exceeds half of the other heights."""
+    """Describe the tilt of a gap as text; "" unless it exceeds half of the heights without tilt."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]

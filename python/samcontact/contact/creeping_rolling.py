@@ -2,7 +2,8 @@
 """Steady rolling of viscoelastic bodies with friction.
 
 The displacement is the sum of the displacement of elastic bodies with intermediate moduli and a
-remainder. The remainder is computed from the last tractions until it no longer changes.
+remainder. The remainder is computed from the tractions of the last solution, and the elastic bodies
+are solved again with it, until the remainder no longer changes.
 """
 
 from __future__ import annotations
@@ -26,11 +27,12 @@ Tractions = tuple[FloatArray | None, FloatArray | None]
 Motion = tuple[float, float, float]
 """Creepages along x and y [-] and spin [1/m]."""
 Roll = Callable[[FloatArray, Tractions, Motion, float, FloatArray | None], dict[str, Any]]
-"""Solves steady rolling of elastic bodies for a gap, tractions and motion to start from, a
-tolerance, and an additional tangential displacement, shape (2, nx, ny) [m]."""
+"""Function that solves steady rolling of elastic bodies. Its arguments are the gap [m], tractions
+and motion from which the iteration starts, the tolerance, and an additional tangential displacement
+[m], shape (2, nx, ny)."""
 
 _DEPTH = 8
-"""Number of differences in the acceleration."""
+"""Maximum number of previous changes that the Anderson acceleration uses."""
 _MAX_REPETITIONS = 400
 _INNER_TOL = 0.01
 """Tolerance of one repetition, divided by the tolerance of the solution."""
@@ -39,10 +41,10 @@ _TIGHTEST_TOL = 1e-12
 
 
 def intermediate(body: Body, speed: float, grid: Grid) -> Body:
-    """Return the elastic body whose compliance is halfway between those of fast and slow waves.
+    """Return an elastic body with the mean of the compliances for very fast and for slow waves.
 
-    The slow waves are twice as long as the grid. For faster waves, the complex compliance of a
-    standard linear solid differs from the returned compliance by less than this compliance itself.
+    The slow waves are twice as long as the grid. For all shorter waves, the complex compliance of a
+    standard linear solid differs from the returned compliance by less than the latter.
     """
     if relaxation_of(body) is None:
         return body
@@ -67,7 +69,7 @@ class CreepingRest:
         self._elastic = _core.CreepingTractions(grid._core, upper, lower, none, none)
 
     def __call__(self, pressure: FloatArray, shear: FloatArray) -> tuple[FloatArray, float]:
-        """Return the remainder, shape (3, nx, ny), and the largest total u_z in contact [m]."""
+        """Return the remainder, shape (3, nx, ny), and the maximum total |u_z| in contact [m]."""
         whole = self._moving.displacement(pressure, shear)
         rest: FloatArray = whole - self._elastic.displacement(pressure, shear)
         touching = whole[2][in_contact(pressure)]
@@ -82,7 +84,7 @@ class _Acceleration:
         self._changes: list[FloatArray] = []
 
     def next(self, guess: FloatArray, change: FloatArray) -> FloatArray:
-        """Return the next guess from the last one and the change that it causes."""
+        """Return the next guess, from the last guess and its change by one repetition."""
         self._guesses = [*self._guesses, guess][-_DEPTH - 1 :]
         self._changes = [*self._changes, change][-_DEPTH - 1 :]
         if len(self._guesses) == 1:
@@ -97,7 +99,7 @@ class _Acceleration:
 def roll_creeping(
     rest: CreepingRest, roll: Roll, gap: FloatArray, tol: float, start: tuple[Tractions, Motion]
 ) -> dict[str, Any]:
-    """Solve elastic bodies repeatedly, each time with the remainder due to the last tractions.
+    """Solve the contact of elastic bodies repeatedly, with the remainder due to the last tractions.
 
     Parameters
     ----------

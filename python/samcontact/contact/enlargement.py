@@ -12,10 +12,10 @@ from ..diagnostics import hertz_estimate
 from ..problem.grid import Grid
 
 MAX_ENLARGEMENT, MAX_CELLS_UNFITTED = 64, 1 << 22
-"""Maximum number of cells, divided by the number of cells of the initial grid; and number of cells
-that is always allowed while the grid is smaller than the Hertz contact."""
+"""Maximum number of cells, divided by the number of cells of the initial grid. The second value is
+a number of cells that is always allowed while the grid is smaller than the Hertz contact."""
 HERTZ_MARGIN = 1.25
-"""Side of an enlarged grid / width of the Hertz contact; > 1, as plastic flow widens contacts."""
+"""Minimum side of an enlarged grid / width of the Hertz contact. Plastic flow widens contacts."""
 _SIDE_GROWTH, _MIN_SIDE_GROWTH = (
     1.5,
     1.25,
@@ -61,7 +61,7 @@ def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator
 
 
 def enlarged_evenly(n: int, min_cells: float) -> int:
-    """Return n if n >= `min_cells`; else n + an even number, at least `min_cells` and 1.25 n."""
+    """Return n if n >= `min_cells`; else n plus an even number, >= both `min_cells` and 1.25 n."""
     if min_cells <= n:
         return n
     return n + 2 * math.ceil((max(min_cells, _MIN_SIDE_GROWTH * n) - n) / 2)

@@ -25,11 +25,11 @@ UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
 """Tangential drive of a contact without shear."""
 
 _HIGHER = [2.0**power for power in range(13, 0, -1)]
-"""Speeds of a continuation, as multiples of the given speeds."""
+"""Factors on the given speeds in a continuation from higher speeds."""
 
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
-"""Function that creates the solution on a grid, from `_delayed` displacement [m] and the fields of
-a ContactSolution."""
+"""Function that creates the solution. Its arguments are the grid, the displacement [m] of
+`MovingContactSolver._delayed`, and the fields of a ContactSolution."""
 
 
 class MovingContactSolver(ContactSolver):
@@ -43,7 +43,7 @@ class MovingContactSolver(ContactSolver):
     speeds : pair of float
         Velocity of the material of each body along +x relative to the contact [m/s].
     finish : callable
-        Creates the solution.
+        Creates the solution, see `Finish`.
     settings
         `tol`, `on_border` and `max_iterations` of `ContactSolver`.
     """
@@ -64,7 +64,7 @@ class MovingContactSolver(ContactSolver):
         return self._core_at(1.0)
 
     def _core_at(self, factor: float) -> Any:
-        """Return the core's contact of bodies that move faster by a factor."""
+        """Return the core's solver for speeds that are multiplied by a factor."""
         bodies, speeds, _ = self._moving
         needed = memory.surface(self.grid, memory.MOVING_CONTACT_BYTES)
         memory.require_for_grid("a moving viscoelastic contact", self.grid, needed)
@@ -93,9 +93,10 @@ class MovingContactSolver(ContactSolver):
         return self._moving[2](self.grid, self._delayed(found["pressure"]), found), complaint
 
     def _from_above(self, contact: Pressing, settings: Sequence[Any]) -> FloatArray | None:
-        """Return the pressure at a little more than the given speeds [Pa]; None if not found.
+        """Return the pressure at twice the given speeds [Pa], or None if it is not found.
 
-        It is continued from speeds at which the material has nearly its instantaneous modulus.
+        The speeds are reduced step by step, from speeds at which the material has nearly its
+        instantaneous modulus. Each solution is the initial guess for the next lower speed.
         """
         pressure = None
         for factor in _HIGHER if any(self._moving[1]) else ():
@@ -106,9 +107,11 @@ class MovingContactSolver(ContactSolver):
         return pressure
 
     def _delayed(self, pressure: FloatArray) -> FloatArray:
-        """Half of the displacement minus its mirror image, which is that in reversed motion [m].
+        """Return the part of the displacement that changes sign with the direction of motion [m].
 
-        The rest is due to a symmetric operator and has no force along x.
+        This part is half of the difference between the displacement and the displacement in
+        reversed motion, which is computed with mirrored fields. The remaining displacement is due
+        to a symmetric operator and causes no force along x.
         """
         reversed_pressure = np.ascontiguousarray(pressure[::-1])
         mirrored = self._core.displacement(reversed_pressure)[::-1]
@@ -125,14 +128,14 @@ def speed_of(name: str, value: Any) -> float:
 
 
 def pressure_of(start: Any, kind: type[ContactSolution]) -> FloatArray:
-    """Return the pressure of an initial guess; raise TypeError unless it is a `kind`."""
+    """Return the pressure of a solution `start`; raise TypeError unless it is of type `kind`."""
     require_type("start", start, kind)
     pressure: FloatArray = start.pressure
     return pressure
 
 
 def moving_creep(body: Body, speed: float) -> _core.MovingCreep:
-    """Return the creep of a body over the distance moved, for the core."""
+    """Return the creep of a body as a function of the distance moved, for the core."""
     terms = relaxation_of(body)
     if terms is None:
         return _core.MovingCreep([], [], speed > 0)
@@ -141,9 +144,9 @@ def moving_creep(body: Body, speed: float) -> _core.MovingCreep:
 
 
 def _effective(body: Body, speed: float, grid: Grid) -> Body:
-    """Elastic body with the modulus at the frequency of waves as long as half of the grid.
+    """Return an elastic body with the modulus for waves that are half as long as the grid.
 
-    For estimates of the contact and for warnings only.
+    It is used only for estimates of the contact and for warnings.
     """
     return vibrating(body, 4 * np.pi * abs(speed) / (grid.nx * grid.dx))
 

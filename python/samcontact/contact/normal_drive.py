@@ -13,7 +13,7 @@ from .tangential_drive import pair_of
 
 UNTILTED = 0.0, 0.0
 MAX_TILT = 0.1
-"""Maximum tilt [rad] of small rotations."""
+"""Maximum tilt [rad] at which rotations are still small."""
 
 
 @dataclass(frozen=True)
@@ -39,9 +39,10 @@ class NormalDrive:
         held: Sequence[float] = UNTILTED,
         spring: float = 0.0,
     ) -> NormalDrive:
-        """Check and combine the arguments; an axis with neither moment nor tilt keeps `held`.
+        """Check and combine the arguments.
 
-        name: "load" or "approach". spring: compliance of the machine [m/N].
+        name: "load" or "approach". held: tilts [rad] about x and y, which apply to an axis for
+        which neither moment nor tilt is given. spring: compliance of the machine [m/N].
         """
         value = number(name, value)
         if moment is None and tilt is None:
@@ -83,5 +84,5 @@ class NormalDrive:
         return any(self.is_moment) or self.about != UNTILTED
 
     def to_core(self) -> _core.Drive:
-        """Return the drive of the core."""
+        """Return the drive as an object of the core."""
         return _core.Drive(self.name == "load", self.value, self.is_moment, self.about, self.spring)

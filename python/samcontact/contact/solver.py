@@ -35,7 +35,7 @@ from .normal_drive import NormalDrive
 from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
 
 LOOSEST_ADHESIVE = 1e-7
-"""Tolerance above which repulsion cannot be distinguished from the error of an adhesive tension."""
+"""Maximum tolerance with adhesion. Above it, repulsion cannot be distinguished from errors."""
 
 
 class ContactSolver(ContactFields):
@@ -69,14 +69,14 @@ class ContactSolver(ContactFields):
         Maximum number of iterations for the pressure, and of Newton steps on pressure and shear
         together.
     heat : Heat, optional
-        Frictional heating; `history` is not supported. Default: none, `Heat(0.0)`.
+        Frictional heating; `history` is not supported. Default: no heating, `Heat(0.0)`.
     adhesion : ContactLaw, optional
         Attraction of the surfaces across the gap: a law of `Adhesion`, or `TensileLimit`. Default:
-        `HardContact()`, none. Friction acts on the repulsive part of the pressure only. Attraction
-        acts over the whole grid, which is not enlarged.
+        no attraction, `HardContact()`. Friction acts on the repulsive part of the pressure only.
+        Attraction acts over the whole grid, which is then not enlarged.
     stiffness : float, optional
         Stiffness of the machine that prescribes an approach [N/m], with a law of `Adhesion`: the
-        approach of the bodies is that of the machine minus load/stiffness. Default: rigid.
+        approach of the bodies is the prescribed approach minus load/stiffness. Default: rigid.
 
     Raises
     ------
@@ -139,7 +139,7 @@ class ContactSolver(ContactFields):
         self._core = self._new_core()
 
     def _new_core(self) -> Any:
-        """Return the solver of the core."""
+        """Return the solver object of the core."""
         setup = self.grid._core, self.body1._core, self.body2._core
         adhesion = self.adhesion.resolved(self.grid, self.body1, self.body2)
         law, contact = self._law.to_core(), adhesion.to_core()
@@ -226,14 +226,14 @@ class ContactSolver(ContactFields):
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
             for a similar gap or load, saves the coarser grids and most iterations. If the iteration
             does not converge from this pressure, the solve is repeated without it. With `Adhesion`,
-            it selects one of several solutions, and the solve is not repeated.
+            the initial pressure selects one of several solutions, and the solve is not repeated.
         duration : float, optional
             Duration of the increment [s], with friction that depends on the slip rate
             (`FallingCoulomb`).
         slip_rate : float, optional
             With `duration`: initial slip rate of all cells in the iteration [m/s], >= 0, which
-            selects one of several solutions. Default: the slip rate of `previous`, or 0. By
-            default, an increment that may have several solutions is refused.
+            selects one of several solutions. Default: the slip rate of `previous`, or 0. Without
+            `slip_rate`, an increment that may have several solutions is refused.
 
         Returns
         -------
@@ -247,7 +247,8 @@ class ContactSolver(ContactFields):
             GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
             No convergence; the error has the attributes `iterations` and `residual`. PullOffError
-            if the tension exceeds the maximum on the branch of the initial pressure.
+            if the prescribed tension exceeds the maximum tension of the solutions that continue
+            the initial pressure.
 
         Warns
         -----

@@ -28,10 +28,10 @@ from ..solutions.contact_solution import (
 _DIRECTIONS = ("x", "y")
 
 Pressing = tuple[FloatArray, _core.Drive]
-"""Initial gap [m]; load or approach, and moments or tilts."""
+"""Initial gap [m], and the normal drive: load or approach, and moments or tilts."""
 Settings = tuple[float, int, bool, bool]
-"""Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether,
-without convergence, the state with the smallest error is accepted."""
+"""Tolerance; maximum number of iterations; whether a contact at the grid edge is an error; whether
+the state with the smallest error is accepted if the solver does not converge."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,7 @@ class TangentialDrive:
     duration: float = 0.0
     """Duration of the increment [s]; 0 for friction that does not depend on the slip rate."""
     slip_rate: float | None = None
-    """Slip rate from which the iteration starts [m/s]; None: that of the preceding increment."""
+    """Initial slip rate of the iteration [m/s]; None: slip rate of the preceding increment."""
 
     @property
     def mean_travel(self) -> float:
@@ -116,7 +116,7 @@ class TangentialDrive:
         return carried(pressure, cells), carried(shear, cells), None, approach, tilt
 
     def _rate(self, grid: Grid) -> FloatArray | None:
-        """Return the slip rate from which the iteration starts [m/s]; None: 0."""
+        """Return the initial slip rate of the iteration [m/s], or None for 0."""
         if self.duration == 0.0:
             return None
         if self.slip_rate is not None:
@@ -125,12 +125,12 @@ class TangentialDrive:
         return self._carried(known, grid)
 
     def _plastic(self, grid: Grid) -> FloatArray | None:
-        """Return the plastic slip of a layer before the increment [m]; None: 0."""
+        """Return the plastic slip of a surface layer before the increment [m], or None for 0."""
         known = None if self.previous is None else plastic_slip_on(self.previous, grid)
         return self._carried(known, grid)
 
     def _carried(self, over: FloatArray | None, grid: Grid) -> FloatArray | None:
-        """Return a field of the preceding increment at the present positions of its points."""
+        """Return a field of the preceding increment, moved by the mean travel of the surfaces."""
         if over is None:
             return None
         cells = round(self.mean_travel / grid.dx)
@@ -259,7 +259,7 @@ def tangential_drive(
 def at_pace(
     drive: TangentialDrive, law: FrictionLaw, duration: float | None, slip_rate: float | None
 ) -> TangentialDrive:
-    """Return a drive with the duration of the increment and the slip rate to start from."""
+    """Return a drive with the duration of the increment and an initial slip rate."""
     lasts = lasting(law, duration)
     if slip_rate is not None:
         if not lasts:
@@ -313,7 +313,7 @@ def _maybe(name: str, value: Any) -> float | None:
 
 
 def pair_of(name: str, pair: Any, relation: str = "along") -> list[float | None]:
-    """Return a pair of numbers along (or about) x and y, each of which may be None."""
+    """Return the two numbers of a pair for x and y, each of which may be None."""
     if pair is None:
         return [None, None]
     if (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Position of first yield under a Hertz pressure in a body with depth-dependent yield stress."""
+"""First yield under a Hertz pressure in a body with depth-dependent yield or initial stress."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _REFINEMENTS = 4
 
 
 class YieldPosition(NamedTuple):
-    """Maximum of (von Mises stress)/(yield stress) - 1, and the position; r, z in contact radii."""
+    """Maximum of (von Mises stress)/(yield stress) - 1, and position; r and z in contact radii."""
 
     excess: float
     r: float
@@ -44,8 +44,8 @@ ExcessAt = Callable[[float], YieldPosition]
 def first_yield(body: Material, spread: float, friction: float | None) -> tuple[float, FloatArray]:
     """Maximum Hertz pressure [Pa] at first yield of a body, and position (x, y, z) of yield [m].
 
-    spread: contact radius divided by maximum pressure [m/Pa]. friction: coefficient, or None for a
-    frictionless line contact along y, for which "radius" means half-width.
+    spread: contact radius divided by maximum pressure [m/Pa]. friction: coefficient of a point
+    contact, or None for a frictionless line contact along y; "radius" then means half-width.
     """
     around = _GlobalSearch(body, spread, friction)
     low, p0 = 0.0, 1e-3 * body.min_yield_stress
@@ -126,7 +126,7 @@ def _max_excess(
 
 
 class _GlobalSearch:
-    """Search in the whole region; the stored contact stress is interpolated at profile kinks."""
+    """Search in the whole region; stress at the kinks of depth profiles is interpolated."""
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread
@@ -152,7 +152,7 @@ class _GlobalSearch:
 
 
 class _LocalSearch:
-    """Search on a finer grid around a position, including the depths of all profile kinks."""
+    """Search on a finer grid around a position. The grid includes all kinks of depth profiles."""
 
     def __init__(
         self,

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from ..solutions.state import State
 
 EDGE_ATTRACTION = 1e-3
-"""Attraction at the edge of the grid, relative to its peak, above which a warning is issued: the
-relative error of the tension is of this order."""
+"""Attraction at the edge of the grid, relative to the maximum attraction, above which a warning is
+issued. The relative error of the tension is of this order."""
 
 
 def warn_of_adhesion(
@@ -33,8 +33,11 @@ def warn_of_adhesion(
     *,
     stacklevel: int,
 ) -> bool:
-    """Warn of adhesion that the grid does not resolve or contain, and of friction that depends on
-    the grid; return True after a warning."""
+    """Warn of adhesion that does not suit the grid; return True after a warning.
+
+    The warnings are about attraction that the cells do not resolve, attraction at the edge of the
+    grid, and friction or plastic flow that depends on the cell size.
+    """
     found = resolved_of(law, solution.grid, *bodies)
     if found is None:
         return False
@@ -47,21 +50,21 @@ def warn_of_adhesion(
 
 
 def attraction_at_edge(attraction: FloatArray, periodic: str) -> float:
-    """Return the largest attraction at those edges of the grid across which it is not periodic.
+    """Return the maximum attraction [Pa] at the edges of the grid that are not periodic.
 
-    attraction: of one or more increments [Pa], shape (..., nx, ny).
+    attraction: attraction in one or more increments [Pa], shape (..., nx, ny).
     """
     edges = {"x": attraction[..., [0, -1], :], "y": attraction[..., [0, -1]]}
     return max((float(edges[axis].max()) for axis in "xy" if axis not in periodic), default=0.0)
 
 
 def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterator[str]:
-    """Texts on the cell size, and on a range at which the bodies would yield."""
+    """Texts of the warnings about large cells, and about attraction above the yield stress."""
     if found.kappa > MAX_RESOLVED:
         yield (
             f"the grid does not resolve the adhesion: kappa = {found.kappa:.3g} (at most "
-            f"{MAX_RESOLVED:g} expected), so that single cells may jump. Use cells of at most "
-            f"{found.finer}, or a longer range"
+            f"{MAX_RESOLVED:g} expected), so that single cells may jump into contact. Use cells of "
+            f"at most {found.finer}, or a longer range"
         )
     strengths = [float(body.yield_stress_at(0.0)) for body in bodies if body.is_plastic]
     weakest = min(strengths, default=math.inf)
@@ -74,7 +77,7 @@ def _of_resolution(found: ResolvedAdhesion, bodies: tuple[Body, Body]) -> Iterat
 
 
 def _of_friction(found: ResolvedAdhesion, friction: FrictionLaw) -> Iterator[str]:
-    """Text on friction that depends on a range chosen for the grid."""
+    """Text of the warning if friction depends on a range of attraction chosen for the grid."""
     by_pressure = not friction.prevents_slip and friction.bound(2.0) > friction.bound(1.0)
     if found.is_refined and by_pressure and not found.law.rubs_by_compression:
         yield (
@@ -86,7 +89,7 @@ def _of_friction(found: ResolvedAdhesion, friction: FrictionLaw) -> Iterator[str
 
 
 def _of_edge(found: ResolvedAdhesion, attraction: FloatArray) -> str:
-    """Text if the attraction reaches the edge of the grid, else ""."""
+    """Text of the warning if the attraction reaches the edge of the grid, else ""."""
     share = attraction_at_edge(attraction, found.grid.periodic) / found.law.peak
     if not share > EDGE_ATTRACTION:
         return ""

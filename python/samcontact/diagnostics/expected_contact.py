@@ -14,12 +14,17 @@ if TYPE_CHECKING:
 
 
 MIN_CONTACT_MODULUS = 1e4
-"""Contact modulus [Pa] below which the unit of E may be wrong; only soft gels have less."""
+"""Contact modulus [Pa] below which the unit of E may be wrong: only soft gels are more compliant.
+"""
 
 
 @dataclass(frozen=True)
 class ExpectedContact:
-    """Elastic Hertz contact of smooth bodies; its text gives size, pressure and a hint on units."""
+    """Elastic Hertz contact of smooth bodies.
+
+    The text `str(...)` gives the contact size, the maximum pressure and, if E* is very small, a
+    hint on units.
+    """
 
     contact: hertz.PointContact | hertz.EllipticContact
 

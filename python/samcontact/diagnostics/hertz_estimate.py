@@ -28,12 +28,13 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 MAX_PARABOLOID_DEVIATION = 0.03
-"""Maximum deviation of a gap from a paraboloid, divided by the height range of the gap. A sphere
-of radius R has a ratio of (r/R)^2/4 on a grid of half-width r."""
+"""Maximum deviation of a gap from a paraboloid, divided by the height range of the gap. For a
+sphere of radius R on a grid of half-width r, this ratio is (r/R)^2/4."""
 MAX_EXTENDED_DEVIATION = 0.1
 """Maximum deviation of a gap from a paraboloid at the ends of the Hertz contact, divided by the
-height there. Beyond the grid, the deviation is assumed to grow like the fourth power of the
-distance: a gap that flattens or drops towards the end of a body is no paraboloid there."""
+height of the paraboloid there. If these ends lie beyond the grid, the deviation is assumed to grow
+like the fourth power of the distance, because a gap may flatten or drop towards the end of a body.
+"""
 _ROUNDING_MARGIN = 1e-6
 """Relative margin for rounding errors, at both ends of the range of loads that pass all checks."""
 _FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
@@ -54,21 +55,21 @@ class PlasticBody(NamedTuple):
 
 
 class _Fit(NamedTuple):
-    """Points of a grid at which a paraboloid is fitted, and its terms there."""
+    """Points of a grid at which a paraboloid is fitted, and terms of the paraboloid there."""
 
     chosen: tuple[Any, ...]
-    """Index of the points among the cells."""
+    """Index that selects the points from the cells."""
     half_lengths: tuple[float, float]
     """Largest |x| and |y| of the cell centres [m]."""
     basis: FloatArray
-    """Values of the six terms at the points, in x and y divided by the half-lengths."""
+    """Values of the six terms at the points, computed from x and y divided by the half-lengths."""
     products: FloatArray
-    """Sums of the products of the terms."""
+    """Products of each two terms, summed over the points."""
 
 
 @lru_cache(maxsize=8)
 def _fit_on(grid: Grid) -> _Fit:
-    """Return the points and terms of a fit, which many contacts on one grid share."""
+    """Return the points and terms of fits on a grid, cached for further contacts on this grid."""
     rows, columns = (
         np.linspace(0, n - 1, min(n, _FIT_POINTS_PER_SIDE), dtype=int) for n in grid.surface_shape
     )
@@ -92,8 +93,9 @@ class Paraboloid(NamedTuple):
     """Distances along x and y [m] within which the gap is close to the paraboloid."""
 
     def fits(self, expected: ExpectedContact) -> bool:
-        """Whether a Hertz contact lies within the reach. The result is also True for a contact as
-        wide as the radii, so that the unit checks include it.
+        """Whether a Hertz contact lies within the reach of the paraboloid.
+
+        Also True for a contact that is wide relative to the radii, which unit checks then detect.
         """
         if all(e <= r for e, r in zip(_extent_of(expected, self), self.reach, strict=True)):
             return True
@@ -289,7 +291,7 @@ class ContactSetup:
 
     @cached_property
     def _reference(self) -> plausibility.ExpectedExtent | None:
-        """Hertz contact about a quarter as wide as the grid, scaled to obtain other contacts."""
+        """Hertz contact about a quarter as wide as the grid, from which others are scaled."""
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
@@ -329,8 +331,7 @@ class ContactSetup:
     def require_room(self, load: float | None = None, approach: float | None = None) -> None:
         """Raise GridTooSmallError if the Hertz contact does not fit on the grid.
 
-        The solution would fail in any case, because an elastic-plastic contact is not smaller than
-        an elastic contact.
+        The solver would fail for such a contact, which is even larger if it is elastic-plastic.
         """
         if not self._is_hertzian or self.load_of(load, approach) <= self.largest_load_with_room:
             return
@@ -365,7 +366,7 @@ def _extent_of(expected: ExpectedContact, paraboloid: Paraboloid | None) -> tupl
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:
-    """Contact widths over the sides of the grid [-], with the longer axis along the longer side."""
+    """Contact widths divided by grid sides [-], with the longer axis along the longer side."""
     long, short = expected.semi_axes
     sides = grid.nx * grid.dx, grid.ny * grid.dy
     return 2 * short / min(sides), 2 * long / max(sides)

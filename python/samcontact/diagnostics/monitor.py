@@ -31,9 +31,9 @@ class Monitor:
     limit_warned: bool = False
     alternation_warned: bool = False
     checks_increments: bool = True
-    """Whether the error due to increments is still estimated after each increment."""
+    """Whether the error due to the size of the increments is estimated after each increment."""
     checks_steps: bool = True
-    """Whether the resolution is checked after each step; in a run it is checked at the end."""
+    """Whether the grid resolution is checked after each step, instead of at the end of a run."""
     clipping_warned: bool = False
     setup_warned: bool = False
     contact_warned: bool = False
@@ -44,7 +44,7 @@ class Monitor:
 
     @contextmanager
     def deferred_resolution_checks(self) -> Iterator[None]:
-        """Context manager for a run: resolution and increments are not checked after each step."""
+        """Context manager for a run: no checks of resolution and increments after each step."""
         enabled = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
         try:

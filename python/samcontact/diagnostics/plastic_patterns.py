@@ -22,8 +22,8 @@ LIMIT_PRESSURE_RATIO = 3.0
 """Mean pressure of a fully plastic contact divided by the yield stress."""
 _MAX_LIMIT_EXCESS = 1.05
 _MIN_ALTERNATION = 0.15
-"""Minimum result of `alternation` for a warning: smooth plastic zones of four layers have smaller
-values, grid artefacts up to 0.2."""
+"""Minimum result of `alternation` for a warning. Smooth plastic zones with four layers have smaller
+values; grid artefacts have values up to 0.2."""
 
 
 def warn_of_limit(state: State, setup: ContactSetup, *, stacklevel: int) -> bool:
@@ -31,7 +31,7 @@ def warn_of_limit(state: State, setup: ContactSetup, *, stacklevel: int) -> bool
 
     The mean pressure of a single contact spot on a homogeneous half-space is at most about three
     yield stresses: 2.97 in a line contact (Prandtl), about 3 in a round contact. With too few cells
-    the computed pressure is higher, because plastic flow at the edge is resolved to one cell only.
+    the computed pressure is higher, because the cells do not resolve plastic flow at the edge.
     """
     largest, max_ratio = state.outline.largest, _MAX_LIMIT_EXCESS * LIMIT_PRESSURE_RATIO
     # quick check: mean pressure <= maximum, yield stress >= initial

@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from .expected_contact import ExpectedContact
 
 MAX_HALF_WIDTH_RATIO = 0.55
-"""Maximum ratio of half-width to radius of curvature, at which a sphere is 15 % stiffer than a
-paraboloid."""
+"""Maximum ratio of contact half-width to radius of curvature. At this ratio, a sphere is 15 %
+stiffer than a paraboloid."""
 MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
 """Limits of the Hertz contact: maximum width relative to a side of the grid, minimum width in
 cells, maximum half-width in layers."""
@@ -39,15 +39,16 @@ MAX_YIELD_STRAIN = 0.2
 MAX_YIELD_FACTOR = 20.0
 """Maximum ratio of local to nominal yield stress: case hardening gives 2 to 3."""
 MAX_PROFILE_DEPTH = 0.1
-"""Maximum depth of hardening, residual stress or a layer [m]; mill rolls are hard to 0.1 m."""
+"""Maximum depth of hardening, residual stress or layers [m]; mill rolls are hardened to 0.1 m."""
 MIN_STRESS_RATIO = 1e-7
-"""Minimum ratio of residual stress, or of backstress modulus, to E; for steel, 0.02 MPa."""
+"""Minimum ratio of residual stress, or of backstress modulus, to E. For steel, this is 0.02 MPa."""
 MAX_BACKSTRESS_MODULUS_RATIO = 1e4
-"""Maximum ratio of backstress modulus to E; the modulus E Et/(E - Et) is large for Et near E."""
+"""Maximum ratio of backstress modulus to E. The modulus is E Et/(E - Et) for a tangent modulus Et,
+and becomes large for Et near E."""
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300 m/s."""
 MAX_WEAR_COEFFICIENT = 1e-9
-"""Maximum wear volume per work, or per load and distance [1/Pa]; e.g. rubber on abrasive paper."""
+"""Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
@@ -55,7 +56,7 @@ HEAT_CAPACITY_RANGE = 1e5, 1e7
 MAX_EXPANSION = 2e-3
 """Maximum thermal expansion [1/K]: rubber has up to 7e-4."""
 MAX_TEMPERATURE_RISE = 3e5
-"""Maximum temperature rise [K], as computed without melting."""
+"""Maximum temperature rise [K]. It is above all melting points, as melting is not modelled."""
 _THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
 _MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width in cells after correction of a unit
 _MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
@@ -70,7 +71,7 @@ class PlausibilityCheck(NamedTuple):
     remedy: Callable[[], str]
     """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether a Hertz contact is checked; on failure, checks after the solution are skipped."""
+    """Whether a Hertz contact is checked. If it fails, checks after the solution are skipped."""
 
 
 class ExpectedExtent(NamedTuple):
@@ -150,8 +151,8 @@ def passing_loads(
     """Return the minimum and maximum load [N] for which all checks of a contact pass.
 
     Both limits are scaled from the load of `contact`. Contact size and pressure grow as the cube
-    root of the load. The temperature rise and the size of flattened contacts grow faster, at most
-    as the powers 2/3 and 1/2 of the load.
+    root of the load. Two quantities grow faster: the temperature rise, at most like the power 2/3
+    of the load, and the size of plastically flattened contacts, at most like the power 1/2.
     """
     load = contact.expected.contact.load
     checks = [finding.check for finding in contact_plausibility_checks(contact, grid, bodies, heat)]
@@ -176,7 +177,7 @@ def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, list[Mater
 
 
 def _failed(findings: Iterable[PlausibilityCheck]) -> Iterator[PlausibilityCheck]:
-    """Select the failed checks; reports do not list passed checks."""
+    """Iterate over the failed checks."""
     return (finding for finding in findings if not finding.check.passed)
 
 
@@ -248,7 +249,7 @@ def _material_checks(name: str, body: Material) -> Iterator[PlausibilityCheck]:
 
 
 def _strength_check(number: int, body: Material) -> PlausibilityCheck:
-    """Check of the ratio of maximum yield stress to E for a hardening law without yield profile."""
+    """Check of the ratio of maximum yield stress to E, without the factors of a yield profile."""
     given = body.parameters
     of_law = float(body.yield_stress(0.0)), given.get("saturation_stress", 0.0)
     largest = max(*of_law, *given.get("stress", ()))
@@ -345,7 +346,7 @@ def _layer_check(
 
 
 def _flattened(contact: ExpectedExtent, body: Material) -> float:
-    """Contact width for a mean pressure of 3 yield stresses over the elastic width; at least 1."""
+    """Ratio of contact width at a mean pressure of 3 yield stresses to the elastic width; >= 1."""
     stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
     mean = contact.expected.contact.p0 / 1.5
     return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
@@ -385,10 +386,10 @@ def _is_unusual(name: str, value: float) -> bool:
 
 
 def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cells: float) -> bool:
-    """Whether a contact fits the grid if its width, width/radius and the cell size are scaled.
+    """Whether a contact would fit the grid if its size and the cell size were scaled.
 
-    The factors are `wider` for the width, `steeper` for width/radius, and `cells` for the cell
-    size.
+    wider, steeper, cells: factors on the contact width, on the ratio of width to radius, and on
+    the cell size.
     """
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Warnings of increments that do not resolve the relaxation or the creep of viscoelastic bodies."""
+"""Warnings of increments or cells that do not resolve the relaxation of viscoelastic bodies."""
 
 from __future__ import annotations
 
@@ -13,32 +13,35 @@ from ..bodies.viscoelastic import relaxation_of
 from ..solutions.state import State
 
 MIN_JUMP, MAX_HOLD = 0.5, 0.01
-"""Change of the load in an increment, relative to the larger load, that is a jump or a hold."""
+"""Minimum change of the load in an increment that counts as a jump, and maximum change that counts
+as a constant load. Both are relative to the larger load of the increment."""
 MIN_SHARE = 0.01
-"""Share of the modulus from which a relaxation time counts."""
+"""Minimum share of the modulus for which a relaxation time is considered."""
 MAX_TIMES = 3.0
-"""Largest ratio of an increment's duration to a relaxation time that it still resolves."""
+"""Maximum duration of an increment that resolves a relaxation, divided by the relaxation time."""
 
 
 CREEP_CELLS = 0.02, 1.0
-"""Range of the distance over which a moving material creeps in which cells do not resolve it
-[cells]; below this range the material has its long-time modulus everywhere."""
+"""Range of the creep distance [cells] in which cells do not resolve the creep of moving material.
+The creep distance is the speed times the creep time. Below the range, the material has its
+long-time modulus everywhere."""
 
 
 @dataclass
 class RelaxationSteps:
-    """Detector of a load jump in a long increment that is followed by a constant load.
+    """Checks whether increments and cells resolve the relaxation of viscoelastic bodies.
 
-    Tractions are assumed to change linearly with time in an increment. If the load was in fact
-    applied at the start of the increment, the relaxation since then is missing. A load that
-    continues to rise is a ramp.
+    A load jump in a long increment, followed by a constant load, causes a warning. Tractions are
+    assumed to change linearly with time in an increment. If the load was in fact applied at the
+    start of the increment, the relaxation since then is missing. A load that continues to rise is
+    a ramp and causes no warning.
     """
 
     jump: str = ""
-    """Text about the last increment if the load jumped in it."""
+    """Text of the warning about the last increment if the load jumped in that increment."""
     warned: bool = False
     coarse: bool = False
-    """Whether the warning of cells that do not resolve the creep was issued."""
+    """Whether the warning about cells that do not resolve the creep was issued."""
 
     def warnings(self, before: State, after: State) -> list[UserWarning]:
         """Return the warnings after an increment; each is issued once."""
@@ -50,7 +53,7 @@ class RelaxationSteps:
         return found
 
     def _coarse_text(self, before: State, after: State) -> str:
-        """Text of the warning if material creeps within a cell as it moves, "" for none."""
+        """Text of the warning if moving material creeps over less than a cell; otherwise ""."""
         duration = after.time - before.time
         if self.coarse or not 0 < duration < math.inf or after.load == 0:
             return ""
@@ -77,7 +80,7 @@ class RelaxationSteps:
         return ""
 
     def _jump_text(self, before: State, after: State) -> str:
-        """Text of the warning if the load has jumped and is now constant, "" for none."""
+        """Text of the warning if the load has jumped and is now constant; otherwise ""."""
         if self.warned:
             return ""
         duration, largest = after.time - before.time, max(after.load, before.load)
@@ -100,8 +103,8 @@ class RelaxationSteps:
                     f"the load changes from {quantity(before.load, 'N')} to "
                     f"{quantity(after.load, 'N')} in an increment of {quantity(duration, 's')} and "
                     f"is then constant, but body {number} relaxes with the time "
-                    f"{quantity(min(fast), 's')}: the change counts as steady during the "
-                    "increment; apply it with duration = 0, then short increments (paths.creep), "
-                    "or in several increments if it is slow"
+                    f"{quantity(min(fast), 's')}: the load is assumed to change steadily during "
+                    "the increment; apply a sudden change with duration = 0, then use short "
+                    "increments (paths.creep); apply a slow change in several increments"
                 )
         return ""

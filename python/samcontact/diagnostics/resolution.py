@@ -97,9 +97,9 @@ def spots(pressure: ArrayLike, periodic: str = "") -> int:
 
 
 def _only_spot(found: NDArray[np.bool_]) -> tuple[slice, slice] | None:
-    """Return the range of a single spot without holes, as in smooth contacts; otherwise None.
+    """Return the range of cells if the contact is one spot without holes, otherwise None.
 
-    It is found from the first and last cell of each row, without loading SciPy.
+    The range is found from the first and last contact cell of each row, without loading SciPy.
     """
     rows = np.flatnonzero(found.any(axis=1))
     if not rows.size or rows[-1] - rows[0] + 1 != rows.size:
@@ -282,7 +282,7 @@ def warn_of_zone(
     """Warn if the plastic zone of a body has fewer than `few` layers; return True after a warning.
 
     The deepest plastic zone of all states is used, because plastic strain that moves with a body
-    leaves the grid.
+    may leave the grid.
     """
     heights = [layers_across_plastic_zone(strained_extent(state, body)) for state in states]
     layers = max((height for height in heights if height > 0), default=math.nan)

@@ -132,7 +132,7 @@ def sharp_edge(
 
 
 def _at_end_of_profile(sides: Sides, gap: FloatArray) -> int:
-    """Number of sides next to the end of a body towards which the gap opens increasingly."""
+    """Number of cell sides next to the end of a body towards which the gap opens increasingly."""
     found = np.zeros(len(sides.i), dtype=np.bool_)
     for direction in (1, -1):  # a side that the load has closed may face inwards
         further_in, inner, own, outer, next_out = (
@@ -157,7 +157,7 @@ def may_have_edge(solution: ContactSolution | State, setup: ContactSetup) -> boo
 def edge_of(
     solution: ContactSolution | State, bodies: tuple[Body, Body], initial_gap: FloatArray | None
 ) -> SharpEdge | None:
-    """Sharp edges of a solution; None if there are none or tractions are prescribed."""
+    """Sharp edges of a solution, or None if there are none or if the tractions are prescribed."""
     pressure, grid = solution.repulsion, solution.grid
     if not np.isfinite(solution.approach):
         return None
@@ -169,7 +169,7 @@ def edge_of(
 
 
 def edge_of_state(state: State) -> SharpEdge | None:
-    """Sharp edges of a state; relief steps that the load has closed are not found."""
+    """Sharp edges of a state, or None. Steps of a relief that the load has closed are not found."""
     domain = state.domain
     known = all(relief is None for relief in domain.reliefs)
     return edge_of(state, state.setup.bodies, domain.initial_gap if known else None)

@@ -115,9 +115,9 @@ def _over_yield(
 
 @lru_cache(maxsize=64)
 def _sliding(nu: float, friction: float) -> tuple[float, float]:
-    """Return (maximum von Mises stress)/(maximum pressure) in sliding, and its depth/half-width.
+    """Return the ratio of maximum von Mises stress to maximum pressure in sliding [-].
 
-    The depth is the depth of the maximum von Mises stress.
+    The second value is the depth of this stress, divided by the half-width of the contact [-].
     """
     ratio, _, depth = sliding_max_von_mises(nu, friction)
     return ratio, depth

@@ -45,16 +45,17 @@ class EnergyBalance(HtmlTable):
     net_external_work : float
         Net external work: work input minus the work recovered in increments with negative work [J].
     elastic_energy : float
-        Elastic energy due to the current tractions, including viscoelastic bodies [J].
+        Elastic energy due to the current tractions [J], including that stored in viscoelastic
+        bodies.
     residual_energy : float
         Elastic energy of the residual stress [J].
     friction_work, plastic_work : float
         Energy dissipated by friction, and by plastic flow [J].
     eigenstrain_energy : float
-        Elastic energy of prescribed eigenstrain alone [J]; not part of the external work.
+        Elastic energy of prescribed eigenstrain alone [J]. External work does not include it.
     expansion_work : float
-        Work of thermal expansion [J]: work of the rising surfaces against the pressure, plus work
-        of the thermal stress on the plastic strain. The heat supplies this work.
+        Work of thermal expansion, which the heat supplies [J]: work of the rising surfaces against
+        the pressure, plus work of the thermal stress on the plastic strain.
     viscous_work : float
         Energy dissipated by the viscosity of both bodies [J].
     """
@@ -71,7 +72,7 @@ class EnergyBalance(HtmlTable):
 
     @property
     def imbalance(self) -> float:
-        """(Net work of forces and expansion - stored - dissipated energy)/(work input) [-]."""
+        """(Net external work + expansion work - stored - dissipated energy)/(work input) [-]."""
         found = self.elastic_energy + self.residual_energy + self.friction_work + self.plastic_work
         found += self.viscous_work
         supplied = self.net_external_work + self.expansion_work
@@ -92,17 +93,19 @@ class EnergyBalance(HtmlTable):
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     """Return the energy balance of a contact that is pressed, moves, slides or rolls.
 
-    The work of an increment is the mean force times the motion. The mean load is computed for a
-    load proportional to the power 3/2 of the approach, which is exact for elastic balls under
-    normal load. Where all cells slip, the tangential force reaches the friction limit as for
-    elastic balls under constant load, and remains at it. `EnergyBalance.imbalance` is smaller with
-    smaller increments. The energy of the first state is part of the work input. The work of thermal
-    expansion in an increment is the mean pressure times the change of the thermal displacement,
-    plus the mean thermal stress times the plastic strain increment. If the surface of a body has a
-    slope, the pressure does work when the body travels, e.g. the work of rolling resistance. In
-    full sliding, the bodies move tangentially by their travel alone. The friction work follows from
-    this motion and from the tangential displacement of the surfaces. With thermal softening, the
-    mean of the yield stresses at the start and the end of an increment is used.
+    The work in an increment is the mean force times the motion. The mean load is that of a load
+    proportional to the power 3/2 of the approach, which is exact for elastic balls under normal
+    load. If all cells slip at the end of an increment, the mean tangential force is that of elastic
+    balls under constant load up to the friction limit, and equals this limit afterwards. The energy
+    of the first state is part of the work input. Smaller increments reduce the imbalance.
+
+    The work of thermal expansion in an increment is the mean pressure times the change of the
+    thermal displacement, plus the mean thermal stress times the plastic strain increment. If the
+    surface of a body has a slope, the pressure does work when the body travels, e.g. the work of
+    rolling resistance. In full sliding, the tangential motion of the bodies is their travel alone.
+    The friction work follows from this motion and from the tangential displacement of the surfaces.
+    With thermal softening, the plastic work in an increment is computed with the mean of the yield
+    stresses at its start and its end.
 
     Parameters
     ----------
@@ -169,7 +172,7 @@ def _slides_fully(simulation: Simulation) -> bool:
 
 
 def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
-    """Return the reason why no energy balance can be computed; "" if it can be computed."""
+    """Return the reason why no energy balance can be computed, or "" if it can be computed."""
     if not states:
         return "states must contain at least one state, got none"
     if friction_law(simulation.friction).compliance > 0:
@@ -204,7 +207,7 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
 
 
 def _plastic_work_of(material: Body, body: int, states: Sequence[State]) -> float:
-    """Return the plastic work up to the last state [J]; summed over increments where necessary."""
+    """Return the plastic work up to the last state [J], summed over increments where necessary."""
     if material.softening is not None:
         return _softened_work(material, body, states)
     if backstresses_of(material) == 0:
@@ -255,7 +258,7 @@ def _work(simulation: Simulation, states: Sequence[State]) -> FloatArray:
 
 
 def _forces_and_motions(simulation: Simulation, state: State) -> tuple[float, ...]:
-    """Return load, approach, other forces and moments, and the motions of these."""
+    """Return load, approach, the other forces and moments, and the motions on which these work."""
     forces = (state.load, state.approach, *state.tangential_load, state.torque, *state.moment)
     if _slides_fully(simulation):
         return *forces, state.travel[0] - state.travel[1], 0.0, 0.0, *state.tilt
@@ -263,7 +266,7 @@ def _forces_and_motions(simulation: Simulation, state: State) -> tuple[float, ..
 
 
 def _work_of_travel(simulation: Simulation, states: Sequence[State]) -> FloatArray:
-    """Return the work that moves surfaces with a slope through the pressure [J], by increment."""
+    """Return the work of moving sloped surfaces through the pressure in each increment [J]."""
     work = np.zeros(len(states) - 1)
     if not any(any(state.travel) for state in states):
         return work
@@ -284,8 +287,9 @@ def _depth_of_surface(material: Body, body: int, state: State) -> FloatArray:
 def _friction_work(simulation: Simulation, states: Sequence[State]) -> float:
     """Return the energy dissipated by friction up to the last state [J].
 
-    In full sliding, it is counted from the first state. It is the work of the shear on the relative
-    travel minus the work of the shear on the tangential displacement of the surfaces.
+    In full sliding, the work is counted from the first state. It is the work of the shear traction
+    on the relative travel, minus the work of this traction on the tangential displacement of the
+    surfaces.
     """
     if not _slides_fully(simulation):
         return states[-1].friction_work
@@ -315,7 +319,7 @@ def _tangential_displacement(simulation: Simulation, state: State, body: int) ->
 
 
 def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Return the mean load between two states [N], with load^(2/3) linear in the approach."""
+    """Return the mean load between two states [N] for load^(2/3) linear in the approach."""
     a, b = (np.maximum(load, 0.0) ** (2 / 3) for load in (first, second))
     nearly_equal = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
     change = np.where(nearly_equal, 1.0, b - a)
@@ -323,7 +327,7 @@ def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
 
 
 def _expansion_work(simulation: Simulation, states: Sequence[State]) -> float:
-    """Return the work of thermal expansion on the pressure and on the plastic strain [J]."""
+    """Return the work of thermal expansion against the pressure and on the plastic strain [J]."""
     total = 0.0
     for body, material in enumerate(_bodies(simulation), 1):
         if material.thermal is None or not any(
@@ -375,9 +379,11 @@ def _elastic_solver(simulation: Simulation, state: State) -> ContactSolver:
 
 
 def _elastic_energy(simulation: Simulation, state: State) -> float:
-    """Return half the work [J] of the tractions on the elastic displacement that they cause.
+    """Return the elastic energy due to the tractions [J].
 
-    The energy of a viscoelastic body is the work supplied less the viscous work.
+    For elastic bodies, it is half the work of the tractions on the elastic displacement that they
+    cause. For viscoelastic bodies, it is the supplied work minus the viscous work. The change of
+    energy due to inclusions is added.
     """
     solver = _elastic_solver(simulation, state)
     pressure, shear = state.pressure, state.shear

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Travel of the bodies in an increment, and fields on the cells that move with them.
+"""Travel of the bodies in an increment, and fields on cells that move with the bodies.
 
-In the frame of the contact, a body moves by its travel a. A field f that moves with the body
-changes by -a df/dx, so that f' times the mean tractions is work of the travel.
+In the frame of the contact, a body moves along x by its travel a. A displacement field f that moves
+with the body changes by -a df/dx at fixed points. The work of the travel is the sum of a df/dx
+times the mean tractions.
 """
 
 from __future__ import annotations
@@ -26,7 +27,10 @@ def slope(grid: Grid, field: FloatArray) -> FloatArray:
 
 
 def first_cell(state: State, body: int) -> int:
-    """Return the cell of a body at the first row of the grid, counted from the start."""
+    """Return the index of the cell of a body that lies at the first row of the grid.
+
+    Index 0 is the cell that lies there at the start of the path.
+    """
     place = state.offset(body) - state.travel[body - 1] - state.origin
     return round(place / state.grid.dx)
 
@@ -53,12 +57,12 @@ class Motion:
 
     @property
     def travel(self) -> float:
-        """Travel through the contact [m]."""
+        """Travel of the body through the contact [m]."""
         return self.after.travel[self.body - 1] - self.before.travel[self.body - 1]
 
     @property
     def on_grid(self) -> float:
-        """Travel through the grid, in which the contact moves by fractions of a cell [m]."""
+        """Travel of the body through the grid [m]: its travel plus the motion of the contact."""
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:
@@ -81,7 +85,7 @@ class Motion:
     def change(
         self, tractions: tuple[FloatArray, FloatArray], fields: tuple[FloatArray, FloatArray]
     ) -> float:
-        """Return tractions times the change of displacement of the material, summed over cells.
+        """Return mean tractions times the displacement change of the material, summed over cells.
 
         Each pair contains the fields before and after the motion [N/m^2 or m], shape (..., nx, ny).
         """
@@ -92,7 +96,7 @@ class Motion:
     def work_of_travel(
         self, pressures: tuple[FloatArray, FloatArray], surfaces: tuple[FloatArray, FloatArray]
     ) -> float:
-        """Return the work that moves the slopes of a surface through the pressure, per cell area.
+        """Return the work of moving a sloped surface through the pressure, divided by cell area.
 
         The arrays are the pressure [Pa] and the depth of the surface [m] before and after the
         motion.

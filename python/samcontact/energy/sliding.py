@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Work of the tangential force in increments in which the whole contact comes to slide."""
+"""Work of the tangential force in increments at the end of which the whole contact slides."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ from ..problem.friction import FrictionLaw
 from ..solutions.state import State
 
 SHARE_OF_END = 0.6
-"""Mean of a force that grows from 0 to 1 with 1 - (1 - x)^1.5 over a motion x from 0 to 1."""
+"""Mean of a force that grows as 1 - (1 - x)^1.5 while the motion x grows from 0 to 1."""
 
 
 def correction_of_sliding(law: FrictionLaw, states: Sequence[State]) -> FloatArray:
-    """Return the work of the tangential force less mean force times motion [J], by increment.
+    """Return (work of the tangential force) - (mean force times motion) in each increment [J].
 
-    Zero in increments in which some cells stick at the end. In the others, the contact first
-    follows the law of Mindlin & Deresiewicz (1953) for balls under constant load, by which the
-    force approaches the friction limit with the power 3/2 of the motion. Then it slides at this
-    limit, which follows the load, for the distance by which every cell slips at least.
+    The result is zero if some cells stick at the end of the increment. Otherwise, the increment is
+    assumed to begin with partial slip, in which the force approaches the friction limit with the
+    power 3/2 of the motion, as for balls under constant load (Mindlin & Deresiewicz 1953). The
+    contact then slides at the friction limit, which changes with the load. The sliding distance is
+    the minimum slip of all contact cells.
     """
     if not law.sticks or law.prevents_slip:
         return np.zeros(len(states) - 1)

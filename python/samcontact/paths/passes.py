@@ -114,7 +114,7 @@ class RollingPasses:
         return self._timed({self.quantity: value}, self.step)
 
     def _returned(self, length: float) -> dict[str, Any]:
-        """Return the step in which the unloaded bodies return."""
+        """Create the step in which the unloaded bodies move back to the start."""
         step: dict[str, Any] = {"load": 0.0, "advance": self._advance(length)}
         if self.return_time is None:
             return self._timed(step, length)
@@ -208,7 +208,8 @@ def rolling(
     tangential_load_x : float, optional
         With `Coulomb`: force on body 2 while rolling [N], which determines the creepage.
     back_and_forth : bool
-        Whether passes alternate in direction under load, with a single loading and unloading.
+        Whether the direction of the passes alternates. The contact is then not unloaded between
+        passes.
     speed : float, optional
         Speed of the contact over the bodies [m/s], > 0, for a simulation with heat.history: the
         duration of each rolling or return step is its length divided by the speed, and each load

@@ -16,10 +16,10 @@ from .._util.short_text import in_short
 MAX_STEPS = 10_000
 """Largest number of increments of a retraction."""
 MAX_RISE = 0.05
-"""Relative increase of the tension to its maximum in one increment, above which a warning is
-issued."""
+"""Increase of the tension in the increment that ends at the maximum, relative to the maximum, above
+which a warning is issued."""
 PAST_MAXIMUM = 0.98
-"""Share of the largest tension below which a retraction is past its maximum."""
+"""Fraction of the maximum tension below which a retraction counts as past the maximum."""
 
 
 @dataclass(frozen=True)
@@ -27,16 +27,16 @@ class Retraction:
     """Retraction of two adhesive bodies until they separate, as a part of a path.
 
     An entry ``{"pull_off": Retraction()}`` of the path of `Simulation.run` stands for as many
-    increments as the separation requires. The approach, or that of a machine of finite stiffness,
-    decreases by `step` in each of them, from its value in the preceding state. `pull_off` retracts
-    a simulation at once.
+    increments as the separation requires. In each increment, the approach decreases by `step`,
+    starting from the preceding state. If a machine of finite stiffness prescribes the approach, its
+    approach decreases by `step`. The function `pull_off` performs a retraction outside a path.
 
     Attributes
     ----------
     step : float or None
-        Decrease of the approach in an increment [m], > 0. None: a quarter of the length w/a_max of
-        the law of adhesion on the grid, with its work of adhesion w and largest attraction a_max;
-        for the exponential law, a quarter of the range.
+        Decrease of the approach in an increment [m], > 0. None: a quarter of the length w/a_max,
+        with the work of adhesion w and the largest attraction a_max of the adhesion law on the
+        grid; for the exponential law, a quarter of the range.
     until : {"apart", "maximum"}
         End of the retraction, as in `pull_off`.
     max_steps : int
@@ -71,7 +71,7 @@ class PullOff(ShortRepr):
     Attributes
     ----------
     states : list of State
-        States of the retraction; the first is the state before it.
+        States of the retraction; the first is the state before the retraction.
     pull_off : float
         Largest tension [N], >= 0.
     approach : float
@@ -100,10 +100,11 @@ def pull_off(
 ) -> PullOff:
     """Retract a simulation with adhesion, until its surfaces separate.
 
-    The approach, or that of a machine of finite stiffness, decreases by `step` in each increment.
-    The contact follows its branch of equilibrium and jumps apart where the branch ends: past the
-    largest tension with a rigid machine, at the largest tension with a soft one. The surfaces count
-    as separated if no cell is in contact and the tension has fallen to a hundredth of its maximum.
+    The approach decreases by `step` in each increment; with a machine of finite stiffness, this is
+    the approach of the machine. The contact passes through states of equilibrium until it becomes
+    unstable and jumps apart: past the largest tension with a rigid machine, at the largest tension
+    with a soft machine. The surfaces count as separated if no cell is in contact and the tension
+    has fallen to a hundredth of its maximum.
 
     Parameters
     ----------
@@ -114,7 +115,7 @@ def pull_off(
         increment, so its error decreases with the square of the step.
     until : {"apart", "maximum"}, optional
         End of the retraction: when the surfaces are separated, or as soon as the tension is 2 %
-        below its maximum (single cells that open reduce it by less).
+        below its maximum (the opening of single cells reduces the tension by less).
     max_steps : int, optional
         Largest number of increments.
     speed : float, optional
@@ -134,8 +135,8 @@ def pull_off(
     Warns
     -----
     IncrementWarning
-        The tension rises by more than 5 % of its maximum in the increment that ends there, or is
-        largest at the start.
+        The tension rises by more than 5 % of its maximum in the increment that ends at the maximum,
+        or the tension is largest at the start.
     """
     step = positive("step", step)
     retraction = Retraction(step, until, max_steps, speed)
@@ -161,7 +162,7 @@ def pull_off(
 
 
 def require_speed(retraction: Retraction, needed: bool) -> None:
-    """Raise ValueError unless the speed is given if, and only if, it is needed."""
+    """Raise ValueError if a needed speed is missing, or if a speed is given but not needed."""
     if (retraction.speed is not None) != needed:
         raise ValueError(
             "speed must be given if, and only if, a body is viscoelastic or the friction law "
@@ -173,7 +174,7 @@ def require_speed(retraction: Retraction, needed: bool) -> None:
 def retraction_increments(
     retraction: Retraction, current: Callable[[], Any], step: float, stiffness: float | None
 ) -> Iterator[dict[str, float]]:
-    """Iterate over the arguments of the increments; each is solved before the next is asked.
+    """Iterate over the arguments of the increments; the caller solves each before the next.
 
     current: function that returns the present state. step: decrease of the approach in an
     increment [m]. stiffness: stiffness of the machine [N/m], None: rigid. Raises ValueError if
@@ -202,7 +203,7 @@ def retraction_increments(
 
 
 def _is_apart(state: Any, most: float) -> bool:
-    """Whether the surfaces are separated after a largest tension [N]."""
+    """Whether the surfaces are separated; `most`: largest tension so far [N]."""
     return not state.in_contact.any() and -state.load <= 0.01 * max(most, 0.0)
 
 

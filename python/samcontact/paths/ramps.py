@@ -37,7 +37,7 @@ def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
 
 
 def start_unit(targets: Container[str]) -> str:
-    """Return the unit of the start of a ramp with some targets: N for load, m for approach."""
+    """Return the unit of the start value of a ramp: N if `targets` contain a load, else m."""
     return "N" if "load" in targets else "m"
 
 
@@ -82,7 +82,7 @@ def _growing(name: str, first: float, total: float, count: int) -> list[float]:
 
 
 def growing_durations(total: float, first: float, count: int) -> FloatArray:
-    """Return durations whose sums form a geometric sequence from `first` to `total` [s]."""
+    """Return durations [s] whose running sums form a geometric sequence from `first` to `total`."""
     times = np.geomspace(first, total, count)
     return np.diff(times, prepend=0.0)
 

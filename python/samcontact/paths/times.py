@@ -27,16 +27,17 @@ def creep(load: float, until: float, per_decade: int = 8, first: float | None = 
     per_decade : int
         Number of steps per decade of time.
     first : float, optional
-        Duration of the first step after loading [s], shorter than `until`; a tenth of the shortest
-        relaxation time or less keeps the error of the first steps small. Default: 1e-6 until.
+        Duration of the first step after loading [s], shorter than `until`. At most a tenth of the
+        shortest relaxation time keeps the error of the first steps small. Default: 1e-6 times
+        `until`.
 
     Returns
     -------
     list of dict
-        Steps for `Simulation.run`: an elastic one (duration 0), then steps whose times since
+        Steps for `Simulation.run`: an elastic step (duration 0), then steps whose times since
         loading form a geometric sequence. Over many decades, the error is of first order in the
-        logarithmic step. With 8 steps per decade it is below 1 % if 10 % of the modulus remain, and
-        2.5 % if 0.1 % remain.
+        logarithmic step. With 8 steps per decade, the error is below 1 % if the long-time modulus
+        is 10 % of the instantaneous modulus, and 2.5 % if it is 0.1 %.
 
     Raises
     ------
@@ -64,7 +65,7 @@ def oscillation(
     increments: int = 40,
     quantity: str = "load",
 ) -> Path:
-    """Vary load or approach as mean + amplitude sin(2 pi frequency t), from the mean.
+    """Vary load or approach as mean + amplitude sin(2 pi frequency t), starting at the mean.
 
     Parameters
     ----------
@@ -73,10 +74,12 @@ def oscillation(
     frequency : float
         Frequency [Hz], > 0.
     periods : int
-        Number of periods. A steady loop requires about the longest relaxation time, or a start from
-        the relaxed state: ``sim.step(load=mean, duration=0.0)``, then ``sim.relax()``.
+        Number of periods. The loop becomes steady after about the longest relaxation time. It is
+        steady earlier if the path starts from the relaxed state:
+        ``sim.step(load=mean, duration=0.0)``, then ``sim.relax()``.
     increments : int
-        Number of steps per period, >= 4; 40 give the loss angle to second order.
+        Number of steps per period, >= 4. The loss angle has an error proportional to the square of
+        the step.
     quantity : {"load", "approach"}
 
     Returns

@@ -35,9 +35,9 @@ def traverse(
 ) -> Path:
     """Move the contact over the bodies along straight legs between points of the x-y plane.
 
-    The bodies move in the opposite direction. Motion along y excludes bodies with reliefs or
-    inclusions and viscoelastic bodies, see `Simulation.step`. The bodies are loaded from the first
-    step on; unload them with a step ``{"load": 0.0}``.
+    The bodies move in the opposite direction. Motion along y is not supported for viscoelastic
+    bodies or for bodies with reliefs or inclusions, see `Simulation.step`. The bodies are loaded
+    from the first step on; unload them with a step ``{"load": 0.0}``.
 
     Parameters
     ----------

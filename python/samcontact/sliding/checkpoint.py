@@ -27,7 +27,7 @@ _KIND = "sliding"
 
 
 class Kept:
-    """Solutions of one run in a folder.
+    """Solutions of one run that are stored in a folder.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ class Kept:
 def kept_in(
     folder: str | os.PathLike[str] | None, grid: Grid, **arguments: Any
 ) -> Iterator[Kept | None]:
-    """Context manager: lock a folder and provide the kept solutions; None if no folder."""
+    """Context manager that locks a folder and gives its solutions, or None without a folder."""
     if folder is None:
         yield None
         return

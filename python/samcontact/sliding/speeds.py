@@ -38,8 +38,8 @@ def over_speed(
 ) -> FrictionCurve:
     """Solve steady sliding at several velocities under one load.
 
-    Each velocity starts from the solution at the previous one. `plotting.friction_curve` draws the
-    result.
+    The solution at each velocity starts from the solution at the previous velocity.
+    `plotting.friction_curve` plots the result.
 
     Parameters
     ----------
@@ -55,8 +55,8 @@ def over_speed(
     tol, on_border, max_iterations
         As in `ContactSolver`.
     checkpoint : path, optional
-        Folder for a file with each solution. Repeating the call resumes from this folder, with
-        bit-identical results.
+        Folder in which each solution is stored in a file. Repeating the call resumes from this
+        folder, with bit-identical results.
     progress : bool, optional
         Whether to show the progress.
 
@@ -67,9 +67,9 @@ def over_speed(
     Raises
     ------
     ValueError, TypeError, ConvergenceError
-        As for `steady`. If a velocity after the first one fails, the error has the attribute
-        `result`, the curve of the velocities before it. CheckpointError if `checkpoint` contains
-        files of another run; a damaged file is solved again.
+        As for `steady`. If a velocity after the first one fails, the attribute `result` of the
+        error is the friction curve of the velocities before. CheckpointError if `checkpoint`
+        contains files of another run. A velocity with a damaged file is solved again.
     """
     require_type("grid", grid, Grid)
     boolean("progress", progress)

@@ -26,7 +26,7 @@ class StalledError : public ConvergenceError {
   using ConvergenceError::ConvergenceError;
 };
 
-/// Error if a load pulls two surfaces more than their adhesion bears.
+/// Error if the tension of a load exceeds the largest tension that adhesion allows.
 class PullOffError : public ConvergenceError {
  public:
   PullOffError(const std::string& what, int iterations, double force, double approach)
