@@ -13,7 +13,8 @@ struct Portable {};
 
 const DenseProducts& dense_products() {
 #if SAMCONTACT_HAS_VERSIONS
-  static const bool has_avx = __builtin_cpu_supports("x86-64-v3") != 0;
+  static const bool has_avx =
+      __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
   if (has_avx) return dense_products_by_avx();
 #endif
   return ByEigen<Portable>::products;

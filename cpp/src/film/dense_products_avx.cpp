@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The products for processors with AVX2. Eigen has another name in this file, so that the linker
-// does not choose its functions for processors without AVX2.
+// The products for processors with AVX2 and FMA. Eigen has another name in this file, so that the
+// linker does not choose its functions for other processors.
 #include "samcontact/base/multiversion.hpp"
 
 #if SAMCONTACT_HAS_VERSIONS
-#pragma GCC target("arch=x86-64-v3")
+#pragma GCC target("avx2,fma")
 #define Eigen EigenForAvx
 #include "dense_products_by_eigen.hpp"
 

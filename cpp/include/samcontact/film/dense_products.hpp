@@ -34,7 +34,7 @@ struct DenseProducts {
 
 /// Products by the widest instructions of this processor.
 const DenseProducts& dense_products();
-/// For x86 processors with AVX2; defined where the compiler supports several versions.
+/// For x86 processors with AVX2 and FMA; defined where the compiler supports several versions.
 const DenseProducts& dense_products_by_avx();
 
 }  // namespace samcontact::film
