@@ -319,7 +319,7 @@ def _over_blocks(
 ) -> FatigueField:
     """Evaluate a criterion for one block of points after another, to limit the memory.
 
-    fields: number of tensor fields of a block that must fit into memory together.
+    fields: number of tensor fields of one block that the criterion holds in memory at a time.
     """
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None

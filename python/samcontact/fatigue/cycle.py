@@ -81,7 +81,7 @@ def has_plastic_strain(of: Cycle) -> bool:
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Iterate over blocks of points: slices of the last axis of the points, normally the depth.
+    """Iterate over blocks of points: slices along the last axis of the points (normally the depth).
 
     Blocks are so small that `fields` tensor fields of a block, at all instants, fit into the
     available memory.
