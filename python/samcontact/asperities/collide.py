@@ -80,10 +80,11 @@ def collide(
         displacement over body 1 is also a whole number of cells if R1/R2 times this number is an
         integer.
     back_and_forth : bool
-        Whether every second pass is in the opposite direction. By default all are towards +X.
+        Whether every second pass is in the opposite direction. By default, all passes are towards
+        +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres. When the spheres are aligned, roughness heights lie at cell
-        centres.
+        Roughness of the spheres. When one sphere is exactly above the other, the points of the
+        roughness heights coincide with cell centres.
     checkpoint : path, optional
         Folder for a checkpoint of each increment. Repeating the call resumes from this folder, with
         bit-identical results. Delete the folder when it is no longer needed.
