@@ -39,7 +39,7 @@ def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 
 
 def relaxation_attributes(prefix: str, terms: RelaxationTerms | None) -> dict[str, Any]:
-    """Return relaxation times and shares as dataset attributes, whose names begin with `prefix`."""
+    """Return relaxation times and modulus shares as dataset attributes with a prefix."""
     if terms is None:
         return {}
     named = zip(("times", "shares"), terms, strict=True)
