@@ -103,10 +103,10 @@ def collide(
         force_x/force_z (NaN without contact), work of force_x since the start of the pass,
         plastic_work of both bodies since the start of the first pass, max_pressure, contact_area,
         cells_across_contact (NaN without contact), and for each body max_equivalent_plastic_strain
-        and layers_across_plastic_zone (NaN without plastic strain). Per pass: net_energy (work of
-        the pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
-        dissipation and increase of residual energy: the error due to grid and increments), and for
-        each body residual_displacement (maximum of the field).
+        and layers_across_plastic_zone (NaN without plastic strain). For each pass, it has:
+        net_energy (work of the pass), dissipation, residual_energy (after the pass),
+        energy_imbalance (net energy minus dissipation and increase of residual energy: the error
+        due to grid and increments), and for each body residual_displacement (maximum of the field).
 
     Raises
     ------

@@ -35,7 +35,7 @@ SIZES = {
     "6208": StandardSize(40, 80, 18, 9, 12.0, 60.0, _ESTIMATED),
     "6209": StandardSize(45, 85, 19, 9, 12.7, 65.0, "209 in Harris, Rolling Bearing Analysis"),
 }
-"""Sizes by designation; manufacturers do not publish internal dimensions, which vary by maker."""
+"""Sizes by designation. Internal dimensions vary between makers, who do not publish them."""
 
 
 _SUFFIXES = (

@@ -104,7 +104,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
 def stress_in(of: Cycle, block: slice) -> FloatArray:
     """Return the stress in a block [Pa], shape (instants, 6, points).
 
-    In the order of the points, the index along the block (normally the depth) varies slowest.
+    The points are ordered so that the index along the block (normally the depth) varies slowest.
     """
     known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
     if "stress" in known:

@@ -69,8 +69,8 @@ def metres(unit: str) -> float:
 def with_library(path: Path, format: str | None, given: ReaderArguments) -> MeasuredSurface:
     """Read a surface with the first suitable reader.
 
-    Raises ValueError if no reader is suitable; the message contains the errors of the readers that
-    recognise the format.
+    Raises ValueError if no reader is suitable. The message then contains the errors of all readers
+    that recognise the format.
     """
     io = library("SurfaceTopography.IO")
     reasons: list[tuple[int, str]] = []

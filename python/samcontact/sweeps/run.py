@@ -242,7 +242,7 @@ class _WorkerPool(ProcessPoolExecutor):
         super().__init__(count, get_context("spawn"))
 
     def submit(self, *task: Any, **named: Any) -> Future[Any]:
-        """Submit a task; worker processes started for the task ignore Ctrl-C from their start."""
+        """Submit a task; worker processes that are started for it ignore Ctrl-C."""
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             return super().submit(*task, **named)

@@ -48,10 +48,11 @@ over many repeats. This rotation does not noticeably affect the frictional work.
 _MAX_REPEATS = 20
 _MAX_CREEPING_REPEATS = 200
 _MIN_MISMATCH_OF_TOL = 10.0
-"""Minimum of the tolerance within which tractions of viscoelastic bodies count as periodic, divided
-by the solver tolerance `tol`."""
+"""Smallest limit for the relative change of pressure and shear over a loop of viscoelastic bodies
+that counts as periodic, divided by the solver tolerance `tol`."""
 _SMALL_FLOW = 0.01
-"""Equivalent plastic strain added per repeat that is neglected, relative to the yield strain."""
+"""Limit of the equivalent plastic strain that the last computed repeat may add without a warning,
+relative to the yield strain."""
 
 
 def fretting(
