@@ -271,8 +271,8 @@ def onset_over_depth(
         reaches the local yield stress anywhere within 1.3 contact radii of the axis and down to a
         depth of 12 contact radii. The stress is the closed form of Hamilton (1983),
         doi:10.1243/PIME_PROC_1983_197_076_02; the search for this load has a relative error of
-        about 1e-5. C, the ratio of maximum pressure to yield stress, uses the yield stress of the
-        hardening law, without the yield profile.
+        about 1e-5. C is the maximum pressure divided by the yield stress of the hardening law; the
+        factors of the yield profile are not included in this yield stress.
 
     Raises
     ------
@@ -377,8 +377,8 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
         Values at the smallest load for which the von Mises stress, including residual stress,
         reaches the local yield stress within 1.3 half-widths of the centre and down to a depth of
         12 half-widths. The stress is McEwen's closed form (Johnson 1985, (4.49)); the search for
-        this load has a relative error of about 1e-5. C, the ratio of maximum pressure to yield
-        stress, uses the yield stress of the hardening law, without the yield profile.
+        this load has a relative error of about 1e-5. C is defined as for `onset_over_depth`: with
+        the yield stress of the hardening law, without the factors of the yield profile.
 
     Raises
     ------

@@ -59,7 +59,7 @@ class Exposure(ShortRepr, HtmlTable):
 
     @cached_property
     def values(self) -> Mapping[str, FloatArray]:
-        """Stress divided by strength for each criterion, at each depth [-]; > 1: failure."""
+        """Stress divided by strength for each criterion at each depth [-]; failure above 1."""
         return FrozenDict({name: self.stress[name] / self.strength[name] for name in self.stress})
 
     @cached_property

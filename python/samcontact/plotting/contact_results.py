@@ -113,7 +113,7 @@ class ContactResults:
 
     @property
     def map_look(self) -> tuple[str, tuple[float, float]]:
-        """Coordinate from left to right in maps, and width and height of a map [inches]."""
+        """Horizontal coordinate of maps ("x" or "y"), and width and height of a map [inches]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
         if long <= MIN_LONG_CONTACT_RATIO * wide:

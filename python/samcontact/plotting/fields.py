@@ -179,7 +179,10 @@ def _crossing(values: FloatArray) -> FloatArray:
 
 
 def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return a field with cells outside the contact equal to the nearest contact cell."""
+    """Extend a field beyond the contact.
+
+    Each cell outside the contact gets the value of the nearest contact cell.
+    """
     nearest = scipy.ndimage.distance_transform_edt(
         ~touching, return_distances=False, return_indices=True
     )

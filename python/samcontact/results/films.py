@@ -314,7 +314,7 @@ def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
 
 
 def _past(dataset: xr.Dataset, n: int, before: FilmSolution) -> FilmPast:
-    """Return the attribute `past` of film n (from 0) of a solution over time: data of the past.
+    """Return the data of earlier instants (the attribute `past`) of film n, counted from 0.
 
     before: film at the preceding instant.
     """

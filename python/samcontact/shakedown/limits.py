@@ -383,7 +383,7 @@ def first_yield(
     Returns
     -------
     ShakedownLimit
-        Limit from the maximum stress at any point (`hertz.LineContact.stress`).
+        Limit at which the stress (`hertz.LineContact.stress`) reaches yield at some point.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"
