@@ -240,7 +240,7 @@ def _require_same_material(dented: Track, body2: Body) -> None:
 
 
 def _require_same_cells(grid: Grid, dented: Track) -> None:
-    """Raise ValueError if the cells of a grid do not coincide with the cells of a track."""
+    """Raise ValueError if the cells of a grid do not coincide with those of the dented body."""
     cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
     if cells[0] != cells[1]:
         raise ValueError(
@@ -261,7 +261,7 @@ def _require_same_cells(grid: Grid, dented: Track) -> None:
 
 
 def start_from(simulation: Simulation, dented: Track) -> None:
-    """Give body 2 of a simulation the plastic strain and the hardening of a track, in place."""
+    """Give body 2 of a simulation the plastic strain and hardening of a dented body, in place."""
     backstress = dented.backstress() if backstresses_of(simulation.body2) else None
     first = round((dented.x[0] - simulation.grid.x[0]) / simulation.grid.dx)
     simulation.set_plastic_strain(
@@ -358,7 +358,7 @@ def roll_over(
         Rolling distance, and distance per increment [m], whole numbers of cells.
     middle : float, optional
         Position of the middle of the path on body 2 [m], a whole number of cells. If `distance` is
-        an odd number of cells, the path is half a cell off.
+        an odd number of cells, the path is off by half a cell.
     slide_to_roll : float, optional
         Slide-to-roll ratio, as in `paths.rolling`.
     increments : int, optional

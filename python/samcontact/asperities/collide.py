@@ -83,8 +83,8 @@ def collide(
         Whether every second pass is in the opposite direction. By default, all passes are towards
         +X.
     relief1, relief2 : Relief, optional
-        Roughness of the spheres. When the spheres are aligned, roughness heights lie at cell
-        centres.
+        Roughness of the spheres. When one sphere is exactly above the other, the points of the
+        roughness heights coincide with cell centres.
     checkpoint : path, optional
         Folder for a checkpoint of each increment. Repeating the call resumes from this folder, with
         bit-identical results. Delete the folder when it is no longer needed.
@@ -103,10 +103,10 @@ def collide(
         force_x/force_z (NaN without contact), work of force_x since the start of the pass,
         plastic_work of both bodies since the start of the first pass, max_pressure, contact_area,
         cells_across_contact (NaN without contact), and for each body max_equivalent_plastic_strain
-        and layers_across_plastic_zone (NaN without plastic strain). Per pass: net_energy (work of
-        the pass), dissipation, residual_energy (after the pass), energy_imbalance (net energy minus
-        dissipation and increase of residual energy: the error due to grid and increments), and for
-        each body residual_displacement (maximum of the field).
+        and layers_across_plastic_zone (NaN without plastic strain). For each pass, it has:
+        net_energy (work of the pass), dissipation, residual_energy (after the pass),
+        energy_imbalance (net energy minus dissipation and increase of residual energy: the error
+        due to grid and increments), and for each body residual_displacement (maximum of the field).
 
     Raises
     ------

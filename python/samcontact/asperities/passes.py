@@ -26,7 +26,7 @@ relative excess of a distance over a whole number of steps."""
 
 
 def whole_steps(distance: float) -> int:
-    """Round a distance, in units of the step, up to whole steps; rounding errors add no step."""
+    """Round a distance, measured in steps, up to a whole number; rounding errors add no step."""
     return math.ceil(distance * (1.0 - _ROUNDING_ERROR))
 
 
@@ -75,7 +75,7 @@ class CollisionPasses:
         return float(self.state.track(body, margin=0).residual_displacement().max())
 
     def _outside(self) -> int:
-        """Number of steps from the aligned position beyond which the rough spheres cannot touch."""
+        """Number of steps from the aligned position after which the rough spheres cannot touch."""
         highest = 0.0
         for body, relief in ((1, self.simulation.relief1), (2, self.simulation.relief2)):
             surface = np.zeros(1) if relief is None else relief.heights

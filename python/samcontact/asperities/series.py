@@ -34,8 +34,8 @@ class IncrementRow:
     """Results of one increment.
 
     `work` is the work since the start of the pass. `residual_energy` and `residual_displacement`
-    are values after the pass; they are stored with the last increment of a complete pass, and are
-    NaN in all other increments.
+    are values after the pass; they are stored for the last increment of a complete pass only, and
+    are NaN for all others.
     """
 
     offset: float

@@ -160,7 +160,7 @@ class Bearing:
         return ball_on_race(D, pitch, conformity=f, contact_angle=angle, race=race)
 
     def gap(self, race: str, tilt: float = 0.0) -> Callable[[surfaces.SurfaceGrid], FloatArray]:
-        """Gap between an element and a race, as a function of the grid.
+        """Gap between an element and a race: a function that returns the gap on a grid.
 
         tilt: tilt of a roller relative to the race [rad]; 0 for balls.
         """
@@ -223,9 +223,9 @@ class Bearing:
 
         Notes
         -----
-        The rings are rigid, and an unknown clearance counts as 0. Balls have the Hertz stiffness
-        and contact angles that change under load (Harris, chapter 7). Rollers are divided into
-        slices with the stiffness and the profile of ISO/TS 16281.
+        The rings are rigid. An unknown clearance is taken as 0. Balls have the Hertz stiffness and
+        contact angles that change under load (Harris, chapter 7). Rollers are divided into slices
+        with the stiffness and the profile of ISO/TS 16281.
         """
         share = 1.0 / self.rows
         forces = share * np.array([
@@ -279,10 +279,10 @@ class Bearing:
     ) -> float:
         """Load of the most heavily loaded element [N]; arguments as for `element_loads`.
 
-        If the clearance is known, this is the maximum of `element_loads`. If the clearance is
-        unknown, a purely radial load gives the load by Stribeck's rule, which assumes a usual
-        clearance. Other loads give the larger one of Stribeck's load and the maximum of
-        `element_loads`.
+        If the clearance is known, this is the maximum of `element_loads`. If it is unknown, the
+        result depends on the loads. For a purely radial load, the result is the load by Stribeck's
+        rule, which assumes a usual clearance. For any other loads, it is the larger of two values:
+        the load by Stribeck's rule and the maximum of `element_loads`.
         """
         least = 0.0
         if self.clearance is None:
@@ -300,7 +300,7 @@ class Bearing:
         axial_load: float = 0.0,
         moment: float | None = None,
     ) -> float:
-        """Factor on all given loads for which the largest element load is `element_load` [-].
+        """Common factor of all loads at which the largest element load becomes `element_load` [-].
 
         element_load: load [N], > 0. Other arguments as for `max_element_load`.
         """

@@ -73,10 +73,10 @@ def balls_in_equilibrium(
     """Solve the equilibrium of a ball bearing (Harris, *Rolling Bearing Analysis*, chapter 7).
 
     forces: radial load, axial load [N] and moment [N m]. stiffness: load/approach^1.5 of a ball
-    between two races [N/m^1.5]. centre_distance: distance A between the centres of curvature of
-    the grooves without load [m]. free_angle: contact angle without load [rad]. arm: radius of the
-    circle of the centres of the inner groove [m]. clearance: diametral clearance [m]. tilts:
-    whether the inner ring can rotate; if not, its rotation is 0.
+    between two races [N/m^1.5]. centre_distance: distance A between the centres of curvature of the
+    grooves without load [m]. free_angle: contact angle without load [rad]. arm: radius of the
+    circle on which the centres of curvature of the inner groove lie [m]. clearance: diametral
+    clearance [m]. tilts: whether the inner ring can rotate; if not, its rotation is 0.
     """
     psi = 2.0 * np.pi * np.arange(balls) / balls
     zero = np.zeros(balls)
@@ -145,7 +145,7 @@ def rollers_in_equilibrium(
 
 
 def _typical(forces: FloatArray, arm: float) -> float:
-    """Largest magnitude of both forces and of the moment divided by `arm` [N]."""
+    """Typical force [N]: the largest magnitude of radial load, axial load and moment/`arm`."""
     return float(max(abs(forces[0]), abs(forces[1]), abs(forces[2]) / arm))
 
 

@@ -64,12 +64,13 @@ def static_load_rating(
 
     Notes
     -----
-    At these pressures, the permanent deformation of element and raceway together is about 1e-4 of
-    the element diameter; plastic deformation is not computed here. The factors f_0 of the standard
-    (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are reproduced to all published digits, as is the
-    factor 44 that the standard uses for rollers. The standard uses the same formulas, so this
-    agreement does not validate the actual capacity of a bearing. Sources: ISO 76:2006, *Static load
-    ratings*; ISO/TR 10657, *Explanatory notes on ISO 76*.
+    At the pressures given for `pressure` above, the permanent deformation of element and raceway
+    together is about 1e-4 of the element diameter. This function does not compute plastic
+    deformation. The factors f_0 of the standard (C_0r = f_0 i Z D^2 cos(alpha) with N and mm) are
+    reproduced to all published digits, as is the factor 44 that the standard uses for rollers. The
+    standard uses the same formulas, so this agreement does not validate the actual capacity of a
+    bearing. Sources: ISO 76:2006, *Static load ratings*; ISO/TR 10657, *Explanatory notes on ISO
+    76*.
     """
     if not isinstance(races, Sequence) or not all(isinstance(r, RaceContact) for r in races):
         raise TypeError(
@@ -127,9 +128,9 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
 
     Notes
     -----
-    This formula and the pressures of `static_load_rating` rest on the same tests. Both give a
-    deformation of about 1e-4 of the diameter; because of the common source, this agreement
-    validates neither the formula nor the pressures.
+    At the pressures of `static_load_rating`, the formula gives a deformation of about 1e-4 of the
+    ball diameter, as the standard states. Formula and pressures were derived from the same tests,
+    so this agreement validates neither of them.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

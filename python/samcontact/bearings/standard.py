@@ -35,7 +35,7 @@ SIZES = {
     "6208": StandardSize(40, 80, 18, 9, 12.0, 60.0, _ESTIMATED),
     "6209": StandardSize(45, 85, 19, 9, 12.7, 65.0, "209 in Harris, Rolling Bearing Analysis"),
 }
-"""Sizes by designation; manufacturers do not publish internal dimensions, which vary by maker."""
+"""Sizes by designation. Internal dimensions vary between makers, who do not publish them."""
 
 
 _SUFFIXES = (
@@ -69,16 +69,16 @@ def standard(designation: str | int, clearance: float | None = None) -> Bearing:
     Parameters
     ----------
     designation : {"6203", "6205", "6208", "6209"}
-        Designation, as text or number. Suffixes of seals, shields, snap rings, cages, and classes
-        of clearance and tolerance are ignored, e.g. those of "6208-2RS1/C3".
+        Designation, as text or number. Suffixes for seals, shields, snap rings, cages, clearance
+        classes and tolerance classes are ignored: "6208-2RS1/C3" is read as "6208".
     clearance : float, optional
         Diametral clearance of the mounted bearing [m]. Default: None, unknown.
 
     Returns
     -------
     Bearing
-        Its attribute `source` states where the internal dimensions come from; those of 6208 are
-        estimated. The conformities are the values of ISO 76.
+        Its attribute `source` states where the internal dimensions come from; the dimensions of
+        6208 are estimated. The conformities are the values of ISO 76.
 
     Raises
     ------

@@ -14,7 +14,7 @@ _NAMES = "dask", "pint", "cupy", "sparse"
 
 
 def hide() -> None:
-    """Make imports of the array libraries fail in this process, unless they are loaded already.
+    """Make imports of the array libraries fail in this process, unless they are already loaded.
 
     Call this function only in a process that runs nothing but a command.
     """

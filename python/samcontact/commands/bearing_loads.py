@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Load search of a bearing: cases of both races, load on the bearing, static rating by ISO 76."""
+"""Load search for a bearing: cases of both races, load on the bearing, static rating by ISO 76."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def unit_of(name: str) -> str:
 
 
 def diameter_of(target: str, case: Case) -> float | None:
-    """Return the diameter D of the rolling element [m] if the value of a target is in this unit.
+    """Return the diameter D of the rolling element [m] if the value of a target has the unit D.
 
     An example is "permanent_deformation=1e-4 D". Return None for a target in another unit.
     """
@@ -71,7 +71,7 @@ def diameter_of(target: str, case: Case) -> float | None:
 
 
 def in_metres(target: str, case: Case) -> str:
-    """Return a target with its value converted from D to metres, or any other target unchanged."""
+    """Return a target with its value converted from D to metres; return other targets unchanged."""
     diameter = diameter_of(target, case)
     if diameter is None:
         return target
@@ -108,7 +108,7 @@ def load_on_bearing(case: Case, found: FoundLoad) -> float:
 def table(
     founds: Mapping[str, FoundLoad], cases: Mapping[str, Case], diameter: float | None = None
 ) -> dict[str, dict[str, str]]:
-    """Return the table of results as a dictionary: by column heading, then by row label.
+    """Return the columns of the results table by heading; each column holds cells by row label.
 
     founds: result of the search for each race. cases: case of each race. diameter: diameter of the
     rolling element [m], shown if the target was given in this unit.

@@ -19,7 +19,7 @@ EXIT_FAILED = 1
 
 
 class StoppedEarlyError(Exception):
-    """Error for a run that stopped after some increments, of which results were written.
+    """Error for a run that stopped early; the results of its completed increments were written.
 
     The message describes these results. The attribute `__cause__` is the original error.
     """

@@ -49,7 +49,7 @@ def new(kind: str, path: Path | None) -> None:
 def cases(folder: Path | None) -> None:
     """List the example cases, or write all of them to FOLDER.
 
-    The folder is created if there is none. A file that was changed is not replaced.
+    The folder is created if it does not exist. Files that you have changed are not replaced.
     """
     with short_errors():
         names = example_names()

@@ -53,7 +53,7 @@ def write_fatigue(
 
 
 def life_values(life: Life) -> dict[str, float]:
-    """Return the two numbers of a life from which the ratio of two lives can be calculated."""
+    """Return the integral and the Weibull slope; lives are compared by these two numbers."""
     return {"log_integral": life.log_integral, "weibull": life.constants["weibull"]}
 
 
@@ -101,7 +101,11 @@ def _figures(
     exposed: Exposure | None,
     directory: Path,
 ) -> list[Path]:
-    """Draw the figures: depth profiles for each unit, section of the first criterion, exposure."""
+    """Draw the fatigue figures, and return their paths.
+
+    These are depth profiles (one figure for stress criteria, one for strain criteria), a section of
+    the first criterion, and the exposure over depth.
+    """
     from ..plotting.fatigue import exposure_depth, fatigue_depth, fatigue_section
     from ..plotting.parts import new_figure, save
 

@@ -51,9 +51,9 @@ def find(
     An interrupted search is saved in the results folder of the case; repeat the command to
     continue it.
 
-    For a bearing, both races are solved unless the case names one. The loads on the bearing are
-    shown with C0 and s0 of ISO 76. With --quiet, only the radial load on the bearing is printed.
-    For bearings and rollers, D is a unit of length, the diameter of the rolling element:
+    For a bearing, both races are solved unless the case specifies one of them. The loads on the
+    bearing are shown with C0 and s0 of ISO 76. With --quiet, only the radial load on the bearing is
+    printed. For bearings and rollers, D is a unit of length, the diameter of the rolling element:
     "permanent_deformation=1e-4 D".
     """
     with short_errors(files=True):

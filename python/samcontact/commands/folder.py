@@ -39,7 +39,7 @@ _OUTPUT_FILES = re.compile(
 
 
 def is_own(file: Path) -> bool:
-    """Whether a file has a name that runs, reports or exports use for their output."""
+    """Whether a file has one of the names that runs, reports and exports give to their output."""
     return _OUTPUT_FILES.fullmatch(file.name) is not None
 
 

@@ -67,7 +67,7 @@ class Checkpoints:
         return self.folder.exists()
 
     def remember(self) -> Path:
-        """Store path and text of the case file in the checkpoint folder; return this folder."""
+        """Store path and text of the case file in the checkpoint folder; return the folder."""
         self.folder.mkdir(parents=True, exist_ok=True)
         self._write(f"{CASE_MARK}{self.key}\n{self.case.source.resolve()}\n{self.case.text}")
         return self.folder
@@ -99,7 +99,7 @@ class Checkpoints:
             raise
 
     def keep(self, write: Callable[[Path], None], increments: int) -> None:
-        """Write the checkpoints of all solved increments of a run that was stopped.
+        """Write checkpoints of all solved increments of a run that was stopped.
 
         write: function that writes them to a folder. increments: number of solved increments. An
         OSError, e.g. due to a full disk, is printed as a message and not raised.
@@ -197,7 +197,7 @@ def interrupted_case(directory: Path) -> Path:
 
 
 class _CheckpointMark(NamedTuple):
-    """Content of the file `CASE_FILE` in a checkpoint folder: key, path and text of the case."""
+    """Content of the file `CASE_FILE` in a checkpoint folder: hash, path and text of the case."""
 
     key: str
     source: str

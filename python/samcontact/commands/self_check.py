@@ -73,7 +73,7 @@ def _core_file() -> str:
 
 
 def _compiler(core: Path) -> str:
-    """Return the version of the compiler, found in the file of the compiled core."""
+    """Return the version of the compiler, which is read from the file of the compiled core."""
     pattern = rb"GCC: \([^)\0]*\) [\d.]+|clang version [\d.]+"
     found = sorted({text.decode() for text in re.findall(pattern, core.read_bytes())})
     return ", ".join(found) or "unknown"
@@ -88,7 +88,7 @@ def _fftw(library: ctypes.CDLL) -> str:
 
 
 def _simd() -> str:
-    """Return the x86-64 level (SIMD instructions) of the compiled loops used on this machine."""
+    """Return the x86-64 level (SIMD instructions) of the compiled loops that this machine uses."""
     if platform.machine() not in ("x86_64", "AMD64"):
         return "one level only"
     try:

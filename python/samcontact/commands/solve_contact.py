@@ -142,9 +142,9 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation of a case and its solved increments, which end early if an error occurred.
+    """Simulation of a case, and its solved increments: after an error, only those before it.
 
-    accurate: result of the search for a prescribed accuracy, if one is prescribed.
+    accurate: if an accuracy is prescribed, the result of the search for the grid that reaches it.
     """
 
     case: Case
@@ -244,7 +244,7 @@ class _ContactRun:
             return None
 
     def _with_figure_fields(self, dataset: xr.Dataset) -> xr.Dataset:
-        """Return the dataset with the volume fields of all increments that the figures show."""
+        """Return a dataset with the volume fields of all increments that the figures show."""
         from ..plotting.summary import increments_shown
 
         shown = increments_shown(dataset, self.case.output.body)

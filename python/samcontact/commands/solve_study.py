@@ -75,7 +75,7 @@ _VELOCITY_COLUMNS = (
 
 
 class _StudyKind(NamedTuple):
-    """Functions that solve a study of one kind, e.g. wear, and present its results."""
+    """Functions that solve a study of one kind, e.g. wear, and convert its results for output."""
 
     file: str
     solve: Callable[[Path], Any]
@@ -104,7 +104,10 @@ def solve_study(
 
 
 def _asperities(case: AsperityCase, progress: bool) -> _StudyKind:
-    """Return the functions of an asperity collision: series.nc, series.csv, figures of pass 1."""
+    """Return the functions that solve an asperity collision and provide its output.
+
+    The output is series.nc, series.csv and figures of pass 1.
+    """
 
     def amount(result: CollisionResult) -> str:
         passes = result.series.sizes["pass"]
@@ -122,7 +125,10 @@ def _asperities(case: AsperityCase, progress: bool) -> _StudyKind:
 
 
 def _film(case: FilmCase, progress: bool) -> _StudyKind:
-    """Return the functions of a lubricated contact: film.nc, film.csv and figures."""
+    """Return the functions that solve a lubricated contact and provide its output.
+
+    The output is film.nc, film.csv and figures.
+    """
     _ = case.standing_gap()  # errors of the case are raised before its folder is written
     return _StudyKind(
         "film",
@@ -141,7 +147,10 @@ def _film_animation(films: Sequence[FilmSolution]) -> FuncAnimation:
 
 
 def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
-    """Return the functions of steady sliding: sliding.nc, sliding.csv, figures versus velocity."""
+    """Return the functions that solve steady sliding and provide its output.
+
+    The output is sliding.nc, sliding.csv and figures of quantities versus velocity.
+    """
 
     def amount(result: FrictionCurve) -> str:
         return f"{len(result.solutions)} of {len(case.sliding.speeds())} velocities"
@@ -158,7 +167,7 @@ def _sliding(case: SlidingCase, progress: bool) -> _StudyKind:
 
 
 def _wear(case: Case, progress: bool) -> _StudyKind:
-    """Return the functions of a wear study: wear.nc, wear.csv and figures.
+    """Return the functions that solve a wear study and provide wear.nc, wear.csv and figures.
 
     A case with a prescribed accuracy is solved on successively finer grids; the files contain the
     results of the finest grid.
@@ -204,7 +213,7 @@ def _solve(
     figures: bool,
     resume: bool,
 ) -> list[Path]:
-    """Solve a study by the functions of its kind, write all files, and return their paths."""
+    """Solve a study with the functions in `kind`, write all files, and return their paths."""
 
     def write(result: Any, stopped_by: str = "") -> list[Path]:
         words = {"title": case.title, "description": case.description, "case": case.text}
@@ -287,7 +296,10 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """Return the table of cycles; worn volumes are summed over both bodies, others are maxima."""
+    """Return the table of cycles.
+
+    Worn volumes are sums over both bodies; all other quantities are maxima of both bodies.
+    """
     columns = []
     for name in (name for name in _CYCLE_COLUMNS if name in dataset):
         values = dataset[name]

@@ -110,8 +110,8 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
 def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
     """Convert texts FIELD=VALUE,VALUE,... to a dictionary of fields and their lists of values.
 
-    Values are written as in TOML; texts may omit the quotes. A range "0..199" stands for all its
-    whole numbers.
+    Values are written as in TOML; texts may omit the quotes. A range "0..199" stands for the whole
+    numbers from 0 to 199.
     """
     parameters: dict[str, list[Any]] = {}
     for setting in settings:

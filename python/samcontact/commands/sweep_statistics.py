@@ -35,7 +35,7 @@ def known_numbers(column: Sequence[Any]) -> FloatArray:
 
 
 def statistics_of(values: FloatArray) -> list[float]:
-    """Return mean, standard deviation, standard error and quantiles, in the order of `_COLUMNS`.
+    """Return the statistics listed in `_COLUMNS`: mean, standard deviation, quantiles and others.
 
     The standard deviation is an estimate for the population, with the divisor n - 1.
     """

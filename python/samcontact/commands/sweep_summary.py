@@ -142,10 +142,10 @@ def _are_words(column: Sequence[Any]) -> bool:
 def summary_of(dataset: xr.Dataset, names: Sequence[str], case: AnyCase) -> SweepSummary:
     """Return the summary of a sweep over the parameters `names`.
 
-    The values of a contact are those at the increment of maximum von Mises stress. For asperity
-    collisions and sliding, they are the maxima over all increments or velocities. For wear, they
-    are the values of the last cycle. For films, they are the values at the last load or speed, or
-    at the largest pressure over time.
+    The value of each quantity is selected as follows. Contact: at the increment of maximum von
+    Mises stress. Asperity collision or sliding: the maximum over all increments or velocities.
+    Wear: after the last cycle. Lubricated contact: at the last load or speed; if it is solved over
+    time, at the instant of the largest pressure.
     """
     status = dataset["status"]
     places = [dict(zip(status.dims, place, strict=True)) for place in np.ndindex(*status.shape)]
@@ -164,7 +164,7 @@ def summary_of(dataset: xr.Dataset, names: Sequence[str], case: AnyCase) -> Swee
 
 
 class _Contents(NamedTuple):
-    """Title and columns of the table of a sweep, and function that selects one value of a case."""
+    """Title and columns of the table of a sweep, and the function that selects the value shown."""
 
     title: str
     columns: dict[str, Quantity]

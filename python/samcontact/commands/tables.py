@@ -37,9 +37,9 @@ def new_console(quiet: bool = False) -> Console:
 def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
     """Format the numbers of a column with a common number of decimals.
 
-    The decimals are chosen so that the largest value has `digits` significant digits. A value with
-    fewer than two significant digits at this number of decimals is formatted separately. Values
-    that are not finite are shown as "-".
+    The decimals are chosen so that the largest value has `digits` significant digits. A value that
+    would then have fewer than two significant digits is formatted separately. Values that are not
+    finite are shown as "-".
     """
     values = np.asarray(column, dtype=np.float64).tolist()
     largest = max((abs(value) for value in values if math.isfinite(value)), default=0.0)
@@ -62,8 +62,8 @@ def numbers(column: ArrayLike, digits: int = 5) -> list[str]:
 class Sheet:
     """Table that fits the width of the terminal.
 
-    Long headings wrap. Columns that do not fit are printed in further parts of the table below. The
-    first column contains the names of the rows and is repeated in each part.
+    Long headings wrap. Columns that do not fit are printed below, in further parts of the table.
+    The first column contains the names of the rows and is repeated in each part.
     """
 
     title: str
@@ -135,7 +135,7 @@ CONTACT_COLUMNS = (
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return the quantities of a results file that are listed in `names`.
+    """Return those quantities listed in `names` that a results file contains.
 
     The keys of the dictionary are names of variables in `dataset`: `{name}_body1` or `{name}_body2`
     for a quantity that is stored for each body, and the name of the quantity otherwise.

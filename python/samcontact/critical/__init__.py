@@ -2,8 +2,8 @@
 """Critical values of a contact: onset of yield in an elastic-plastic body.
 
 I. Green, *Poisson ratio effects and critical values in spherical and cylindrical Hertzian
-contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is the maximum Hertz pressure at the onset
-of yield divided by the yield stress.
+contacts*, Int. J. Appl. Mech. Eng. 10 (2005) 451-462. C is always the maximum Hertz pressure p0 at
+the onset of yield divided by the yield stress.
 """
 
 from __future__ import annotations
@@ -168,7 +168,7 @@ def _cylinder(R: float, E_star: float, C: float, yield_stress: float) -> Critica
 
 
 def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
-    """Green's critical values of a sphere, C = 1.30075 + 0.87825 nu + 0.54373 nu^2.
+    """Green's critical values of a sphere: C = p0/Y = 1.30075 + 0.87825 nu + 0.54373 nu^2.
 
     Parameters
     ----------
@@ -184,7 +184,7 @@ def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
     Returns
     -------
     CriticalSphere
-        Critical values by Green (2005); the polynomial is within 0.4 % of C from `onset`.
+        Values by Green (2005), with the yield stress Y; C is within 0.4 % of C from `onset`.
 
     Raises
     ------
@@ -196,14 +196,14 @@ def green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSp
 
 
 def onset(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
-    """Critical values of a sphere, with exact C from the maximum von Mises stress on the axis.
+    """Critical values of a sphere, with C = p0/yield stress from the exact von Mises stress.
 
     Parameters and errors as for `green`.
 
     Returns
     -------
     CriticalSphere
-        Critical values with 1/C = max((sigma_rr - sigma_zz)/p0), Johnson (1985), (3.45).
+        Values with 1/C = max((sigma_rr - sigma_zz)/p0) on the axis, Johnson (1985), (3.45).
     """
     return _sphere(R, E_star, 1.0 / point_max_von_mises(nu)[0], yield_stress)
 
@@ -271,8 +271,8 @@ def onset_over_depth(
         reaches the local yield stress anywhere within 1.3 contact radii of the axis and down to a
         depth of 12 contact radii. The stress is the closed form of Hamilton (1983),
         doi:10.1243/PIME_PROC_1983_197_076_02; the search for this load has a relative error of
-        about 1e-5. C, the ratio of maximum pressure to yield stress, uses the yield stress of the
-        hardening law, without the yield profile.
+        about 1e-5. C is the maximum pressure divided by the yield stress of the hardening law; the
+        factors of the yield profile are not included in this yield stress.
 
     Raises
     ------
@@ -299,7 +299,7 @@ def kogut_etsion(
     yield_stress: float,
     hardness: float | None = None,
 ) -> CriticalSphere:
-    """Critical values of Kogut and Etsion: interference (pi K H / (2 E*))^2 R.
+    """Critical values of Kogut and Etsion for a sphere: interference (pi K H / (2 E*))^2 R.
 
     Parameters
     ----------
@@ -326,15 +326,15 @@ def kogut_etsion(
 
 
 def jackson_green(R: float, E_star: float, nu: float, yield_stress: float) -> CriticalSphere:
-    """Critical values of Jackson and Green, C = 1.295 exp(0.736 nu).
+    """Critical values of Jackson and Green for a sphere, C = p0/yield stress = 1.295 exp(0.736 nu).
 
     Parameters and errors as for `green`.
 
     Returns
     -------
     CriticalSphere
-        Critical values by Jackson and Green (2005), doi:10.1115/1.1866166; C is within 0.4 % of C
-        from `onset`.
+        Critical values by Jackson and Green (2005), doi:10.1115/1.1866166; C is within 0.4 % of the
+        exact C from `onset`.
     """
     return _sphere(R, E_star, 1.295 * math.exp(0.736 * poisson_ratio("nu", nu)), yield_stress)
 
@@ -347,8 +347,8 @@ def green_cylinder(R: float, E_star: float, nu: float, yield_stress: float) -> C
     Returns
     -------
     CriticalCylinder
-        C = 1/sqrt(1 + 4 (nu - 1) nu) where the surface yields first (nu <= 0.1938), else
-        1.164 + 2.975 nu - 2.906 nu^2, within 0.12 % of `onset_cylinder`. Green (2005).
+        C = p0/yield stress = 1/sqrt(1 + 4 (nu - 1) nu) if the surface yields first (nu <= 0.1938),
+        else 1.164 + 2.975 nu - 2.906 nu^2, within 0.12 % of `onset_cylinder`. Green (2005).
     """
     nu = poisson_ratio("nu", nu)
     if nu <= 0.1938:
@@ -377,8 +377,8 @@ def onset_cylinder_over_depth(R: float, E_star: float, body: Material) -> Critic
         Values at the smallest load for which the von Mises stress, including residual stress,
         reaches the local yield stress within 1.3 half-widths of the centre and down to a depth of
         12 half-widths. The stress is McEwen's closed form (Johnson 1985, (4.49)); the search for
-        this load has a relative error of about 1e-5. C, the ratio of maximum pressure to yield
-        stress, uses the yield stress of the hardening law, without the yield profile.
+        this load has a relative error of about 1e-5. C is defined as for `onset_over_depth`: with
+        the yield stress of the hardening law, without the factors of the yield profile.
 
     Raises
     ------

@@ -29,7 +29,7 @@ _REFINEMENTS = 4
 
 
 class YieldPosition(NamedTuple):
-    """Maximum of (von Mises stress)/(yield stress) - 1, and position; r and z in contact radii."""
+    """Maximum of (von Mises stress)/(yield stress) - 1, and its position; r, z in contact radii."""
 
     excess: float
     r: float
@@ -86,7 +86,7 @@ def _kinks(body: Material) -> FloatArray:
 
 
 def _is_even(body: Material) -> bool:
-    """Whether the residual stress is the same in all directions parallel to the surface."""
+    """Whether the residual stress is equal in all directions parallel to the surface."""
     if body.residual_stress is None:
         return True
     _, sxx, syy, sxy = body.residual_stress
@@ -126,7 +126,10 @@ def _max_excess(
 
 
 class _GlobalSearch:
-    """Search in the whole region; stress at the kinks of depth profiles is interpolated."""
+    """Search in the whole region, with stored contact stresses.
+
+    At depths at which the profiles of the body have kinks, the stresses are interpolated.
+    """
 
     def __init__(self, body: Material, spread: float, friction: float | None) -> None:
         self._body, self._spread = body, spread

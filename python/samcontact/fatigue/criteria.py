@@ -317,9 +317,9 @@ def _over_blocks(
     fields: int,
     at: Callable[[Cycle, slice], tuple[FloatArray, FloatArray | None]],
 ) -> FatigueField:
-    """Evaluate a criterion for one block of points after another, to limit the memory.
+    """Evaluate a criterion for one block of points after another, to limit the memory used.
 
-    fields: number of tensor fields of a block that must fit into memory together.
+    fields: number of tensor fields of one block that the criterion holds in memory at a time.
     """
     values = np.empty(given.points_shape)
     normals: FloatArray | None = None

@@ -81,7 +81,7 @@ def has_plastic_strain(of: Cycle) -> bool:
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Iterate over blocks of points: slices of the last axis of the points, normally the depth.
+    """Iterate over blocks of points: slices along the last axis of the points (normally the depth).
 
     Blocks are so small that `fields` tensor fields of a block, at all instants, fit into the
     available memory.
@@ -104,7 +104,7 @@ def blocks(of: Cycle, fields: int) -> Iterator[slice]:
 def stress_in(of: Cycle, block: slice) -> FloatArray:
     """Return the stress in a block [Pa], shape (instants, 6, points).
 
-    In the order of the points, the index along the block (normally the depth) varies slowest.
+    The points are ordered so that the index along the block (normally the depth) varies slowest.
     """
     known: dict[str, FloatArray] = of.__dict__.setdefault("_known", {})
     if "stress" in known:

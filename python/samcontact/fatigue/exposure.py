@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exposure of a hardened case over depth: stress of each criterion divided by the strength."""
+"""Exposure of a hardened case at each depth: equivalent stress divided by the local strength."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Exposure(ShortRepr, HtmlTable):
 
     @cached_property
     def values(self) -> Mapping[str, FloatArray]:
-        """Exposure of each criterion at each depth [-]; above 1 the strength is exceeded."""
+        """Stress divided by strength for each criterion at each depth [-]; failure above 1."""
         return FrozenDict({name: self.stress[name] / self.strength[name] for name in self.stress})
 
     @cached_property
@@ -67,7 +67,7 @@ class Exposure(ShortRepr, HtmlTable):
         return {name: int(values.argmax()) for name, values in self.values.items()}
 
     def max_value(self, criterion: str | None = None) -> float:
-        """Largest exposure of a criterion [-]. Default: the governing criterion.
+        """Largest exposure of a criterion [-]; default: the governing criterion (see `criterion`).
 
         Raises ValueError if the criterion is unknown.
         """
@@ -75,7 +75,7 @@ class Exposure(ShortRepr, HtmlTable):
         return float(self.values[name][self._peaks[name]])
 
     def depth(self, criterion: str | None = None) -> float:
-        """Depth of the largest exposure of a criterion [m]. Default: the governing criterion.
+        """Depth of the largest exposure of a criterion [m]; default: the governing criterion.
 
         Raises ValueError if the criterion is unknown.
         """
@@ -120,13 +120,15 @@ def exposure(
     defect: float | None = None,
     body: int | None = None,
 ) -> Exposure:
-    """Exposure of a hardened case over depth, for yield, Dang Van and orthogonal shear.
+    """Exposure (stress divided by strength) of a hardened case at each depth, for three criteria.
+
+    The criteria are yield, Dang Van and orthogonal shear.
 
     Parameters
     ----------
     states : Cycle, State, or sequence of State
         Stress history: a cycle with depths (`hertz_cycle`, `cycle`, `steady_cycle`), the states of
-        a pass, or the state of steady rolling along `axis`. Residual stress is part of the stress.
+        a pass, or the state of steady rolling along `axis`. The stress includes residual stress.
     hardness : HardnessProfile
         Hardness over depth.
     slope : float, optional
@@ -145,7 +147,7 @@ def exposure(
         For yield, the largest von Mises stress divided by the yield stress from hardness. For Dang
         Van and orthogonal shear, the equivalent shear stress divided by the fatigue limit in
         reversed torsion, t = f (1/2 + slope/3). f is the limit in reversed bending from hardness.
-        For this ratio t/f, Dang Van's criterion has the given slope.
+        This is the ratio t/f for which Dang Van's criterion has the given slope, 3 (t/f - 1/2).
 
     Raises
     ------

@@ -23,7 +23,7 @@ _STEP = 0.02
 """Distance of two instants, in contact radii or half-widths."""
 _DEPTHS = 120
 _MAX_DEPTH = 3.0
-"""Number of the default depths, and the largest of them in contact radii or half-widths."""
+"""Number of the default depths, and the largest depth in contact radii or half-widths."""
 
 
 def hertz_cycle(

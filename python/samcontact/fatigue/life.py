@@ -283,7 +283,7 @@ def _limits(limit: float | ArrayLike, z: FloatArray) -> FloatArray:
 
 
 def _volumes(field: FatigueField) -> FloatArray:
-    """Return the product of the extents of each point along all axes of the field."""
+    """Return the volume that each point represents, divided by `length` (see `life`)."""
     weight: FloatArray = np.ones(())
     for axis, values in field.coordinates.items():
         weight = np.asarray(np.multiply.outer(weight, _extents(values, axis == "z")))
@@ -291,7 +291,10 @@ def _volumes(field: FatigueField) -> FloatArray:
 
 
 def _extents(values: FloatArray, from_surface: bool) -> FloatArray:
-    """Return the length that each point represents on an axis, up to half-way to its neighbours."""
+    """Return the length that each point represents on an axis: up to half-way to its neighbours.
+
+    from_surface: whether the first length starts at the surface, z = 0.
+    """
     if values.size == 1:
         return np.array([2 * values[0] if from_surface and values[0] > 0 else 1.0])
     middles = (values[1:] + values[:-1]) / 2

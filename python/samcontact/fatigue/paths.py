@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Sources of the stress history of a cycle: several states, one steady state, or an array.
 
-A block is a slice of the last axis of the points, normally of the depth. In fields of a block this
-axis comes before the other axes, as in the core: shape (instants, 6, block, ...).
+A block is a range of points: a slice along the last axis of the points, which is normally the
+depth. Fields of a block have this axis before the other axes of the points, as in the compiled
+core: their shape is (instants, 6, block, ...).
 """
 
 from __future__ import annotations

@@ -25,11 +25,12 @@ TERMINATION_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 @contextmanager
 def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
-    """Provide a temporary file, which replaces the file at `path` at the end of the context.
+    """Context manager that provides a temporary file, which finally replaces the file at `path`.
 
     The temporary file is in the folder of `path`. After an error, the temporary file is removed and
     an existing file at `path` is kept. If `path` is a symbolic link, the target of the link is
-    replaced. In a folder under `recording`, only files of this package are replaced.
+    replaced. While `recording` is active for this folder, only files that this package wrote are
+    replaced.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ def replacing(path: str | os.PathLike[str], ending: str = "") -> Iterator[Path]:
     OSError
         The folder is missing or cannot be written, or `path` is a folder, device or pipe.
     ValueError
-        The folder is under `recording`, and this package did not write the existing file.
+        `recording` is active for the folder, and this package did not write the existing file.
     """
     record = record_of(Path(path).parent)
     if record is not None:
@@ -115,11 +116,12 @@ def _part(target: Path, ending: str) -> tuple[int, Path]:
 
 @contextmanager
 def replacing_hdf5(path: str | os.PathLike[str]) -> Iterator[BinaryIO]:
-    """Provide a file object for HDF5; at the end, a digest is added and the file replaces `path`.
+    """Context manager that provides a file object for HDF5; the file finally replaces `path`.
 
-    Ctrl-C is delayed until the file is complete. Disk errors are raised as OSError with the name
-    `path`. A MemoryError is raised in advance if HDF5 would run out of memory. A ValueError is
-    raised for an existing file that this package did not write.
+    At the end, a digest is appended to the file. Ctrl-C is delayed until the file is complete. Disk
+    errors are raised as OSError with the name `path`. A MemoryError is raised in advance if HDF5
+    would run out of memory. A ValueError is raised for an existing file that this package did not
+    write.
     """
     require_marked(_checked(Path(path)))
     require_address_space(f"writing {os.fspath(path)!r}", HDF5_FILE_BYTES)
@@ -192,5 +194,5 @@ def undisturbed() -> Iterator[None]:
 
 
 def _about(path: Path, error: OSError) -> OSError:
-    """Return a copy of an OSError, with the file name `path`, which the user has specified."""
+    """Return a copy of an OSError that names `path`, the file that the user has specified."""
     return OSError(error.errno, error.strerror or str(error), str(path))

@@ -19,7 +19,7 @@ _BLOCK = 1 << 20
 
 
 def seal(path: str | os.PathLike[str]) -> None:
-    """Append the digest to a complete file; if HDF5 later changes the file, the digest is lost."""
+    """Append the digest to a complete file. If HDF5 later changes the file, the digest is lost."""
     with open(path, "r+b") as file:
         digest = _digest(file, os.fstat(file.fileno()).st_size)
         file.write(_MARK + digest + b"\n")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Identification of files written by this package, so that no other files are replaced.
 
-HDF5 files of this package contain a mark. Other files are listed, with digests, in a record in
-their folder if the package has chosen their names. If the user has chosen the name of such a file,
-an existing file is replaced without a check.
+HDF5 files of this package contain a mark. Files of other formats contain none. If the package
+chooses the name of such a file, the file is listed with its digest in a record in its folder. If
+the user chooses the name, an existing file is replaced without a check.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ def is_marked(file: Path) -> bool:
 
 
 def require_marked(file: Path, remedy: str = "move this file, or use another name") -> None:
-    """Raise ValueError if a file exists that has no mark of this package."""
+    """Raise ValueError if the file exists and has no mark of this package."""
     if os.path.lexists(file) and not is_marked(file):
         raise ValueError(f"{file} {_kind(file)}: {remedy}")
 
@@ -72,7 +72,7 @@ def _kind(file: Path) -> str:
 
 
 class OwnershipRecord:
-    """Record of the files without a mark that this package has written to a folder.
+    """Record of the files that this package has written to a folder and that contain no mark.
 
     A file is recorded before it gets its final name, so that it is recognised even if the process
     is killed.
@@ -106,7 +106,7 @@ class OwnershipRecord:
         return named and is_regular(file) and (_digest(file), file.name) in self._known
 
     def require(self, file: Path) -> None:
-        """Raise ValueError if a file exists that this package did not write."""
+        """Raise ValueError if the file exists and this package did not write it."""
         if os.path.lexists(file) and not self.owns(file):
             raise ValueError(
                 f"{file} {_kind(file)}: move this file, or use another folder for the results"
@@ -166,7 +166,7 @@ def recording(folder: Path) -> Iterator[OwnershipRecord]:
 
 
 def record_of(folder: Path) -> OwnershipRecord | None:
-    """Return the record of a folder under `recording`, or None for any other folder."""
+    """Return the record of a folder if `recording` is active for it, otherwise None."""
     record = _recording.get()
     return record if record is not None and record.folder.resolve() == folder.resolve() else None
 

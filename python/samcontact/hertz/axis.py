@@ -43,7 +43,7 @@ def point_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray]:
 
 
 def point_max_von_mises(nu: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / p0 on the axis of a point contact, and its z/a."""
+    """Maximum of the von Mises stress / p0 on the axis of a point contact, and its depth z/a."""
     nu = poisson_ratio("nu", nu)
 
     def von_mises(s: float) -> float:
@@ -63,7 +63,7 @@ def line_axis(s: FloatArray, nu: float) -> tuple[FloatArray, FloatArray, FloatAr
 
 
 def line_max_von_mises(nu: float) -> tuple[float, float]:
-    """Return the maximum von Mises stress / p0 on the axis of a line contact, and its z/b."""
+    """Maximum of the von Mises stress / p0 on the axis of a line contact, and its depth z/b."""
     nu = poisson_ratio("nu", nu)
 
     return _maximum(lambda s: _von_mises(*line_axis(np.float64(s), nu)), 2.0)
@@ -76,7 +76,7 @@ def elliptic_axis(s: FloatArray, k: float, nu: float) -> tuple[FloatArray, Float
 
     The stresses follow from the potentials of the pressure (Johnson 1985, sections 3.2 and 3.5).
     The integrals of Sackfield and Hills (1983) are evaluated in Carlson's form, which avoids
-    cancellation near a circle or a line.
+    cancellation for nearly circular and for very slender ellipses.
     """
     s = np.asarray(s, dtype=np.float64)
     A, B = np.hypot(1.0, s), np.hypot(k, s)

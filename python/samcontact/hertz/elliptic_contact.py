@@ -93,9 +93,9 @@ _MAX_RADIUS_RATIO = 1e100  # of the larger to the smaller radius; avoids overflo
 def _axis_ratio(radius_ratio: float) -> float:
     """Return the ratio k of the semi-axes (>= 1) for a ratio of the equivalent radii (>= 1).
 
-    The ratio of the radii is (E k^2 - K) / (K - E) with the complete elliptic integrals K and E,
-    which is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives the equivalent form
-    R_D(0, 1, k^-2) / R_D(0, k^-2, 1), without cancellation.
+    The ratio of the radii is (E k^2 - K) / (K - E) with the complete elliptic integrals K and E, a
+    ratio that is 0/0 for a circle. Carlson's R_D (DLMF 19.25.1) gives the equivalent form R_D(0, 1,
+    k^-2) / R_D(0, k^-2, 1), without cancellation.
     """
     target = math.log(radius_ratio)
     if target == 0.0:

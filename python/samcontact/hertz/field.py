@@ -7,11 +7,10 @@ The potential of a Hertz pressure equals the potential of point forces on an ima
         = pi/2 integral of (1 - t^2)/R(z + i t) dt over -1 < t < 1
 
 with R(zeta) = sqrt(r^2 + zeta^2), at the distance r from the axis (Copson 1947; Green and Zerna
-1968, section 5.7). Let f be a harmonic function in the solution for a point force, and f_n the
-result of n integrations of f with respect to z. For a Hertz pressure, f is then replaced by -2 pi
-(Re f_2 - Im f_3)(z + i). The harmonic functions of Boussinesq's and Cerruti's solutions (Johnson
-1985, section 3.2) have elementary primitives h_n, with h_0 = 1/R. The primitives contain
-T = R + zeta.
+1968, section 5.7). Each harmonic function f in the solution for a point force is therefore replaced
+by -2 pi (Re f_2 - Im f_3)(z + i) for a Hertz pressure, where f_n is the result of n integrations of
+f with respect to z. The harmonic functions of Boussinesq's and Cerruti's solutions (Johnson 1985,
+section 3.2) have elementary primitives h_n, with h_0 = 1/R. The primitives contain T = R + zeta.
 """
 
 from __future__ import annotations
@@ -87,7 +86,7 @@ def _von_mises(stress: FloatArray) -> FloatArray:
 
 
 def sliding_max_von_mises(nu: float, friction: float) -> tuple[float, float, float]:
-    """Return the maximum von Mises stress / p0 of a sliding point contact, and its x/a and z/a.
+    """Return the maximum von Mises stress / p0 of a sliding point contact, and its place x/a, z/a.
 
     The maximum lies in the plane y = 0. The stress has two competing maxima: one below the surface,
     and one on the diameter of the contact at the surface. The search replaces x by the angle t,

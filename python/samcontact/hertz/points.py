@@ -30,7 +30,7 @@ def semi_ellipsoid(p0: float, *ratios: FloatArray) -> FloatArray:
 
 
 def coordinates(**given: ArrayLike) -> list[FloatArray]:
-    """Return coordinates as arrays of finite numbers; their shapes may differ."""
+    """Return each coordinate as an array, after checking that all numbers are finite."""
     return [finite_array(name, values) for name, values in given.items()]
 
 

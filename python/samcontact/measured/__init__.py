@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measured surfaces from instrument files or plain arrays of heights.
 
-The optional dependency SurfaceTopography reads the file formats and units of some forty instruments
+The optional dependency SurfaceTopography reads the files, with units, of about forty instruments
 and programs.
 """
 

@@ -35,7 +35,7 @@ def read(
     ----------
     path : str or path
         File in any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or
-        a plain array (.npy) or plain text with decimal points and without sizes in its header.
+        a plain array (.npy), or plain text with decimal points and a header that states no sizes.
         Columns are separated by blanks in .txt, .dat and .asc files, and by commas or semicolons in
         .csv files. A plain file contains one of the following: rows of heights, which require `dx`;
         two columns x and z of a profile; or three columns x, y, z of points that fill a grid, in

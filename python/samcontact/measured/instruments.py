@@ -69,8 +69,8 @@ def metres(unit: str) -> float:
 def with_library(path: Path, format: str | None, given: ReaderArguments) -> MeasuredSurface:
     """Read a surface with the first suitable reader.
 
-    Raises ValueError if no reader is suitable; the message contains the errors of the readers that
-    recognise the format.
+    Raises ValueError if no reader is suitable. The message then contains the errors of all readers
+    that recognise the format.
     """
     io = library("SurfaceTopography.IO")
     reasons: list[tuple[int, str]] = []
@@ -125,7 +125,7 @@ def _candidates(io: Any, path: Path, start: bytes, format: str | None) -> Iterat
 
 
 def _expected(io: Any, path: Path) -> str:
-    """Return a hint that a file does not begin as its suffix requires; "" for an unknown suffix."""
+    """Return a hint that a file does not match its suffix, or "" if the suffix is unknown."""
     ending = path.suffix.lower()[1:]
     names = [reader.name() for reader in io.readers if ending in reader.file_extensions()]
     return f"; it does not begin like a {names[0]} file" if names else ""
@@ -179,8 +179,9 @@ def _call_reader(io: Any, call: Any) -> Any:
 def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None) -> MeasuredSurface:
     """Convert a line scan to a surface with one row of samples.
 
-    written: positions [m] as written in the file, if known. They replace those of
-    SurfaceTopography, which takes steps as equal if they differ by less than 1e-6 in whatever unit.
+    written: positions [m] as written in the file, if known. They replace the positions from
+    SurfaceTopography, which treats steps as equal if they differ by less than 1e-6 in the unit of
+    the file, even if this unit is the metre.
     """
     x, z = np.asarray(topography.positions(), dtype=float), np.ma.asarray(topography.heights())
     if written is not None and len(written) == len(x):
@@ -238,7 +239,7 @@ def _channel(reader: Any, channel: int | str | None, path: Path) -> Any:
 def _missing(
     info: Any, steps: tuple[float, float] | None, unit: str | None, path: Path
 ) -> dict[str, Any]:
-    """Return the sizes and unit that are missing in the file, taken from the arguments."""
+    """Return, from the arguments, the sizes and the unit that are missing in the file."""
     for name, known, given in (("dx", info.physical_sizes, steps), ("unit", info.unit, unit)):
         if known is not None and given is not None:
             raise ValueError(f"{name} must be None, got {in_short(given)}: {path} contains it")

@@ -37,7 +37,7 @@ _UNITS = {
 
 
 class Table(NamedTuple):
-    """Numbers of a file, and the unit of each column; None for a column whose label has no unit."""
+    """Numbers read from a file, and the unit of each column (None if its label has no unit)."""
 
     values: FloatArray
     units: tuple[str | None, ...]

@@ -14,7 +14,7 @@ from .._util.errors import UnitWarning
 MAX_LENGTH = 1.0
 """Maximum length of a measured area [m]."""
 MAX_RMS_SLOPE = 2.0
-"""Maximum plausible rms slope [-], because instruments measure slopes up to some 70 degrees."""
+"""Maximum plausible rms slope [-], because instruments measure slopes up to about 70 degrees."""
 
 
 def warn_of_size(

@@ -21,7 +21,8 @@ class Sampling:
     """Options for the evaluation of heights.
 
     method, average, fill: as in `MeasuredSurface.on`. periodic: axes along which the measured area
-    is periodic. edgeless: whether fill may be -inf, i.e. no body outside the measured area.
+    is periodic. edgeless: whether `fill` may be -inf, which means that the body ends at the edge of
+    the measured area.
     """
 
     method: str = "cubic"
@@ -53,7 +54,7 @@ def resampled(
 
     heights: shape (nx, ny), all defined; a profile (ny = 1) applies at every y. points: x and y [m]
     from the centre of the measured area. cell: cell lengths along x and y [m]. Raises ValueError if
-    points lie outside the measured area and there is no fill.
+    points lie outside the measured area and `fill` is None.
     """
     is_profile = heights.shape[1] == 1
     axes, orders, parts, inside = [], [], [], []
@@ -90,7 +91,7 @@ def resampled(
 def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling: Sampling) -> Any:
     """Return whether both ends of each cell, position +- edge [m], lie in the measured area.
 
-    Raises ValueError for a position outside this area if there is no fill.
+    Raises ValueError for a position outside this area if `fill` is None.
     """
     half = 0.5 * size
     inside = np.abs(positions) + edge <= half * (1.0 + 1e-9)

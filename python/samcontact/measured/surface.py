@@ -44,7 +44,7 @@ def library(module: str = "SurfaceTopography") -> Any:
 
 
 def undefined_as_nan(heights: ArrayLike) -> FloatArray:
-    """Return a copy of heights with NaN in masked samples."""
+    """Return a copy of the heights, in which masked samples are NaN."""
     if isinstance(heights, (list, tuple)) and any(np.ma.isMaskedArray(row) for row in heights):
         heights = np.ma.stack(heights)
     if np.ma.isMaskedArray(heights):
@@ -292,7 +292,7 @@ class MeasuredSurface(ShortRepr):
         Raises
         ------
         ValueError
-            One of the errors of `on` occurs, or the measured area is shorter than a cell.
+            As for `on`, or the measured area is shorter than a cell.
         """
         require_surface(grid)
         centre = finite("x", x)
@@ -311,7 +311,7 @@ class MeasuredSurface(ShortRepr):
     def _at(
         self, points: tuple[FloatArray, FloatArray], cell: tuple[float, float], sampling: Sampling
     ) -> FloatArray:
-        """Return the heights [m] at all pairs of x and y [m] from the centre of the area."""
+        """Return the heights [m] at all combinations of x and y [m]; the area is centred at 0."""
         if self.undefined:
             first = tuple(int(i) for i in np.argwhere(np.isnan(self.heights))[0])
             raise ValueError(

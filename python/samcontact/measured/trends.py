@@ -12,7 +12,8 @@ def detrended_profile(z: FloatArray, trend: str) -> FloatArray:
     """Return the heights of an equally spaced profile minus a trend, fitted to the defined points.
 
     trend: "height", line with minimum rms height of the residual; "slope", line with minimum rms
-    slope of the residual, which then has zero mean; "curvature", parabola with minimum rms height.
+    slope of the residual, which then has zero mean; "curvature", parabola with minimum rms height
+    of the residual.
     """
     s = np.linspace(-1.0, 1.0, len(z))
     known = np.isfinite(z)

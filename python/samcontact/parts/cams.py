@@ -25,7 +25,7 @@ Lift = Callable[[FloatArray, int], FloatArray]
 
 @dataclass(frozen=True)
 class Cam:
-    """Cam with a given lift of a translating flat-faced tappet.
+    """Cam that gives a flat-faced translating tappet a prescribed lift.
 
     Create it by `eccentric`, `harmonic` or `table`. The lift is a function of the angle by which
     the cam has turned.
@@ -176,7 +176,7 @@ class TappetContact:
         return 0.5 * sum(self.speeds(speed))
 
     def hertz(self, load: float, width: float, E_star: float) -> hertz.LineContact:
-        """Hertz line contact of a cam of a given width.
+        """Hertz line contact of the cam and the tappet.
 
         load: normal load [N], > 0. width: width of the contact along the axis [m]. E_star: contact
         modulus [Pa].
@@ -196,7 +196,8 @@ class TappetContact:
         grid : Grid
             Grid on which the gap is evaluated.
         crown_radius : float, optional
-            Equivalent radius of curvature of both bodies along y [m]. Default: inf, both straight.
+            Equivalent radius of curvature of both bodies along y [m]. Default: inf, i.e. both
+            bodies are straight along y.
 
         Returns
         -------
@@ -229,15 +230,15 @@ class TappetContact:
         return self.cam.base_radius + self.lift
 
     def _support(self, turn: FloatArray, order: int) -> FloatArray:
-        """Distance of the tangent from the cam axis after a rotation `turn` [m]; or a derivative.
+        """Distance of the cam axis from the tangent that is rotated by `turn` [m], or a derivative.
 
-        order: order of the derivative with respect to the rotation; 0 for the distance itself.
+        order: order of the derivative with respect to `turn`; 0 for the distance itself.
         """
         value = self.cam.lift(self.angle + turn, order)
         return value + self.cam.base_radius if order == 0 else value
 
     def _along(self, turn: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions x of the cam points with a tangent rotated by `turn`, and dx/d(turn)."""
+        """Positions x of the points at which the tangent is rotated by `turn`, and dx/d(turn)."""
         p, slope, second = (self._support(turn, order) for order in (0, 1, 2))
         x = p * np.sin(turn) + slope * np.cos(turn) - self.position
         return x, (p + second) * np.cos(turn)

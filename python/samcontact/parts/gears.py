@@ -321,7 +321,7 @@ class FlankContact:
         return force * self.load_share(sharing)
 
     def hertz(self, torque: float, E_star: float, sharing: str = "equal") -> hertz.LineContact:
-        """Hertz line contact of the flanks without crowning.
+        """Hertz line contact of the flanks; crowning is neglected.
 
         torque: torque of gear 1 [N m], > 0. E_star: contact modulus [Pa]. sharing: as in
         `load_share`.

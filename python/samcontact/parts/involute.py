@@ -70,7 +70,7 @@ class Flank:
         return np.asarray(amount * beyond**exponent, dtype=np.float64)
 
     def _along(self, roll: FloatArray) -> FloatArray:
-        """Distances along the tangent of the points at given roll angles from the contact."""
+        """Distances along the tangent [m] of points with given roll angles from the contact."""
         turned = (self.radius + self.base_radius * roll) * np.sin(roll)
         return np.asarray(turned - 2.0 * self.base_radius * np.sin(0.5 * roll) ** 2)
 

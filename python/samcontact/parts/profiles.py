@@ -50,7 +50,7 @@ class Profile:
     def at(self, y: ArrayLike, order: int = 0) -> FloatArray:
         """Return z [m], positive downwards, or its derivative of the given order with respect to y.
 
-        Positions y beyond the points are moved to the nearest end.
+        Positions y outside the range of the points are replaced by the nearest end of the range.
         """
         return np.asarray(self._spline(np.clip(y, *self.ends), order), dtype=np.float64)
 

@@ -25,8 +25,8 @@ class WheelRail:
     """Contact point of a rigid wheel and a rigid rail, found by direct search, and gap around it.
 
     Coordinates are in the frame of the track: x along the rail, y across, z down. The wheel is a
-    surface of revolution, the rail a prism. The contact is the point of least vertical distance. If
-    there are several such points, the first one found is used.
+    surface of revolution, the rail a prism. The contact is the point with the smallest vertical
+    distance between wheel and rail. If there are several such points, the first one found is used.
 
     Parameters
     ----------
@@ -154,7 +154,7 @@ class WheelRail:
     def _search(self) -> tuple[float, float, float]:
         """Return the position on the wheel, the angle about its axis, and the vertical distance.
 
-        All three values belong to the point of least vertical distance from the rail.
+        These values are those of the point with the smallest vertical distance from the rail.
         """
         low, high = self._wheel.ends
         centre, half, count = 0.5 * (low + high), 0.5 * (high - low), _POSITIONS
@@ -259,7 +259,7 @@ class _Pose:
     ) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return points in the frame of the wheel, from coordinates in the frame of the track.
 
-        turned_only: whether to transform directions, which do not shift, instead of points.
+        turned_only: whether the input is a direction, which is rotated only, not shifted.
         """
         a, b = np.asarray(x), np.asarray(y) - (0.0 if turned_only else self.shift)
         c, s = math.cos(self.yaw), math.sin(self.yaw)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of a simulation. Functions draw on an `ax` (default: a new figure), which they return.
+"""Figures of a simulation. Functions draw on the axes `ax` (default: new ones) and return them.
 
 Only the object-oriented interface of Matplotlib is used: importing this module starts no GUI and
 does not change the pyplot state. Lengths are in micrometres, stresses in MPa or GPa; depth points

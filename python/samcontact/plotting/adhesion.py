@@ -46,7 +46,7 @@ def is_adhesive(dataset: xr.Dataset) -> bool:
 
 
 def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the load–approach curve of a contact with adhesion, as described in `load_approach`.
+    """Draw the load–approach curve of a contact with adhesion; see also `load_approach`.
 
     Approach and retraction have different colours, and jumps (`jumps_of`) are dashed. For a sphere,
     three theoretical curves are added: Johnson, Kendall & Roberts; Maugis, with the maximum
@@ -81,9 +81,10 @@ def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
-    """Return, for each increment after the first, whether the contact has jumped in it.
+    """Return, for each increment after the first, whether the load has jumped in it.
 
-    load: load of each increment [N]. The criteria are `_JUMP_SHARE` and `_JUMP_RATIO`.
+    In a jump, the load changes by more than `_JUMP_SHARE` times the largest tension and by more
+    than `_JUMP_RATIO` times the median change. load: load of each increment [N].
     """
     change = np.abs(np.diff(load))
     if not change.size:
@@ -118,8 +119,8 @@ def _closed_forms(dataset: xr.Dataset) -> Iterator[tuple[FloatArray, FloatArray]
 def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | None = None) -> Axes:
     """Draw pressure, repulsion and attraction along x.
 
-    The profile is in the middle row of cells, or in the row with the maximum attraction if the
-    attraction in the middle row is below 90 % of the maximum.
+    The profile normally lies in the middle row of cells. If the attraction there is below 90 % of
+    the maximum, it lies in the row with the maximum attraction.
 
     Parameters
     ----------
@@ -169,7 +170,7 @@ def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | N
 
 
 def pull_off_over_tabor(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the pull-off force of a sphere at its Tabor number, with the curve of Maugis.
+    """Draw the pull-off force of a sphere as a point at its Tabor number, with Maugis' curve.
 
     The pull-off force is the largest tension of the run, divided by pi w R, where w is the work of
     adhesion and R the radius. Horizontal lines show the limits of JKR (1.5) and DMT (2).

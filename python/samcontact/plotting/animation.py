@@ -32,8 +32,8 @@ def rolling_animation(
 ) -> FuncAnimation:
     """Animate a moving contact: pressure, longitudinal section and residual imprint of each state.
 
-    All fields are shown in the plane y = 0 and in the frame of reference of the body: the contact
-    moves, and the track is at rest.
+    All fields are shown in the plane y = 0 and in the frame of reference of the body. In this frame
+    the contact moves, and the residual imprint is at rest.
 
     Parameters
     ----------
@@ -128,7 +128,7 @@ def _pressure_panel(ax: Axes, pressures: list[FloatArray]) -> Line2D:
 def _section_panel(
     ax: Axes, across: FloatArray, depth: FloatArray, quantity: str, largest: float
 ) -> tuple[AxesImage, list[Line2D]]:
-    """Draw the empty section, with two lines that mark the edges of the grid; return both."""
+    """Draw an empty section; return its image and the two lines that mark the edges of the grid."""
     shown = CONTACT[quantity]
     empty = np.zeros((len(depth) - 1, len(across) - 1))
     image = ax.imshow(
@@ -167,8 +167,8 @@ def _section(
 ) -> FloatArray:
     """Return a field of the body in the plane y = 0 at positions x, shape (len(x), nz).
 
-    Stresses that were not computed are NaN; strains outside the track are 0. row: index of the row
-    of cells in y. window: x positions of the cells of the grid on the body [m].
+    Stresses that were not computed are NaN; strains outside the track are 0. row: index along y of
+    the row of cells. window: x positions, on the body, of the cells of the grid [m].
     """
     # outside the track nothing has yielded, but stresses exist
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of one or several asperity collisions.
 
-Each function takes an `ax` and returns it. With `critical` (e.g. `samcontact.critical.green`),
-values are divided by the values at first yield, as in Boucly (2008), figures 4.7 to 4.11.
+Each function draws on the axes `ax` and returns them. If `critical` is given (e.g. from
+`samcontact.critical.green`), values are divided by the values at first yield, as in Boucly (2008),
+figures 4.7 to 4.11.
 """
 
 from __future__ import annotations
@@ -101,7 +102,7 @@ def load_ratio(
     """Draw the ratio of tangential to normal force versus the offset X/R.
 
     X is the offset of the sphere centres, R the equivalent radius. The arguments are those of
-    `force`, but `critical` affects the labels only.
+    `force`; `critical` changes the labels only, because the ratio has no unit.
     """
     ax = axes_or_new(ax)
     for result in results:
@@ -116,7 +117,7 @@ def load_ratio(
 def net_energy(
     results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
 ) -> Axes:
-    """Draw the net energy of each pass, and the energy of the residual stress, versus interference.
+    """Draw two energies of each pass versus interference: net energy, energy of residual stress.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ def draw_pressure(
     position: float,
     label: str = "computed",
 ) -> Axes:
-    """Draw a `pressure_profile`; negative values, e.g. of prescribed tractions, are allowed."""
+    """Draw a profile like `pressure_profile`; values may be negative, e.g. prescribed tractions."""
     style: dict[str, Any] = {"marker": "o", "markersize": 3}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
@@ -137,10 +137,10 @@ def load_approach(
 ) -> Axes:
     """Draw the load–approach curve, with the Hertz curve (load ~ approach^1.5).
 
-    Points are increments. Between two increments, the thin line shows an approach linear in
-    load^(2/3), as in elastic loading and unloading, including elastic unloading of an imprint
-    (Johnson 1985, section 6.4). On periodic grids the line is straight and only shows the order of
-    the increments.
+    Each point is an increment. The thin line between two points is drawn as for an elastic contact,
+    in which the approach is linear in load^(2/3). This is also true for the elastic unloading of an
+    imprint (Johnson 1985, section 6.4). On periodic grids the line is straight and only shows the
+    order of the increments.
 
     With a law of adhesion, approach and retraction have different colours. A line between two
     increments is dashed, as a jump, if the load changes by more than a fifth of the largest tension
@@ -155,7 +155,7 @@ def load_approach(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact of the two bodies at any load.
+        Hertz contact of the two bodies, at any load; the curve is calculated from it.
 
     Returns
     -------
@@ -182,7 +182,7 @@ def load_approach(
 
 
 def _between(points: FloatArray) -> FloatArray:
-    """Return a curve refined by linear interpolation between its points, shape (2, points)."""
+    """Return a curve with linearly interpolated points between its points, shape (2, points)."""
     count, parts = points.shape[1], 24
     fine = np.linspace(0.0, count - 1.0, parts * (count - 1) + 1)
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])

@@ -56,7 +56,7 @@ class ContactResults:
 
     @cached_property
     def graded(self) -> Body | None:
-        """Body if it has layers, a yield-stress profile or initial stress, otherwise None."""
+        """Body if its strength or stress varies with depth, otherwise None; see `graded_of`."""
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
@@ -76,7 +76,7 @@ class ContactResults:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is known in all cells at an increment.
+        """Whether a volume field of the body is stored for all cells at an increment.
 
         number: number of the increment (from 1).
         """
@@ -113,7 +113,7 @@ class ContactResults:
 
     @property
     def map_look(self) -> tuple[str, tuple[float, float]]:
-        """Coordinate that runs from left to right in maps, and width and height of a map [in]."""
+        """Horizontal coordinate of maps ("x" or "y"), and width and height of a map [inches]."""
         grid = self.grid
         long, wide = grid.ny * grid.dy, grid.nx * grid.dx
         if long <= MIN_LONG_CONTACT_RATIO * wide:
@@ -122,6 +122,6 @@ class ContactResults:
 
     @property
     def section_height(self) -> float:
-        """Height of a figure with a section of the whole grid [in], for a figure width of 5 in."""
+        """Height of a figure with a section of the whole grid [inches], for a width of 5 inches."""
         grid = self.grid
         return section_height(5.0, grid.nx * grid.dx, grid.nz * (grid.dz or 0.0))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of fatigue criteria: versus depth, in a section, and as a map.
 
-The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`. Each draws on the axes `ax` and returns
+them.
 """
 
 from __future__ import annotations
@@ -81,7 +82,8 @@ def exposure_depth(found: Exposure, ax: Axes | None = None) -> Axes:
     """Draw the exposure of a hardened case versus depth, and mark the maxima.
 
     The exposure is the equivalent stress of a criterion divided by the local strength. A dot marks
-    the maximum of each criterion, a circle the governing criterion; the dashed line is exposure 1.
+    the maximum of each criterion, and a circle marks the governing criterion. The dashed line shows
+    where the exposure is 1, i.e. where stress equals strength.
 
     Parameters
     ----------
@@ -163,7 +165,7 @@ def fatigue_section(
 
 
 def fatigue_map(field: FatigueField, ax: Axes | None = None) -> Axes:
-    """Draw a map of the maximum criterion value over the depth below each surface point.
+    """Draw a map of a criterion on the surface: at each point, the maximum over the depth below.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ class Plane(NamedTuple):
     def smooth(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return coordinates [µm] and values at the cell centres and along the sides of the plane.
 
-        At the sides, the value of the nearest cell is used.
+        Values along the sides are those of the nearest cells.
         """
         sides = [
             np.concatenate([side[:1], 0.5 * (side[1:] + side[:-1]), side[-1:]]) * 1e6
@@ -68,12 +68,12 @@ def show_section(
     equal: bool = True,
     cells: bool = False,
 ) -> Axes:
-    """Draw a plane of a volume field with a colour bar, depth downward.
+    """Draw a plane section of a volume field with a colour bar; depth points downward.
 
     values: field in SI units. name: name of the horizontal coordinate. titled: whether the name of
-    the quantity is the title of the figure instead of the label of the colour bar; in a flat
-    section it always is. equal: whether both axes have equal scales. cells: whether to show one
-    colour per cell.
+    the quantity is shown as title of the figure instead of as label of the colour bar. In a flat
+    section it is always shown as title. equal: whether both axes have equal scales. cells: whether
+    to show one colour per cell.
     """
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT_SECTION_RATIO
@@ -157,7 +157,7 @@ def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
 
 
 def _crossing(values: FloatArray) -> FloatArray:
-    """Return a field whose zeros next to a positive region are replaced by negative values.
+    """Return a field in which zeros next to a positive region are replaced by negative values.
 
     The negative values are extrapolated linearly from the two nearest positive values. If these do
     not decrease towards the edge of the region, the mean slope at the edge is used instead.
@@ -179,7 +179,10 @@ def _crossing(values: FloatArray) -> FloatArray:
 
 
 def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
-    """Return a field extended outside the contact by the value of the nearest contact cell."""
+    """Extend a field beyond the contact.
+
+    Each cell outside the contact gets the value of the nearest contact cell.
+    """
     nearest = scipy.ndimage.distance_transform_edt(
         ~touching, return_distances=False, return_indices=True
     )
@@ -189,7 +192,7 @@ def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
 def touching_along(
     ax: Axes, across: FloatArray, touching: BoolArray, height: float = 0.0, **options: Any
 ) -> None:
-    """Draw a bar along the contact cells of a row; default: at the surface of a section.
+    """Draw a bar along the contact cells of a row, by default at the surface of a section.
 
     across: cell edges along the row [m]. height: vertical position of the bar.
     """
@@ -233,7 +236,7 @@ def _show(
     cells: bool = False,
     below: bool = False,
 ) -> list[Any]:
-    """Draw a field with its colour bar at the side or below, and return the drawn objects.
+    """Draw a field with a colour bar (at the side, or below), and return the drawn objects.
 
     If the field is zero everywhere, the text "identically zero" is shown instead.
     """

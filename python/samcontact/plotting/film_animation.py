@@ -18,7 +18,7 @@ from .parts import new_figure
 def film_animation(films: Sequence[FilmSolution], *, interval: float = 100.0) -> FuncAnimation:
     """Animate a lubricated contact in time: map of the film, and pressure and film along x.
 
-    A line contact has no map. All frames have the same scales.
+    There is no map for a line contact. All frames have equal scales.
 
     Parameters
     ----------

@@ -48,7 +48,7 @@ def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def film_stress_figure(dataset: xr.Dataset, grid: Grid) -> Figure:
-    """Return a figure of stress, plastic strain and residual stress in one body, as sections.
+    """Return a figure with sections of stress, plastic strain and residual stress in one body.
 
     The figure shows the body with the larger plastic strain, in sections through the cell with the
     maximum plastic strain.
@@ -66,7 +66,7 @@ def film_stress_figure(dataset: xr.Dataset, grid: Grid) -> Figure:
 
 
 def film_imprint(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the residual imprint along x, as the sum over both bodies, with one line for each load.
+    """Draw the residual height along x, summed over both bodies, with one line for each load.
 
     The residual height is the sum of the residual displacements of both bodies, positive out of the
     bodies. The profile passes through the cell with the smallest initial gap. dataset: dataset of

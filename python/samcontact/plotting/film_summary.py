@@ -45,9 +45,9 @@ class FilmFigure(NamedTuple):
 def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[FilmFigure]:
     """Iterate over the figures of a run with a lubricated contact.
 
-    Maps and profiles show one film: the film at the last speed or load or, for films over time, the
-    film with the largest pressure. dataset: dataset from `results.films_dataset`. case: case of the
-    run; without a case, the chart of lubrication regimes is omitted.
+    Maps and profiles show one film. This is the film at the last speed or load or, for films over
+    time, the film with the largest pressure. dataset: dataset from `results.films_dataset`. case:
+    case of the run; without a case, the chart of lubrication regimes is omitted.
     """
     films = films_of(dataset)
     chosen, when = _shown(dataset)
@@ -85,7 +85,7 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
 
 
 def _shown(dataset: xr.Dataset) -> tuple[int, str]:
-    """Return the index of the film in maps and profiles, and its speed, load or time as text."""
+    """Return the index of the film that maps and profiles show; its speed, load or time as text."""
     if "time" in dataset and dataset.sizes["increment"] > 1:
         chosen = int(np.argmax(dataset["max_pressure"].values))
         return chosen, f"after {quantity(float(dataset['time'][chosen]), 's')}"
@@ -112,7 +112,7 @@ def _courses(dataset: xr.Dataset, film: FilmSolution) -> Iterator[FilmFigure]:
 
 
 def _with_layers(dataset: xr.Dataset, film: FilmSolution) -> Grid:
-    """Return the grid of a film, extended by the layers of the volume fields in the dataset."""
+    """Return the grid of a film, with the layers (dz) of the volume fields in the dataset."""
     z = dataset["z"].values
     return replace(film.grid, nz=z.size, dz=2.0 * float(z[0]))
 

@@ -216,7 +216,7 @@ def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
 def stribeck_lines(
     speed: FloatArray, boundary_share: FloatArray, coefficient: FloatArray, ax: Axes | None = None
 ) -> Axes:
-    """Draw share of the load on the boundary layer, and friction, versus mean speed [m/s].
+    """Draw the share of the load on the boundary layer, and friction, versus mean speed [m/s].
 
     boundary_share: share of the load on the boundary layer [-]; coefficient: friction coefficient
     [-]; both have the length of `speed`. Friction is drawn only if a coefficient is not zero.
@@ -256,7 +256,7 @@ def traction_curve(
 def regime_chart(
     contact: Contact, speed: tuple[float, float], lubricant: Lubricant, ax: Axes | None = None
 ) -> Axes:
-    """Draw the map of lubrication regimes in Moes' numbers, with a dot for a contact.
+    """Draw the map of lubrication regimes in terms of Moes' numbers; a dot marks the contact.
 
     The limits of the regimes are calculated for the ratio of radii of this contact. contact, speed,
     lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default a new figure.
@@ -299,11 +299,11 @@ def _middle_row(film: FilmSolution) -> int:
 def _label_place(
     loads: FloatArray, oils: FloatArray, dot: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return the position of a label in a region of the chart, if possible away from the dot.
+    """Return the position of a label in a region of the chart; it should not hide the dot.
 
-    The label is placed in the middle of the region or, if the dot would hide it there, in the
-    middle of the part above or below the dot. loads, oils: Moes' numbers M and L of the points of
-    the region. dot: M and L of the contact.
+    The label is placed in the middle of the region. If it would overlap the dot there, it is placed
+    in the middle of the part of the region above or below the dot. loads, oils: Moes' numbers M and
+    L of the points of the region. dot: M and L of the contact.
     """
     away = np.abs(np.log10(oils / dot[1])) > _LABEL_HEIGHT
     for part in (np.full(loads.shape, True), away & (oils > dot[1]), away & (oils < dot[1])):
@@ -340,7 +340,7 @@ class _Plane:
         self.ax.set_ylabel(f"{names[1]} [{metres}]")
 
     def oriented(self, field: FloatArray) -> FloatArray:
-        """Return a field as drawn: the first index vertical, the second horizontal."""
+        """Return a field as drawn: the first index is vertical, the second index horizontal."""
         return field if self.is_turned else field.T
 
 

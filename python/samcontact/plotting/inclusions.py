@@ -105,7 +105,7 @@ def _hatch(ax: Axes, share: FloatArray, grid: Grid, plane: str, at: float) -> No
 
 
 def _outline(ax: Axes, inclusion: Inclusion, plane: str, at: float) -> None:
-    """Draw the ellipse in which a plane cuts an inclusion, or nothing if the plane misses it."""
+    """Draw the ellipse along which a plane cuts an inclusion; draw nothing if it misses it."""
     q = inclusion.metric()
     n = 1 if plane == "y" else 0
     shown = [0, 2] if plane == "y" else [1, 2]
@@ -149,8 +149,9 @@ def butterfly(of: ButterflyMap, ax: Axes | None = None) -> Axes:
     """Draw a butterfly map: a fatigue criterion versus the direction from the inclusion centres.
 
     The line shows the criterion relative to the maximum around each inclusion, as a mean over all
-    inclusions. Bars show in which directions the maxima lie: the number of inclusions with their
-    maximum in a sector, relative to the largest such number.
+    inclusions. Bars show in which directions the maxima lie. The length of a bar is the number of
+    inclusions that have their maximum in this sector, relative to the sector with the most
+    inclusions.
 
     Parameters
     ----------

@@ -52,9 +52,9 @@ def interface_profile(
     """Draw normal, shear and in-plane stress at an interface.
 
     The in-plane stress is discontinuous: it is drawn for the layers above and below. Normal and
-    shear traction are continuous: the mean of both sides is drawn, because the discretised plastic
-    strain causes a small difference between them. A side without stress, such as a rigid substrate,
-    is omitted. The maximum tension is marked.
+    shear traction are continuous, except for a small difference due to the discretised plastic
+    strain: the mean of both sides is drawn. A side without stress, such as a rigid substrate, is
+    omitted. The maximum tension is marked.
 
     Parameters
     ----------
@@ -146,9 +146,9 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
 def interface_figure(results: ContactResults, number: int) -> Figure:
     """Return a figure of the stress at the interfaces of a body, with one panel per interface.
 
-    Profiles are along x. `row_of_interest` selects their row of cells by the variation of the
-    in-plane stress along x. If there are more than three interfaces, the three with the highest
-    tension are shown. number: number of the increment.
+    Profiles are along x. They lie in the row of cells that `row_of_interest` selects: the middle
+    row, or the row in which the in-plane stress varies most along x. If there are more than three
+    interfaces, the three with the highest tension are shown. number: number of the increment.
     """
     stress, grid = results.field("interface_stress", number), results.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))

@@ -89,7 +89,7 @@ def surface_map(
 
 
 def peak_map(results: ContactResults, name: str, ax: Axes) -> Axes:
-    """Draw a `surface_map` of pressure or gap at the increment of a run with maximum stress."""
+    """Draw a `surface_map` of pressure or gap at the increment with the maximum stress."""
     values = results.surface(name, results.peak)
     values = np.where(np.isfinite(values), values, np.nan)  # white outside the body
     repulsion = results.surface("repulsion", results.peak)

@@ -24,8 +24,9 @@ _MIN_DECADES = 1.5
 def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "approach") -> Axes:
     """Draw a quantity of a contact over time.
 
-    The time axis is logarithmic if the times after the start span 1.5 decades or more. On this
-    axis, a dotted line marks the value at time 0, after the elastic steps of zero duration.
+    The time axis is logarithmic if the times after the start span 1.5 decades or more. A
+    logarithmic axis cannot show time 0: a dotted line marks the value at that time, after the
+    elastic steps of zero duration.
 
     Parameters
     ----------
@@ -68,7 +69,7 @@ def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "a
 
 
 def is_logarithmic(time: FloatArray) -> bool:
-    """Whether the times after the start [s] span so many decades that a log axis is used."""
+    """Whether the times after the start [s] span enough decades for a logarithmic axis."""
     later = time[time > 0]
     return later.size > 1 and bool(np.log10(later.max() / later.min()) >= _MIN_DECADES)
 

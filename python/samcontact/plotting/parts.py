@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Helper functions of all figures: creation without pyplot, labels, units, profiles of fields."""
+"""Helper functions for all figures: creation without pyplot, labels, units, profiles of fields."""
 
 from __future__ import annotations
 
@@ -58,13 +58,15 @@ def journal_column(width: str = "single") -> Iterator[None]:
     """Set width and font size of figures for a journal column within the context.
 
     Create and save the figures in the context: ``with plotting.journal_column("double"):
-    summary_figures(...)``. Figures with several panels side by side take the double column.
-    A function that receives an `ax` draws into the existing figure and does not change its size.
+    summary_figures(...)``. Figures with several panels side by side always have the width of a
+    double column. A function that receives an `ax` draws into the existing figure and does not
+    change its size.
 
     Parameters
     ----------
     width : {"single", "double", "screen"}
-        88 mm with a 7 pt font, 180 mm with an 8 pt font, or the default size.
+        "single": 88 mm wide with a 7 pt font; "double": 180 mm with an 8 pt font; "screen": default
+        size and font.
 
     Raises
     ------
@@ -85,7 +87,7 @@ def journal_column(width: str = "single") -> Iterator[None]:
 
 
 def new_figure(width: float = 5.0, height: float = 3.6) -> Figure:
-    """Return a figure of a given size [in], scaled to the column width within `journal_column`."""
+    """Return a figure of a given size [inches], or of the column width within `journal_column`."""
     given = _in_column.get()
     name = "double" if given == "single" and width > _MIN_DOUBLE_COLUMN_WIDTH else given
     size = _COLUMNS[name][0] / 25.4 if name in _COLUMNS else width
@@ -145,12 +147,12 @@ def _panel_height(width: float, across: float, down: float) -> float:
 
 
 def section_height(width: float, across: float, depth: float) -> float:
-    """Return the figure height [in] at which a single section leaves no blank space."""
+    """Return the figure height [inches] at which a single section leaves no blank space."""
     return _panel_height(width, across, max(depth, MIN_SECTION_RATIO * across))
 
 
 def map_height(width: float, across: float, down: float) -> float:
-    """Return the figure height [in] of a map, including the colour bar below a flat map."""
+    """Return the figure height [inches] of a map, including the colour bar below a flat map."""
     return _panel_height(width, across, down) + (
         0.55 if down < MAX_FLAT_MAP_RATIO * across else 0.0
     )
@@ -181,10 +183,10 @@ def nearest(values: ArrayLike, position: float) -> int:
 
 
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
-    """Return the index of the row of cells to show: the middle row, or the row of the maximum.
+    """Return the index of the row of cells to show: the middle row, or the row with the maximum.
 
-    The row of the maximum is shown if the value in the middle row is below 90 % of the maximum.
-    values: maximum magnitude in each row. coordinate: positions of the rows [m].
+    The row with the maximum is shown if the value in the middle row is below 90 % of it. values:
+    maximum magnitude in each row. coordinate: positions of the rows [m].
     """
     sizes = np.asarray(values, dtype=np.float64)
     middle = nearest(coordinate, 0.0)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of shakedown.
 
-The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`. Each draws on the axes `ax` and returns
+them.
 """
 
 from __future__ import annotations
@@ -32,8 +33,8 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     contact : {"line", "point"}
-        Line contact with exact limits, or circular point contact with bounds for perfect
-        plasticity.
+        Line contact, with exact limits; or circular point contact, with upper and lower bounds for
+        perfect plasticity.
     nu : float, optional
         Poisson's ratio.
 
@@ -42,8 +43,8 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
     matplotlib.axes.Axes
         Axes with p0/k versus the coefficient of friction, where k is the shear yield stress by the
         von Mises criterion. Dashed lines show the limits by the Tresca criterion (line contact) or
-        the lower bound (point contact). A dot marks the friction above which the limit is reached
-        at the surface.
+        the lower bound (point contact). A dot marks the coefficient of friction above which
+        yielding begins at the surface.
 
     Raises
     ------
@@ -100,7 +101,8 @@ def strain_per_cycle(
     """Draw net plastic strain and plastic flow of each cycle.
 
     The net plastic strain is the change over a cycle; the plastic flow is the equivalent plastic
-    strain added by the cycle. Both are maxima over the body, divided by the yield strain.
+    strain added by the cycle. Both quantities are maxima over the body, divided by the yield
+    strain.
 
     Parameters
     ----------

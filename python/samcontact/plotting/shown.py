@@ -33,7 +33,7 @@ def quantity_of(
     argument: str = "field",
     label: str | None = None,
 ) -> Quantity:
-    """Return the quantity with this name, or a quantity without a unit if no name is given.
+    """Return the quantity with a given name, or a quantity without a unit if no name is given.
 
     Without a name, values are shown without conversion, with a diverging colour map if negative
     values occur. argument: name of the values in error messages. label: text that replaces the name
@@ -49,7 +49,7 @@ def quantity_of(
 
 
 def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
-    """Return the quantity with this name, with a diverging colour map if values are negative.
+    """Return the quantity with a given name, with a diverging colour map if values are negative.
 
     Negative values occur with prescribed tractions, which may be tensile and may cause
     interpenetration.
@@ -64,7 +64,7 @@ def signed(quantity: Quantity) -> Quantity:
 
 
 def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid: Grid) -> None:
-    """Raise ValueError for values that a quantity cannot have, due to a wrong field or unit."""
+    """Raise ValueError for values that are impossible for a quantity (wrong field or unit)."""
     minimum, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
     unit = "" if quantity.unit == "1" else f" {quantity.unit}"
     another = "check the quantity; `section` and `surface_map` show any field if it is omitted"

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of steady sliding over viscoelastic bodies.
 
-The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`. Each draws on the axes `ax` and returns
+them.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@ _CONTACT_MARGIN = 0.15  # margin around the contact, relative to its size
 
 
 class ForceHistory(NamedTuple):
-    """Displacement and force of all increments in the units of the figure, and axis labels."""
+    """Displacement and force in all increments, in the units of the figure, and the axis labels."""
 
     across: FloatArray
     force: FloatArray
@@ -85,7 +85,7 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
 
 
 def course_of(states: Sequence[State]) -> ForceHistory:
-    """Return displacement and force along x or y, whichever has the larger force.
+    """Return displacement and force in the direction, x or y, in which the force is larger.
 
     If there is no tangential force, twist and torque are returned instead. For rolling bodies, the
     displacement is replaced by the distance rolled.

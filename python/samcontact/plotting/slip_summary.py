@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def slip_figures(results: ContactResults) -> dict[str, Figure]:
-    """Return the figures of partial slip by name; none for full sliding or without contact."""
+    """Return the figures of partial slip by name; there are none for full sliding or no contact."""
     data = results.dataset
     if "friction_work" not in data or not np.any(
         in_contact(repulsion_of(data).values[chosen(data)])
@@ -76,8 +76,9 @@ def _rolling_figures(dataset: xr.Dataset, direction: str) -> dict[str, Figure]:
 def chosen(dataset: xr.Dataset) -> int:
     """Return the index of the increment that the slip map shows.
 
-    This is the last increment with the maximum tangential force. Without a tangential force, it is
-    the last increment with the maximum torque; without a torque, with the maximum load.
+    This is the last increment with the maximum tangential force. If there is no tangential force,
+    it is the last increment with the maximum torque. If there is no torque either, it is the last
+    increment with the maximum load.
     """
     pulls = np.hypot(*(dataset[f"tangential_load_{axis}"].values for axis in "xy"))
     if not pulls.max() > ROUNDING_ERROR * float(dataset["load"].max()):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of contacts with partial slip.
 
-The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`. Each draws on the axes `ax` and returns
+them.
 """
 
 from __future__ import annotations
@@ -215,7 +216,7 @@ def fretting_loop(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     direction : {"x", "y", "z"}
-        Along x, along y, or about z (torque versus twist).
+        "x", "y": force and displacement along this axis; "z": torque and twist about z.
     label : str, optional
         Label of the curve.
 
@@ -295,7 +296,7 @@ def creep_curve(
 
 
 def _bounds(ax: Axes, forces: FloatArray, largest: float) -> None:
-    """Draw a line at the force of full sliding for each sign of the force that occurs."""
+    """Draw lines at the force of full sliding: one for each sign of the force that occurs."""
     small = 1e-6 * np.abs(forces).max(initial=0.0)
     sides = [side for side in (-1, 1) if np.any(side * forces > small)]
     for side in sides:
@@ -371,10 +372,10 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:
-    """Return the largest tangential force that friction allows in an increment [N].
+    """Return the largest tangential force that friction allows, over all increments [N].
 
-    This is the force at full sliding. Return None if the results have no friction law, or if the
-    law prevents slip.
+    It is the force at full sliding. Return None if the results have no friction law, or if the law
+    prevents slip.
     """
     law = law_of_attributes(dataset.attrs)
     if law is None or law.prevents_slip:

@@ -48,9 +48,9 @@ def summary_figures(
 ) -> list[Path]:
     """Write the standard figures of a run to files.
 
-    Profiles and sections pass through the middle of the grid. If the values in the middle are below
-    90 % of the maximum, as on rough surfaces, profiles and sections pass through the row of cells
-    with the maximum.
+    Profiles and sections pass through the middle of the grid. If the values there are below 90 % of
+    the maximum, as is common on rough surfaces, they pass through the row of cells with the maximum
+    instead.
 
     Parameters
     ----------
@@ -60,8 +60,8 @@ def summary_figures(
     directory : str or Path
         Folder of the figures; created if missing.
     body : {1, 2}
-        Body whose stresses and residual imprint are shown. Default: the body of [output]; if only
-        the other body has volume fields, the other body.
+        Body whose stresses and residual imprint are shown. Default: the body set in [output] of the
+        case; if only the other body has volume fields, that body.
     hertz : PointContact or EllipticContact, optional
         Hertz contact at the load of the increment with maximum stress.
     format : {"png", "pdf", "svg"}

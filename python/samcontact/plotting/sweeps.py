@@ -93,7 +93,7 @@ def _panel(
 
 
 def _positions(column: Sequence[Any]) -> tuple[np.ndarray[Any, Any], list[str] | None]:
-    """Return the axis positions of the values of a column, and the tick labels of words.
+    """Return the axis positions of values, and tick labels if the values are words.
 
     Numbers are returned unchanged, without tick labels (None). Different words are placed at 0, 1,
     2, ...
@@ -125,7 +125,10 @@ def _follows(first: Sequence[Any], second: Sequence[Any]) -> bool:
 def _grouped(
     parameters: Mapping[str, Sequence[Any]], units: Mapping[str, str]
 ) -> dict[str, list[int]]:
-    """Return the indices of the cases with each combination of values, by the legend label."""
+    """Return the cases with equal values of the given parameters, as lists of indices by label.
+
+    The label, for the legend, states these values.
+    """
     groups: dict[str, list[int]] = {}
     for number, values in enumerate(zip(*parameters.values(), strict=True)):
         named = zip(parameters, values, strict=True)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of a moving contact, in the frame of a body: x = 0 is the initial contact position.
 
-The functions are also available from `samcontact.plotting`: each takes an `ax` and returns it.
+The functions are also available from `samcontact.plotting`. Each draws on the axes `ax` and returns
+them.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ _LOADED_FIELDS = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temp
 
 
 def positions_on_body(state: State, body: int) -> FloatArray:
-    """Return the x positions of volume-field cells in the frame of the body [m], shape (nx,)."""
+    """Return the x positions, on the body, of the cells of its volume fields [m], shape (nx,)."""
     shift = state.offset(body=body) - state.origin - state.travel[body - 1]
     return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
 
@@ -56,7 +57,7 @@ def track_imprint(
     axis: str = "x",
     positions: Sequence[float] = (0.0,),
 ) -> Axes:
-    """Draw profiles of the residual imprint along the track or across it, depth downward.
+    """Draw profiles of the residual imprint along the track or across it; depth points downward.
 
     Parameters
     ----------
@@ -171,7 +172,7 @@ def loaded_section(
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature"}
         Quantity, or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
     plane, position, cells
-        As in `track_section`; with plane "x", the position is relative to the body.
+        As in `track_section`; with plane "x", `position` is the position on the body.
 
     Returns
     -------
@@ -236,7 +237,7 @@ def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
 def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
     """Return a figure of the residual von Mises stress in a section along a track.
 
-    The section is at the y position from `_row_of_residual`. width: width of the figure [in].
+    The section is at the y position from `_row_of_residual`. width: width of the figure [inches].
     """
     near, grid = _strained_part(track), grid_of(track)
     length = float(np.ptp(near["x"].values))

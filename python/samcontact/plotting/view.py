@@ -43,8 +43,8 @@ def view(
     """Show a volume field of a body in three dimensions, cut open at the maximum of the field.
 
     A quarter of the body is removed, with its corner at the maximum. Body 2 is at z < 0, body 1 at
-    z > 0. Lines mark the contact edge and the interfaces of layers. Inclusions are grey; also in
-    the removed quarter they are shown whole. In a notebook, ``view(...).show()`` displays the view.
+    z > 0. Lines mark the contact edge and the interfaces of layers. Inclusions are grey and are
+    shown whole, even in the removed quarter. In a notebook, ``view(...).show()`` displays the view.
 
     Parameters
     ----------
@@ -54,8 +54,8 @@ def view(
         Number of the increment, from 1; negative numbers count from the end of the increments with
         volume fields.
     body : {1, 2}, optional
-        Body whose field is shown. Default: the body of [output]; if only the other body has volume
-        fields, the other body.
+        Body whose field is shown. Default: the body set in [output] of the case; if only the other
+        body has volume fields, that body.
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "residual_von_mises", \
 "temperature"}, optional
         Stored quantity to show.
@@ -138,7 +138,7 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
 
 
 def _inclusions(pv: Any, sides: tuple[FloatArray, ...], share: FloatArray) -> Any:
-    """Return the surface of the inclusions: the contour on which their share of a cell is 0.5."""
+    """Return the surface of the inclusions: the contour on which they fill half of a cell."""
     padded = np.pad(share, 1)  # closes inclusions that the sides of the grid cut
     centres = [0.5 * (side[1:] + side[:-1]) for side in sides]
     axes = [np.concatenate([[s[0]], c, [s[-1]]]) for s, c in zip(sides, centres, strict=True)]

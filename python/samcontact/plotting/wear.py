@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of wear and running-in.
 
-Most functions draw on an `ax` (default: a new figure), which they return. As in all of
+Most functions draw on the axes `ax` (default: new ones) and return them. As in all of
 `samcontact.plotting`, pyplot is not used, lengths are in micrometres, and depth points downward.
 """
 
@@ -213,7 +213,9 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 def fretting_panels(
     first: Sequence[State], last: Sequence[State], *, position: float | None = None
 ) -> Figure:
-    """Draw pressure and sliding distance per repeat along x, in the first and the last cycle.
+    """Draw profiles along x of pressure and sliding distance, in the first and the last cycle.
+
+    The sliding distance is that of one repeat of the loop.
 
     Parameters
     ----------

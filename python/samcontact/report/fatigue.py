@@ -35,7 +35,7 @@ def require_fatigue(dataset: xr.Dataset) -> None:
 
 
 def tables(dataset: xr.Dataset) -> Iterator[tuple[str, str, Table]]:
-    """Iterate over the tables of the criteria and of the exposure, as (name, title, table)."""
+    """Iterate over the tables of the criteria and of exposure, as tuples (name, title, table)."""
     body = int(dataset.attrs["body"])
     if _criteria(dataset):
         yield "fatigue", f"Fatigue of body {body}", _criteria_table(dataset)

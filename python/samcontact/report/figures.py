@@ -161,7 +161,7 @@ def _interfaces(results: ContactResults, number: int) -> Made:
 
 
 def _utilisation(results: ContactResults, stress: FloatArray) -> str:
-    """Return a sentence on the maximum of von Mises stress / initial yield stress.
+    """Return a sentence that states the maximum ratio of von Mises to initial yield stress.
 
     The result is "" for an elastic body, and for a body without layers, yield-stress profile and
     initial stress.
@@ -233,7 +233,7 @@ def _temperature(results: ContactResults) -> Iterator[Made]:
 def _imprint(results: ContactResults) -> Iterator[Made]:
     """Iterate over figures of residual imprint and residual stress after the last increment.
 
-    Nothing is yielded if the results contain a track; see `_track`.
+    If the results contain the track of a moving body, there are none: `_track` draws these figures.
     """
     if results.track is not None:
         return

@@ -70,7 +70,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def checks(dataset: xr.Dataset) -> Iterator[Check]:
-    """Check balances, cavitation, inlet and resolution; see `report.checks`."""
+    """Check the balances of load, flow and mass, cavitation, inlet and resolution."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     load, pressure = dataset["load"].values, dataset["pressure"].values
     carried = pressure.sum(axis=(1, 2)) * area

@@ -34,8 +34,9 @@ def write(
 
     The page shows the main results with their estimated errors, figures, the `checks` of the
     results, and the parameters. For a contact, it also shows the values and the convergence of each
-    increment and, where applicable, a comparison with Hertz contact. For asperity collisions, it
-    shows the values of each pass; for wear, of each cycle; for films and sliding, at each speed.
+    increment and, where applicable, a comparison with Hertz contact. For asperity collisions, the
+    page shows the values of each pass; for wear, it shows the values of each cycle; for lubricated
+    contacts and for sliding, it shows the values at each speed.
 
     Parameters
     ----------
@@ -107,12 +108,13 @@ def checks(dataset: xr.Dataset) -> list[Check]:
     -------
     list of Check
         Checks with name, value, limit and result. An incomplete run has a failed check. The other
-        checks depend on the kind of run. Contact: load balance, complementarity of pressure and
-        gap, yield condition, distance from the edge of the grid, small strain, and plausibility of
-        the input (`Check.of_input`); with partial slip also the friction law, tangential forces and
-        energy balance. Asperity collision: energy balance, and zero force at the end of a pass.
-        Wear: volume balance. Lubricated contact: balances of load, flow and mass, cavitation,
-        inlet, resolution. Sliding: load balance, complementarity, and no negative friction.
+        checks depend on the kind of run, as follows. Contact: load balance, complementarity of
+        pressure and gap, yield condition, distance from the edge of the grid, small strain, and
+        plausibility of the input (`Check.of_input`); with partial slip also the friction law,
+        tangential forces and energy balance. Asperity collision: energy balance, and zero force at
+        the end of a pass. Wear: volume balance. Lubricated contact: balances of load, flow and
+        mass, cavitation, inlet, resolution. Sliding: load balance, complementarity, and no negative
+        friction.
 
     Raises
     ------
@@ -124,7 +126,7 @@ def checks(dataset: xr.Dataset) -> list[Check]:
 
 
 def _kind(dataset: xr.Dataset) -> ModuleType:
-    """Return the module that creates the report of a dataset: contact, asperities, wear, ..."""
+    """Return the module that creates the report of a dataset, e.g. `contact` or `wear`."""
     missing: dict[ModuleType, list[str]] = {
         kind: [name for name in kind.REQUIRED_VARIABLES if name not in dataset]
         for kind in (contact, asperities, wear, films, sliding)

@@ -77,7 +77,7 @@ def _load_balance(dataset: xr.Dataset, case: Case | None, tol: float) -> Check:
 
 
 def _lowered_by_tilt(dataset: xr.Dataset) -> FloatArray:
-    """Return the displacement of body 1 towards body 2 due to tilt [m], shape (increment, x, y)."""
+    """Return how far tilt moves body 1 towards body 2 [m], shape (increment, x, y)."""
     if "tilt_x" not in dataset:
         return np.zeros((dataset.sizes["increment"], 1, 1))
     x, y = dataset["x"].values, dataset["y"].values
@@ -152,7 +152,7 @@ def _borders(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def _adhesion(dataset: xr.Dataset) -> Iterator[Check]:
-    """Check whether the grid is fine enough and large enough for the attraction of adhesion."""
+    """Check whether the grid resolves the adhesive attraction and is large enough for it."""
     if "kappa" not in dataset.attrs or "adhesion_stress" not in dataset:
         return
     name = "resolution number kappa of the adhesion"
@@ -164,7 +164,7 @@ def _adhesion(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def _resolution(dataset: xr.Dataset, case: Case | None) -> Iterator[Check]:
-    """Check the resolution of the contact at maximum load, and of the plastic zone."""
+    """Check whether the grid resolves the contact at maximum load, and the plastic zone."""
     if "cells_across_contact" in dataset:
         cells = dataset["cells_across_contact"].values
         peak = int(np.argmax(np.where(np.isnan(cells), -1.0, dataset["load"].values)))
@@ -202,8 +202,8 @@ def _plausibility(dataset: xr.Dataset, case: Case) -> Iterator[Check]:
 def cells_across_contact(cells: float, suffix: str = "", few: int = MINIMUM_CELLS) -> Check:
     """Check whether the grid resolves the contact.
 
-    cells: number of cells across the contact. suffix: text added to the name of the check, e.g.
-    with the Hertz contact. few: minimum number of cells.
+    cells: number of cells across the contact. suffix: text after the name of the check, e.g. " of
+    the first cycle". few: minimum number of cells for which the check passes.
     """
     name = f"cells across the contact at maximum load{suffix}"
     return Check(name, cells, few, at_least=True)
@@ -231,8 +231,8 @@ def _strains(dataset: xr.Dataset) -> Iterator[Check]:
 def _errors(dataset: xr.Dataset) -> Iterator[Check]:
     """Check the largest estimated error or, with a prescribed accuracy, the error of each quantity.
 
-    For surfaces that are known at the grid points only, the slope at short wavelengths is checked
-    too.
+    For a surface that is known at the grid points only, the fraction of its mean-square slope at
+    wavelengths below four cells is checked too.
     """
     rows = error_rows(dataset)
     estimated = [row for row in rows if row.target is None and np.isfinite(row.relative)]

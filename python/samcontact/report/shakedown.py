@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Report of a repeated path: long-term response, strains of each cycle, and a figure."""
+"""Report of a repeated load path: long-term response, strains of each cycle, and a figure."""
 
 from __future__ import annotations
 

@@ -18,7 +18,10 @@ CASE_MARK = "samcontact run "
 
 
 def foreign(folder: Path) -> Path | None:
-    """Return a file at or below a path that this package did not write, or None."""
+    """Return a file in a folder that this package did not write, or None if there is none.
+
+    A path that is not a folder is returned itself.
+    """
     if not os.path.lexists(folder):
         return None
     if folder.is_symlink() or not folder.is_dir():
@@ -27,7 +30,7 @@ def foreign(folder: Path) -> Path | None:
 
 
 def remove_checkpoints(folder: Path) -> None:
-    """Remove a folder of checkpoints; foreign files and the folders that contain them are kept."""
+    """Remove a folder of checkpoints; files of other programs, and their folders, are kept."""
     if folder.is_symlink() or not folder.is_dir():
         return
     for file in _files(folder):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Canonical texts of user-defined functions and objects, from their code and the data used."""
+"""Canonical texts of user-defined functions and objects, from their code and the data they use."""
 
 from __future__ import annotations
 
@@ -116,11 +116,12 @@ def _globals(code: CodeType, scope: dict[str, Any]) -> Iterator[tuple[str, Any]]
 def _used(
     names: set[str], scope: dict[str, Any], prefix: str, seen: set[int]
 ) -> Iterator[tuple[str, Any]]:
-    """Iterate over the variables in a scope that a function uses, as pairs of name and value.
+    """Iterate over the variables of a scope that a function uses, as pairs of name and value.
 
     A user module in the scope is replaced by those of its variables whose names occur in the
     function. Some of these variables may be unused, which does no harm. names: names that occur in
-    the function. prefix: text before the names. seen: ids of the modules already entered.
+    the function. prefix: text put before each name in the pairs. seen: ids of the modules already
+    visited.
     """
     for name in sorted(names & set(scope)):
         value = scope[name]

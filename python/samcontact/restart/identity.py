@@ -22,7 +22,7 @@ _UNIDENTIFIED_PREFIX = "unidentified: "
 
 
 def identity(**parts: Any) -> Identity:
-    """Return the canonical text of each argument: numbers, arrays, dataclasses, functions, lists.
+    """Return the canonical text of each argument, e.g. of a number, array, function or list.
 
     For an argument that cannot be identified, the text states the reason, and `require_identified`
     raises an error with this reason.

@@ -24,7 +24,7 @@ def locked(
 ) -> Iterator[None]:
     """Context manager that creates a folder and locks it against other runs.
 
-    The lock ends with the process, also if the process is killed.
+    The lock ends with the process, even if the process is killed.
 
     Parameters
     ----------
@@ -39,8 +39,8 @@ def locked(
     Raises
     ------
     OSError
-        Another run holds the lock, the folder cannot be created or written, or a foreign file has
-        the name of the lock file.
+        Another run holds the lock, the folder cannot be created or written, or a file of another
+        program has the name of the lock file.
     """
     try:
         directory.mkdir(parents=True, exist_ok=True)

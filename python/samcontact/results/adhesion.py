@@ -24,11 +24,12 @@ _MAX_ELLIPTICITY = 1.02
 
 
 def add_adhesion(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    """Add the variables of adhesion to the dataset; add nothing if the contact does not attract.
+    """Add the variables of adhesion to the dataset; add nothing for a contact without adhesion.
 
-    These are repulsion and attraction energy and, if the attraction depends on the gap, adhesion
-    stress and work of the load. The work is summed from the first increment by the trapezoidal
-    rule. After a closed cycle of the approach, it is the energy lost in jumps and plastic flow.
+    These are the repulsion and the energy of the attraction. If the attraction depends on the gap,
+    adhesion stress and work of the load are added too. The work is summed from the first increment
+    by the trapezoidal rule. When the approach has returned to its initial value, this work is the
+    energy lost in jumps and plastic flow.
     """
     if not simulation.adhesion.attracts:
         return

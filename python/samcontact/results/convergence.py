@@ -87,11 +87,11 @@ def _add_area_uncertainty(
 
 
 def _plastic_zones(states: Sequence[State], body: int) -> tuple[list[float], list[float]]:
-    """Return the distance of the plastic zone from the grid edge [cells] and its depth [layers].
+    """Return the distance of the plastic zone from the grid edge [cells], and its depth [layers].
 
-    Both lists have one value per increment. The distance is the smallest one to any side of the
-    grid. After a body has moved, its plastic strain leaves the grid along the motion, so the two
-    sides perpendicular to the motion are ignored.
+    Both lists have one value per increment. The distance is the smallest of the distances to the
+    sides of the grid. After a body has moved, its plastic strain leaves the grid along the motion,
+    so the two sides perpendicular to the motion are ignored.
     """
     margins: list[float] = []
     layers: list[float] = []

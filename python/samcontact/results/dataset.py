@@ -158,7 +158,8 @@ def _coordinates(domain: Domain) -> dict[str, xr.Variable]:
 def _on_common_depths(states: Sequence[State], stored: Sequence[State]) -> list[State]:
     """Return all states with a common number of layers.
 
-    This is the largest number among the states in `stored` and the last state.
+    The common number is the largest number of layers among the states in `stored` and the last
+    state.
     """
     layers = max(len(state.depths) for state in (*stored, states[-1]))
     return [state.at_layers(layers) for state in states]
@@ -291,7 +292,8 @@ def _add_volume(
 def _add_interfaces(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
     """Add the interface stresses of a layered body.
 
-    Nothing is added for other bodies, or if the fields of the body are offset from the grid.
+    Nothing is added for other bodies, or if the fields of the body do not coincide with grid cells
+    (`State.offset` is not 0).
     """
     layered = matrix_of(stored[0].setup.bodies[body - 1])
     if not isinstance(layered, Layered) or any(state.offset(body) for state in stored):

@@ -123,7 +123,8 @@ def is_history(films: Sequence[FilmSolution]) -> bool:
 def _plastic_fields(films: Sequence[FilmSolution]) -> dict[str, Any]:
     """Return the variables of elastic-plastic bodies.
 
-    The residual displacement is stored for each load, stress and plastic strain only for the last.
+    The residual displacement is stored for each load. Stress and plastic strain are stored for the
+    last load only.
     """
     found, last = {}, films[-1].plasticity
     assert last is not None
@@ -313,7 +314,7 @@ def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
 
 
 def _past(dataset: xr.Dataset, n: int, before: FilmSolution) -> FilmPast:
-    """Return the attribute `past` of film number n (from 0) of a solution over time.
+    """Return the data of earlier instants (the attribute `past`) of film n, counted from 0.
 
     before: film at the preceding instant.
     """

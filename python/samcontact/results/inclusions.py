@@ -49,7 +49,11 @@ def add_inclusions(dataset: xr.Dataset, simulation: Simulation, states: Sequence
 
 
 def add_inclusion_fields(dataset: xr.Dataset, stored: Sequence[State], body: int) -> None:
-    """Add volume fields of a body with inclusions: share, phase and eigenstrain of its cells."""
+    """Add volume fields of a body with inclusions: share, phase and eigenstrain of each cell.
+
+    The share is the fraction of the cell that inclusions fill. The phase is the index of the
+    inclusion that fills most of the cell (-1 for the matrix).
+    """
     if not isinstance(stored[0].setup.bodies[body - 1], Heterogeneous):
         return
     for name, dims in (("share", _VOLUME), ("phase", _VOLUME), ("eigenstrain", _TENSOR)):
@@ -93,7 +97,7 @@ def _of_interfaces(state: State, body: int) -> tuple[float, float]:
     """Return maximum tension and von Mises stress at the interfaces of the inclusions [Pa].
 
     Inclusions outside the grid are not included. Both are NaN if there is no inclusion in the grid,
-    or if the fields of the body are offset from the grid.
+    or if the fields of the body do not coincide with grid cells (`State.offset` is not 0).
     """
     if state.offset(body):
         return np.nan, np.nan

@@ -2,8 +2,8 @@
 """Trial reading of a file of unknown origin, in a separate process.
 
 HDF5 may crash on damaged metadata, or not terminate. A file without a digest was modified or
-written by another program, so it is first read completely by a separate process. In this process,
-the processor time of each call of HDF5 is limited.
+written by another program, so it is first read completely by a separate process. The processor time
+of each HDF5 call in the separate process is limited.
 """
 
 from __future__ import annotations

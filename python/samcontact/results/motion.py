@@ -34,8 +34,9 @@ def add_motion(
     """Add the travel of the bodies, and the tracks of moving elastic-plastic bodies.
 
     Nothing is added if no body moved. A track shows the body after the last increment. It is added
-    if the body moved along x and its travel along y is then 0. inelastic: numbers of the
-    elastic-plastic bodies. If `volume` is False, a track contains only the residual imprint.
+    if the body has moved along x and, after the last increment, is not displaced along y.
+    inelastic: numbers of the elastic-plastic bodies. If `volume` is False, a track contains only
+    the residual imprint.
     """
     moved = moving_bodies(states)
     if any(any(state.lateral_travel) for state in states):
@@ -58,12 +59,12 @@ def add_motion(
 
 
 def _stored_names(body: int) -> dict[str, str]:
-    """Return the variable names in results files by the variable names of a track."""
+    """Return the names of track variables in results files, by their names in a track dataset."""
     return {name: f"track_{'position' if name == 'x' else name}_body{body}" for name in TRACK}
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
-    """Return the stored track of a body in the form of `Track.to_dataset`, or None if missing."""
+    """Return the stored track of a body, named as in `Track.to_dataset`, or None if missing."""
     names = _stored_names(body)
     if names["x"] not in dataset.coords:
         return None

@@ -31,8 +31,8 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
         names of each increment contain the increment number with five digits: ``*_00001.vtr`` (or
         .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The folder must exist.
     body : {1, 2}, optional
-        Body for which volume fields and residual imprint are written. Default: the body of
-        [output]; if only the other body has volume fields, the other body.
+        Body for which volume fields and residual imprint are written. Default: the body set in
+        [output] of the case; if only the other body has volume fields, that body.
 
     Returns
     -------

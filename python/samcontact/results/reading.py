@@ -36,7 +36,8 @@ def parts_of_a_run() -> Iterator[None]:
 def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
     """Return the number of the body to show: `body` or, if None, a default.
 
-    The default is the body of [output]; if only the other body has volume fields, the other body.
+    The default is the body set in [output] of the case; if only the other body has volume fields,
+    the default is that body.
     """
     if body is not None:
         return int(choice("body", body, (1, 2)))
@@ -68,7 +69,10 @@ def grid_of(dataset: xr.Dataset) -> Grid:
 
 
 def graded_of(dataset: xr.Dataset, body: int) -> Body | None:
-    """Return the body if it has layers, a yield-stress profile or initial stress, else None."""
+    """Return the body if its strength or stress varies with depth, otherwise None.
+
+    Such a body has layers, a yield-stress profile or initial stress.
+    """
     prefix = f"body{body}_"
     law = str(dataset.attrs.get(f"{prefix}law"))
     if law == Layered.law and f"{prefix}substrate_law" in dataset.attrs:

@@ -24,7 +24,8 @@ _SURFACE = ("increment", "x", "y")
 def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
     """Add imprint, equivalent pressure and viscous work of each viscoelastic body.
 
-    The imprint, the variable `residual_displacement`, recovers with time.
+    The imprint (variable `residual_displacement`) recovers with time. The equivalent pressure is
+    the pressure that would give an elastic body the same displacement.
     """
     for body, material in enumerate((simulation.body1, simulation.body2), 1):
         if relaxation_of(material) is None:
@@ -39,7 +40,7 @@ def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 
 
 def relaxation_attributes(prefix: str, terms: RelaxationTerms | None) -> dict[str, Any]:
-    """Return relaxation times and shares as dataset attributes, whose names begin with `prefix`."""
+    """Return relaxation times and modulus shares as dataset attributes with a prefix."""
     if terms is None:
         return {}
     named = zip(("times", "shares"), terms, strict=True)

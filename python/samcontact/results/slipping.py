@@ -41,8 +41,8 @@ def add_slipping(
     """Add the variables of partial slip: forces, motions, frictional work, slip, energy balance.
 
     Nothing is added for full sliding. For elastic-plastic bodies, the energy balance requires
-    volume fields and is added only if `volume` is True. For moving bodies, it would require the
-    displacements of each increment and is not added.
+    volume fields and is added only if `volume` is True. For moving bodies it is not added, because
+    it would require the displacements of each increment.
     """
     law = friction_law(simulation.friction)
     if not law.sticks:
@@ -90,7 +90,8 @@ def _share(state: State) -> float:
 def moved_along(dataset: xr.Dataset) -> list[str]:
     """Return the names of the tangential results to show, or [] for full sliding.
 
-    These are forces and motions that exceed rounding errors, frictional work and stick fraction.
+    These are the frictional work, the stick fraction, and all forces and motions that exceed
+    rounding errors.
     """
     if "friction_work" not in dataset:
         return []

@@ -58,8 +58,8 @@ def to_vtk(
         volume fields or, if none are stored, from the last increment.
     body : {1, 2}, optional
         Body for which volume fields and residual imprint are written; their names in the file have
-        no suffix "_body1" or "_body2". Default: the body of [output]; if only the other body has
-        volume fields, the other body.
+        no suffix "_body1" or "_body2". Default: the body set in [output] of the case; if only the
+        other body has volume fields, that body.
 
     Returns
     -------
@@ -209,7 +209,7 @@ def _rectilinear(edges: list[FloatArray]) -> Any:
 
 
 def _voxels(edges: list[FloatArray], cells: NDArray[np.int64], body: int) -> Any:
-    """Return some cells of a grid as a VTK unstructured grid.
+    """Return the given cells of a grid as a VTK unstructured grid.
 
     edges: cell edges along x, y, z [m]. cells: indices i, j, k of the cells, shape (3, cells).
     """

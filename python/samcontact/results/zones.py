@@ -2,8 +2,8 @@
 """Volume fields of a body with several plastic subdomains, stored in cells with plastic strain.
 
 These fields are "gathered" in the sense of the CF conventions (section 8.2, "Lossless Compression
-by Gathering"): a single dimension replaces x, y and z. Its coordinate contains the numbers of the
-stored cells in the grid.
+by Gathering"): a single dimension replaces x, y and z. Its coordinate contains the index of each
+stored cell in the flattened grid.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def is_gathered(states: Sequence[State], body: int) -> bool:
 def max_von_mises(state: State, body: int) -> float:
     """Return the maximum von Mises stress in a body [Pa].
 
-    If the body has several plastic subdomains, only the stress within these is considered.
+    If the body has several plastic subdomains, only the stress inside them is considered.
     """
     zones = state.zones(body)
     if len(zones) < 2:
@@ -69,7 +69,7 @@ def add_gathered(dataset: xr.Dataset, states: Sequence[State], body: int) -> Non
 
 
 def on_grid(field: xr.DataArray, dataset: xr.Dataset) -> xr.DataArray:
-    """Return a volume field on the full grid, also if it is stored only for some cells.
+    """Return a volume field on the full grid, even if it is stored for some cells only.
 
     Fields of bodies with several plastic subdomains are stored for cells with plastic strain only.
 
@@ -121,7 +121,7 @@ def _value_outside(name: str) -> float:
 
 
 def _state_fields(state: State, body: int) -> tuple[NDArray[np.int64], dict[str, FloatArray]]:
-    """Return the numbers of cells with plastic strain, and the fields in these cells by name."""
+    """Return flat indices of the cells with plastic strain, and the fields in them by name."""
     shape = (*state.grid.surface_shape, len(state.depths))
     numbers = []
     parts: dict[str, list[FloatArray]] = {name: [] for name in _FIELDS}

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shakedown limits and cyclic simulation: does plastic flow cease under repeated loading?
 
-Closed-form limits of the pressure of rolling and sliding contacts: `line` is exact by Melan's
-theorem; `point` and `elliptic` are upper bounds; `point_lower_bound` is a lower bound;
-`line_kinematic` and `point_kinematic` apply to linear kinematic hardening. `run` repeats any load
-cycle in a `Simulation` until plastic flow ceases, cancels over each cycle, or adds strain in each
-cycle. See docs/theory/shakedown.md.
+Functions that return a limit of the Hertz pressure in closed form, for rolling and sliding: `line`
+is exact by Melan's theorem; `point` and `elliptic` are upper bounds; `point_lower_bound` is a lower
+bound; `line_kinematic` and `point_kinematic` are for bodies with linear kinematic hardening. `run`
+repeats any load cycle in a `Simulation` until plastic flow ceases, cancels over each cycle, or adds
+strain in each cycle. See docs/theory/shakedown.md.
 """
 
 from .cycling import run

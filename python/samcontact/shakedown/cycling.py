@@ -56,8 +56,8 @@ def run(
     Parameters
     ----------
     simulation : Simulation
-        Simulation with an elastic-plastic body. The grid must contain all plastic strain. The
-        simulation is left in the state at the end of the last cycle.
+        Simulation with an elastic-plastic body. All plastic strain must lie inside the grid. After
+        the call, the simulation is in the state at the end of the last cycle.
     cycle : iterable of dict
         Steps of `Simulation.step` that return both bodies to their initial position, or, on a grid
         that is periodic along x, move them by whole periods. Examples: `passes`,
@@ -232,7 +232,7 @@ class _RepeatedCycles:
         return self.simulation.state
 
     def _confirmed(self, found: Changes) -> bool:
-        """Return whether the cycle after a jump confirms the prediction; if not, undo the jump."""
+        """Undo the last extrapolation unless the next cycle confirms it; return whether it does."""
         made, self._jump = self._jump, None
         assert made is not None
         if made.confirmed(found):
@@ -246,7 +246,7 @@ class _RepeatedCycles:
         return False
 
     def take_back(self) -> None:
-        """Undo the last jump if no cycle has confirmed it."""
+        """Undo the last extrapolation if no cycle has confirmed it."""
         if self._jump is not None:
             self.simulation.engine.stand_at(self._jump.state)
             self._number -= self._jump.cycles

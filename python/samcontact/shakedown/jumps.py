@@ -46,7 +46,7 @@ def norm(fields: Sequence[FloatArray]) -> float:
 
 @dataclass(frozen=True)
 class Trend:
-    """Trend of a field: the changes in each of the last three cycles, for every body."""
+    """Trend of a field: its changes in each of the last three cycles, for every body."""
 
     oldest: list[FloatArray]
     older: list[FloatArray]
@@ -84,7 +84,7 @@ class Trend:
         return float(np.sum(self.factor ** np.arange(1, cycles + 1) * np.arange(cycles, 0, -1)))
 
     def later(self, cycles: int) -> list[FloatArray]:
-        """Return the predicted change in the one cycle that is `cycles` cycles after the last."""
+        """Return the predicted change in a single cycle, `cycles` cycles after the last one."""
         weight = self.weight(cycles)
         return [d + weight * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
@@ -94,7 +94,7 @@ class Trend:
         return [cycles * d + total * e for d, e in zip(self.last, self.steps[1], strict=True)]
 
     def safe_cycles(self, max_cycles: int) -> int:
-        """Return the number of cycles over which the predicted change has a small error."""
+        """Return the largest number of cycles for which the expected prediction error is small."""
         size = norm(self.last)
         if size == 0:
             return 0
@@ -109,7 +109,7 @@ class Trend:
 
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
-    """Return the trend of a field over three cycles, or None if its cells differ between them."""
+    """Return the trend of a field over three cycles, or None if the cells of the field changed."""
     by_body = [at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:
@@ -119,7 +119,7 @@ def trend(changes: Sequence[Changes], field: str) -> Trend | None:
 
 @dataclass(frozen=True)
 class Jump:
-    """Extrapolation over several cycles from a state."""
+    """Extrapolation (jump) over several cycles, and the state before it."""
 
     state: State
     cycles: int
@@ -127,7 +127,7 @@ class Jump:
     """Trend of the plastic strain before the jump."""
 
     def away(self, found: Changes, after: int = 1) -> list[FloatArray]:
-        """Return the plastic strain change in a cycle after the jump minus the predicted change.
+        """Return the strain change in a cycle after the jump, minus the predicted change.
 
         found: changes in this cycle. after: number of the cycle, counted from the jump.
         """
@@ -161,7 +161,7 @@ class Jump:
 
 
 def jump(simulation: Simulation, changes: Sequence[Changes], max_cycles: int) -> Jump | None:
-    """Jump over as many cycles as is safe; return the jump, or None if no jump is safe."""
+    """Extrapolate over as many cycles as is safe; return the jump, or None if no jump is safe."""
     flow = trend(changes, "plastic_strain")
     if flow is None or (cycles := flow.safe_cycles(max_cycles)) < 2:
         return None

@@ -41,8 +41,8 @@ class ShakedownLimit(HtmlTable):
     Attributes
     ----------
     ratio : float
-        Maximum Hertz pressure p0 divided by the shear yield stress k [-]. k is the uniaxial yield
-        stress divided by 2 (Tresca) or by the square root of 3 (von Mises).
+        Limit of the maximum Hertz pressure p0, divided by the shear yield stress k [-]. k is the
+        uniaxial yield stress divided by 2 (Tresca) or by the square root of 3 (von Mises).
     depth : float
         Depth at which yielding begins if the load exceeds the limit, relative to the half-width or
         radius of the contact along the rolling direction [-]; 0 at the surface.
@@ -107,7 +107,7 @@ def _smallest_ball(deviator: FloatArray) -> float:
 
 
 def _both_signs(deviator: FloatArray) -> FloatArray:
-    """Return a path together with its mirror image of opposite shear.
+    """Return a stress path together with its mirror image, in which the shear has opposite sign.
 
     The smallest ball that contains both paths has its centre at zero residual shear stress.
     """
@@ -115,7 +115,7 @@ def _both_signs(deviator: FloatArray) -> FloatArray:
 
 
 def _tresca(deviator: FloatArray) -> float:
-    """Return the least k/p0 at which suitable residual stresses xx and yy prevent Tresca yield."""
+    """Return the smallest k/p0 at which some residual stresses xx and yy prevent Tresca yield."""
     half, across, shear = deviator[:, 0], math.sqrt(3.0) * deviator[:, 1], deviator[:, 2]
 
     def required_k(shift: float) -> float:
@@ -276,7 +276,8 @@ def point_lower_bound(friction: float = 0.0, nu: float = 0.3) -> ShakedownLimit:
     -------
     ShakedownLimit
         Limit with von Mises' criterion at points in the plane y = 0, where the limit is lowest:
-        p0/k = 3.23 without friction, and 3 % below `point` for a coefficient of friction of 0.4.
+        p0/k = 3.23 without friction; for a coefficient of friction of 0.4 it is 3 % below the upper
+        bound of `point`.
 
     Raises
     ------
@@ -382,7 +383,7 @@ def first_yield(
     Returns
     -------
     ShakedownLimit
-        Limit from the maximum stress at any point (`hertz.LineContact.stress`).
+        Limit at which the stress (`hertz.LineContact.stress`) reaches yield at some point.
     """
     nu, friction = poisson_ratio("nu", nu), _coefficient(friction)
     tresca = choice("criterion", criterion, ("tresca", "von_mises")) == "tresca"

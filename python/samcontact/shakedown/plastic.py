@@ -23,7 +23,7 @@ _SHEAR_WEIGHTS = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 class PlasticChange:
     """Change of the plastic state of a body in one cycle.
 
-    Row 0 of its fields along x is row `first` of the grid.
+    Index 0 of its fields along x is row `first` of the grid.
     """
 
     first: int
@@ -65,7 +65,7 @@ def at_common_depth(fields: Sequence[FloatArray]) -> list[FloatArray]:
 
 
 def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[int, Track]:
-    """Return the track of each elastic-plastic body, which must contain all plastic strain.
+    """Return the fields of each elastic-plastic body in all cells that the contact has passed.
 
     Raises ValueError if plastic strain lies outside the volume fields.
     """
@@ -85,7 +85,7 @@ def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[
 
 
 def change(before: Track, after: Track) -> PlasticChange:
-    """Return the change of the plastic state of a body between two tracks."""
+    """Return the change of the plastic state of a body between two instants."""
     pairs = {name: on_common_cells(before, after, name) for name in FIELDS}
     start = min(before.x[0], after.x[0])
     first = after.first - round((after.x[0] - start) / after.grid.dx)

@@ -56,8 +56,8 @@ class ShakedownResult(ShortRepr, HtmlTable):
     rejected : int
         Number of extrapolations that were undone because the next cycle did not confirm them.
     yield_strain : float
-        Smallest yield strain of both bodies (yield stress divided by Young's modulus), to which
-        strains are compared [-].
+        Yield strain (yield stress divided by Young's modulus) with which strains are compared [-];
+        the smaller value if both bodies can yield.
     state : State
         State at the end of the last cycle.
     """

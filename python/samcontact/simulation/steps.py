@@ -148,9 +148,8 @@ class StepArguments:
         if pressure is not None or torque is not None:
             _require_possible(friction, tangential, pressure, shear, torque, travels)
         is_unloaded = normal is not None and normal.name == "load" and normal.value == 0.0
-        slides_for, of_heat = 0.0, duration
-        if self._slips_by_rate:
-            slides_for, of_heat = _of_friction(friction, heat, duration)
+        slides = self._slips_by_rate
+        slides_for, of_heat = _of_friction(friction, heat, duration) if slides else (0.0, duration)
         timed = heat.history is not None or (heat.partition is not None and duration != math.inf)
         if self.relaxes and not timed:
             lasts: float | None = relaxing_duration(duration)

@@ -58,9 +58,10 @@ def roller(
     length : float
         Effective length of the roller, without corner radii [m].
     profile : {"straight", "crowned", "logarithmic", "lundberg"} or pair of array_like
-        Name of the profile, see Notes, or a table (y, drop) of its drop over the length [m]. In a
-        table, y must increase from -length/2 (from 0 for a symmetric profile) to length/2. Between
-        its points, the drop is interpolated by monotone cubics.
+        Name of the profile, see Notes, or a table (y, drop): positions along the roller and the
+        drop of the profile there [m]. In a table, y must increase from -length/2 (from 0 for a
+        symmetric profile) to length/2. Between its points, the drop is interpolated by monotone
+        cubics.
     race_radius : float, optional
         Radius of the raceway in the plane of rolling [m], negative for the concave race of an outer
         ring. Default: inf, flat.
@@ -99,8 +100,8 @@ def roller(
     - lundberg: Q/(pi E* L) ln(1/(1 - u^2)) with the design load Q (Lundberg 1939).
 
     The last two profiles have an infinite drop at the ends, so that the pressure is bounded. Cells
-    near the ends must be smaller than the distance of the contact from the end. The roller is
-    parabolic along x, as in Hertz theory.
+    near the ends must be smaller than the distance between the end of the contact and the end of
+    the roller. The roller is parabolic along x, as in Hertz theory.
     """
     across, along = coordinates(grid)
     R, L = positive("radius", radius), positive("length", length)
@@ -140,7 +141,7 @@ def _drop(
     length: float,
     optional: dict[str, float | None],
 ) -> FloatArray:
-    """Drop of the profile [m] at the positions y, NaN beyond the end faces."""
+    """Drop of the profile [m] at the positions y [m], NaN beyond the end faces."""
     kind = profile if isinstance(profile, str) else "table"
     if kind != "table":
         choice("profile", kind, PROFILES)

@@ -16,7 +16,7 @@ from .._util.short_text import in_short
 
 
 class SurfaceGrid(Protocol):
-    """Attributes of a grid that describe the surface cells; `samcontact.Grid` has them."""
+    """Interface of a grid of surface cells: attributes that `samcontact.Grid` has."""
 
     @property
     def nx(self) -> int: ...

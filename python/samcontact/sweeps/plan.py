@@ -119,7 +119,7 @@ def _keys(case: CaseFile, name: Any) -> Keys:
 
 
 def _short_form(case: CaseFile) -> str:
-    """Return the section used in place of [surface] in a case, e.g. "roller", or ""."""
+    """Return the section that a case has instead of [surface], e.g. "roller"; otherwise ""."""
     shape = getattr(getattr(case, "surface", None), "shape", "")
     return shape if shape in SHORT_FORMS else ""
 

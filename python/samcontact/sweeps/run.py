@@ -82,7 +82,7 @@ def sweep(
         of all parameters are combined pairwise, along a dimension "case".
     find : mapping, optional
         Arguments of `find_load`, e.g. ``{"quantity": "yield"}``. If given, each case is not solved
-        at its own load; instead, the load is found at which the quantity reaches its value.
+        at its own load; instead, the load is found at which the quantity reaches its target value.
 
     Returns
     -------
@@ -109,8 +109,8 @@ def sweep(
     Warns
     -----
     ResolutionWarning
-        Issued once, with the number of cases with fewer than 8 cells across the contact or fewer
-        than 8 layers across the plastic zone.
+        Some cases have fewer than 8 cells across the contact or fewer than 8 layers across the
+        plastic zone. The warning is issued once and states the number of these cases.
     """
     from ..cases import load_case
     from ..cases.base import CaseFile
@@ -147,7 +147,7 @@ def sweep(
 
 
 class _SweepRun:
-    """Cases of a sweep by key, each only once, and the outcomes obtained so far."""
+    """Distinct cases of a sweep, and the outcomes obtained so far, by the hash `case_key`."""
 
     def __init__(
         self, cases: dict[str, CaseFile], store: Store | None, search: dict[str, Any] | None
@@ -204,7 +204,7 @@ def _solve(executor: Any, tasks: Tasks, take: Take) -> None:
 
 
 def _outcome(future: Future[Outcome]) -> Outcome:
-    """Return the outcome of a task, or a failed outcome if the process of the task has failed."""
+    """Return the outcome of a task; if the process that ran the task died, a failed outcome."""
     try:
         error = future.exception()
     except CancelledError as cancelled:
@@ -242,7 +242,7 @@ class _WorkerPool(ProcessPoolExecutor):
         super().__init__(count, get_context("spawn"))
 
     def submit(self, *task: Any, **named: Any) -> Future[Any]:
-        """Submit a task; worker processes started for the task ignore Ctrl-C from their start."""
+        """Submit a task; worker processes that are started for it ignore Ctrl-C."""
         before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
         try:
             return super().submit(*task, **named)

@@ -102,9 +102,9 @@ def assemble(
     plan : Plan
         Plan of the sweep, which contains the dimensions.
     keys : sequence of str
-        Key of each case, in the order of the plan.
+        Hash `case_key` of each case, in the order of the plan.
     outcomes : mapping
-        Outcomes of the cases by key; a case without an outcome has been cancelled.
+        Outcomes of the cases by their hash; a case without an outcome has been cancelled.
     base : CaseFile
         Base case; its title and text are stored.
     """

@@ -119,7 +119,7 @@ def _of_wear(case: Case) -> xr.Dataset:
 
 
 def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
-    """Return the results that [fatigue] of a case requests: maxima, margins, exposures, life."""
+    """Return the results that the section [fatigue] of a case requests, e.g. maxima and margins."""
     if case.fatigue is None:
         return {}
     found = {}
@@ -142,7 +142,7 @@ def _of_fatigue(case: Case, states: list[State]) -> dict[str, float]:
 
 
 def _of_shakedown(case: Case) -> dict[str, float]:
-    """Return the results of [shakedown] of a case: the response to the repeated path."""
+    """Return the results for the section [shakedown] of a case: response to the repeated path."""
     if case.shakedown is None:
         return {}
     found = case.shakedown.solve(*case.build(), False)

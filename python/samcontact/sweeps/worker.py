@@ -38,7 +38,7 @@ def solve_case(
         Path of the case file. Paths of height files in the case are relative to its folder.
     search : mapping, optional
         Arguments of `samcontact.find_load`. If given, the case is not solved at its own load;
-        instead, the load is found at which a quantity reaches a value.
+        instead, the load is found at which a quantity reaches its target value.
 
     Returns
     -------
@@ -87,9 +87,9 @@ def case_key(
     case : CaseFile
         Validated case.
     digests : dict
-        Hashes of files read before, by path; hashes of new files are added.
+        Hashes of the files read so far, by path. The hashes of further files are added to it.
     search : mapping, optional
-        Argument of `solve_case`.
+        As for `solve_case`.
 
     Raises
     ------

@@ -48,10 +48,11 @@ over many repeats. This rotation does not noticeably affect the frictional work.
 _MAX_REPEATS = 20
 _MAX_CREEPING_REPEATS = 200
 _MIN_MISMATCH_OF_TOL = 10.0
-"""Minimum of the tolerance within which tractions of viscoelastic bodies count as periodic, divided
-by the solver tolerance `tol`."""
+"""Smallest limit for the relative change of pressure and shear over a loop of viscoelastic bodies
+that counts as periodic, divided by the solver tolerance `tol`."""
 _SMALL_FLOW = 0.01
-"""Equivalent plastic strain added per repeat that is neglected, relative to the yield strain."""
+"""Limit of the equivalent plastic strain that the last computed repeat may add without a warning,
+relative to the yield strain."""
 
 
 def fretting(
@@ -92,20 +93,22 @@ def fretting(
     friction : Coulomb
         Friction law with a finite coefficient > 0.
     energy : float or pair of floats
-        Wear depth divided by frictional work per unit area [m/(J/m^2) = 1/Pa], >= 0: a number for
-        body 2, or a pair for bodies 1 and 2. Fouvry et al. (2003),
+        Wear depth divided by frictional work per unit area [m/(J/m^2) = 1/Pa], >= 0. With a single
+        number only body 2 wears; a pair gives the values of bodies 1 and 2. Fouvry et al. (2003),
         doi:10.1016/S0043-1648(03)00117-0. Cannot be combined with `archard`.
     archard : float or pair of floats
         Wear depth divided by pressure times slip distance [1/Pa], i.e. the wear coefficient divided
-        by the hardness. Archard (1953), doi:10.1063/1.1721448. Equivalent to energy = archard/mu.
+        by the hardness; a number or a pair, as for `energy`. Archard (1953), doi:10.1063/1.1721448.
+        Equivalent to energy = archard/mu.
     cycles : int, optional
         Maximum number of cycles, >= 1.
     repeats : int, optional
-        Number of repeats of the loop per cycle, >= 1. The contact is solved so often that wear
-        between two solutions changes the amplitude of the shortest pressure wave on the grid by at
-        most 100 %. Each solution starts with unloaded, unheated bodies that have the plastic strain
-        of the previous solution. It computes only a few loops, usually one or two, and the plastic
-        flow of the other loops is neglected.
+        Number of repeats of the loop per cycle, >= 1. The contact is not solved for every repeat.
+        It is solved again before wear changes the amplitude of the shortest pressure wave on the
+        grid by more than 100 %. Each solution starts with unloaded, unheated bodies that have the
+        plastic strain of the previous solution. It computes a few repeats of the loop, usually one
+        or two, until the response is periodic. The plastic flow in all repeats that are not
+        computed is neglected.
     checkpoint, progress
         As for `run`.
     **settings
@@ -129,7 +132,8 @@ def fretting(
         As in `run`.
     IncrementWarning
         The last computed loop still adds a plastic strain of more than 1 % of the yield strain: the
-        bodies do not shake down, but the plastic flow in the other loops is neglected.
+        bodies do not shake down, but the plastic flow in the repeats that are not computed is
+        neglected.
 
     Notes
     -----
@@ -176,7 +180,7 @@ def _warn_of_flow(setup: FrettingSetup, last: FrettingCycle) -> None:
 
 @dataclass(frozen=True)
 class _Repeat:
-    """Solution of one repeat of a loop: its states, and fields on the surface, shape (nx, ny)."""
+    """Solution of one repeat of the loop: its states, and surface fields of shape (nx, ny)."""
 
     states: tuple[State, ...]
     work: FloatArray
@@ -192,7 +196,7 @@ class _Repeat:
 
 
 def _solve_repeat(setup: FrettingSetup, standing: WearProgress) -> _Repeat:
-    """Solve one repeat on the current surfaces, after a lead-in from unloaded bodies."""
+    """Solve the lead-in (if needed) and a periodic repeat of the loop, on the current surfaces."""
     states, flow = _closed(simulation_of(setup, standing), setup, bool(standing.creep))
     slips = np.array([np.hypot(*state.slip) for state in states])
     work = np.sum([(state.shear * state.slip).sum(axis=0) for state in states], axis=0)
@@ -208,9 +212,11 @@ def _solve_repeat(setup: FrettingSetup, standing: WearProgress) -> _Repeat:
 def _closed(
     simulation: Simulation, setup: FrettingSetup, continues: bool
 ) -> tuple[tuple[State, ...], float]:
-    """Repeat the loop until it is periodic; return the states and plastic flow of the last repeat.
+    """Repeat the loop until the tractions are periodic; return states and flow of the last repeat.
 
-    continues: whether the simulation continues the previous loop, without a lead-in.
+    The flow is the maximum equivalent plastic strain that the last repeat adds [-].
+
+    continues: whether the simulation starts at the end of a loop, so that no lead-in is needed.
     """
     lead = closing(setup.cycle)
     for step in setup.cycle[: 0 if continues else lead]:
@@ -288,7 +294,7 @@ def _advance(
 def _worn(
     setup: FrettingSetup, now: WearProgress, solved: _Repeat, count: float, removed: FloatArray
 ) -> WearProgress:
-    """Return the state after `count` repeats, with plastic strain moved up to the worn surface.
+    """Return the progress after `count` repeats, with plastic strain moved up to the worn surface.
 
     removed: wear depth of the cycle so far, divided by the wear coefficient [m Pa].
     """
@@ -305,7 +311,7 @@ def _worn(
 
 
 def _max_repeats(setup: FrettingSetup, solved: _Repeat) -> float:
-    """Return the number of repeats after which the contact must be solved again.
+    """Return the number of repeats of the loop after which the contact must be solved again.
 
     Wear to the depth c p, where p is the pressure, changes the amplitude of a pressure wave of
     wavenumber k by the fraction -c E* k/2, where E* is the effective modulus.

@@ -54,12 +54,12 @@ class FrettingSetup(WearProblem):
 
     @property
     def follows_time(self) -> bool:
-        """Whether the loops of viscoelastic bodies follow each other in time."""
+        """Whether each loop continues the creep of the previous loop (see `fretting`, Notes)."""
         return self.relaxes and self.repeats == 1
 
     @cached_property
     def crept_share(self) -> float:
-        """Fraction of the slowest creep that is completed in one loop [-]; 1 without creep."""
+        """Fraction of the slowest creep process that one loop completes [-]; 1 without creep."""
         duration = sum(step.get("duration") or 0.0 for step in self.cycle[closing(self.cycle) :])
         slowest = max(map(longest_creep_time, self.bodies))
         return -math.expm1(-duration / slowest) if slowest > 0 and duration > 0 else 1.0
@@ -69,7 +69,7 @@ class FrettingSetup(WearProblem):
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return 0 and the number of rows of the grid, because all rows can wear."""
+        """Return the first row that can wear and the number of such rows: all rows of the grid."""
         return 0, self.grid.nx
 
 
@@ -133,7 +133,7 @@ def _require_long_time_state(bodies: tuple[Body, Body]) -> None:
 
 
 def closing(path: list[dict[str, Any]]) -> int:
-    """Return the number of lead-in steps before the steps that are repeated.
+    """Return the number of lead-in steps, which precede the repeated loop.
 
     Raises ValueError if the path has no steps, or if its last step does not return to the load and
     the tangential forces or motions of an earlier step.

@@ -66,7 +66,7 @@ class WearSetup(WearProblem):
     def may_grow(self) -> bool:
         """Whether the grid may be enlarged.
 
-        With `keep_heat` it may not, because a heat history belongs to one grid.
+        It may not with `keep_heat`, because temperatures are stored for one grid only.
         """
         return super().may_grow and not self.keep_heat
 
@@ -75,10 +75,10 @@ class WearSetup(WearProblem):
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row, and the number of rows, in which a body can wear.
+        """Return the first row of a body that can wear, and the number of such rows.
 
-        A row is a line of cells along y. The rows that pass through the grid are included, and on
-        both sides as many more as the filter needs.
+        A row is a line of cells along y. Rows that pass through the grid during the cycle can wear.
+        Further rows on both sides can wear because the smoothing filter spreads the wear.
         """
         if self.grid.along_x:
             return 0, self.grid.nx
@@ -89,7 +89,7 @@ class WearSetup(WearProblem):
         return first, end - first
 
     def smoothed(self, depth: FloatArray) -> FloatArray:
-        """Return a smoothed worn depth [m]; on a periodic grid, the smoothing is periodic too."""
+        """Return a worn depth after smoothing [m]; the smoothing is periodic if the grid is."""
         if not self.grid.along_x:
             return self.filter(depth)
         rows = self.grid.nx
@@ -111,7 +111,8 @@ def make_setup(
 ) -> WearSetup:
     """Check all arguments and return them.
 
-    The width of the filter is compared with the contact size, which one elastic solution gives.
+    The width of the smoothing filter is compared with the contact size, for which one elastic
+    contact is solved.
     """
     require_type("grid", grid, Grid)
     if not grid.has_volume:
@@ -157,7 +158,7 @@ def make_setup(
 
 
 def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
-    """Check `keep_heat`, which requires `heat` with a history, and return it."""
+    """Check `keep_heat`, which requires heating with `history`, and return it."""
     if boolean("keep_heat", keep_heat) and (heat is None or heat.history is None):
         raise ValueError(
             f"keep_heat requires heat with history, got heat = {in_short(heat)}: set "

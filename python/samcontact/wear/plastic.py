@@ -12,7 +12,7 @@ from .steps import below_worn_surface, deviator_below_worn_surface
 
 
 def strains_of(problem: WearProblem, state: State) -> dict[int, BodyStrain]:
-    """Return the plastic strain of each elastic-plastic body along its whole track.
+    """Return the plastic strain of each elastic-plastic body, in all cells the contact has passed.
 
     Bodies without plastic strain are omitted. Raises ValueError if plastic strain lies below the
     deepest layer or beyond the sides of the grid.
@@ -65,7 +65,7 @@ def flow_between(problem: WearProblem, start: State, end: State) -> float:
 
 
 def rows_of(problem: WearProblem, body: int, kept: BodyStrain) -> slice:
-    """Rows with plastic strain, as a slice of the rows in which the body can wear."""
+    """Return the rows with plastic strain, as a slice of the rows of the body that can wear."""
     start = kept.first - problem.rows(body)[0]
     return slice(start, start + len(kept.equivalent))
 
@@ -73,7 +73,7 @@ def rows_of(problem: WearProblem, body: int, kept: BodyStrain) -> slice:
 def moved_up(problem: WearProblem, body: int, kept: BodyStrain, worn: FloatArray) -> BodyStrain:
     """Return the plastic strain that remains after wear, at depths below the worn surface.
 
-    worn: removed depth [m], on the rows in which the body can wear.
+    worn: removed depth [m], in the rows of the body that can wear.
     """
     assert problem.grid.dz is not None
     removed = worn[rows_of(problem, body, kept)]

@@ -52,14 +52,14 @@ class WearProblem(ABC):
 
     @abstractmethod
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row, and the number of rows, in which a body can wear.
+        """Return the first row of a body that can wear, and the number of such rows.
 
         A row is a line of cells along y. Row 0 is the first row of the grid.
         """
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """Arguments that identify the computation, with the surface heights on the first grid."""
+        """Arguments by which a checkpoint is recognised; surface heights are on the first grid."""
         names = (item.name for item in dataclasses.fields(self) if item.name != "surfaces")
         return {name: getattr(self, name) for name in names}
 
@@ -77,7 +77,7 @@ class WearProblem(ABC):
         return replace(self, grid=grid, gap=domain.initial_gap, reliefs=domain.reliefs)
 
     def initial_heights(self, body: int) -> FloatArray:
-        """Return the heights of a body before any wear [m], in the rows that can wear."""
+        """Return the heights of a body before any wear [m], in its rows that can wear."""
         first, rows = self.rows(body)
         relief = self.reliefs[body - 1]
         if relief is None:
@@ -87,7 +87,7 @@ class WearProblem(ABC):
 
 @dataclass
 class BodyStrain:
-    """Plastic state of a body; row 0 of the fields is row `first` of the grid."""
+    """Plastic state of a body; index 0 along x of its fields is row `first` of the grid."""
 
     first: int
     strain: FloatArray
@@ -153,7 +153,11 @@ def _placed(around: FloatArray, place: tuple[slice, slice], heights: FloatArray)
 
 
 def _widened(kept: BodyStrain, rows: int, sides: tuple[int, int]) -> BodyStrain:
-    """Return a plastic state with columns of zeros on both sides, and its rows renumbered."""
+    """Return a plastic state for a larger grid, with zeros in the added cells.
+
+    rows: number of rows added before the first row of the grid. sides: numbers of cells added at
+    the two ends of each row.
+    """
 
     def padded(of: FloatArray) -> FloatArray:
         wide: FloatArray = np.pad(of, [*[(0, 0)] * (of.ndim - 2), sides, (0, 0)])

@@ -134,7 +134,7 @@ class BaseWearResult(ShortRepr):
 
     @cached_property
     def first(self) -> Any:
-        """States of the first cycle, in the order of `last`.
+        """States of the first cycle, in the same order as the states of the last cycle in `last`.
 
         After a resumed run, the first cycle is solved again to obtain them.
         """

@@ -88,7 +88,7 @@ def _slopes(columns: FloatArray) -> FloatArray:
 def _hermite(
     t: FloatArray, values: tuple[FloatArray, FloatArray], slopes: tuple[FloatArray, FloatArray]
 ) -> FloatArray:
-    """Interpolate by a cubic between two layers, at the fraction t of the way to the second one."""
+    """Interpolate by a cubic between two layers, at the fraction t of their distance."""
     s = 1 - t
     (y0, y1), (d0, d1) = values, slopes
     result: FloatArray = s * s * ((1 + 2 * t) * y0 + t * d0) + t * t * ((1 + 2 * s) * y1 - s * d1)
@@ -225,7 +225,8 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
     -------
     ndarray
         Field of unchanged shape, interpolated along each column by monotone cubics (PCHIP), which
-        do not overshoot. Within one layer below the grid, the interpolated field falls to 0.
+        do not overshoot. Below the deepest layer, the interpolated field falls to 0 within one
+        layer thickness.
 
     Raises
     ------
@@ -264,8 +265,8 @@ def below_worn_surface(field: ArrayLike, depth: ArrayLike, dz: float) -> FloatAr
 def deviator_below_worn_surface(tensor: FloatArray, depth: FloatArray, dz: float) -> FloatArray:
     """Apply `below_worn_surface` to each component of tensors, shape (..., 6, nx, ny, nz).
 
-    In columns of cells (along z) that contain deviators only, the mean normal part is subtracted
-    from the interpolated tensors, so that they are deviators too.
+    Interpolation can give a deviator a small mean normal part. This part is subtracted in all
+    columns of cells (along z) in which the given tensors are deviators.
     """
     moved = below_worn_surface(tensor, depth, dz)
     trace = np.abs(tensor[..., :3, :, :, :].sum(axis=-4)).max(axis=-1, keepdims=True)

@@ -59,7 +59,8 @@ def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
     Raises
     ------
     ValueError
-        Wear has reached a void. The half-space solution would carry load across the open hole.
+        Wear has reached a void. The surface would have a hole, but the half-space solution would
+        carry load there.
     """
     if not isinstance(body, Heterogeneous) or not worn.any():
         return body
@@ -81,7 +82,7 @@ def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
 def mean_depth(inclusion: Inclusion, worn: FloatArray, grid: Grid) -> float:
     """Mean worn depth above an inclusion [m].
 
-    The weight of each column of cells is the height of the inclusion in this column.
+    In this mean, each column of cells has a weight, the height of the inclusion in the column.
     """
     x, y, _ = inclusion.center
     along_x, along_y, _ = inclusion.extent
