@@ -73,7 +73,7 @@ class FilmGridSection(Section):
         return Grid(self.nx, self.ny, self.dx, self.dy, self.nz or 0, self.dz, self.periodic)
 
     def with_depth(self, given: FilmGridSection) -> FilmGridSection:
-        """Return the grid with the layers of `given`; default dz: the shorter side of a cell."""
+        """Return the grid with nz and dz of `given`; default dz: the shorter side of a cell."""
         assert self.dx is not None
         assert self.dy is not None
         shorter = self.dx if self.ny == 1 else min(self.dx, self.dy)

@@ -31,7 +31,7 @@ def require_velocity_of_motion(
 ) -> None:
     """Raise ValueError unless heated bodies move at heat.velocity.
 
-    travels: displacements [body][axis] [m] in a duration [s].
+    travels: displacements in `duration` [m], indexed by body and axis. duration [s].
     """
     axes = "xy" if travels[0][1] or travels[1][1] else "x"
     for body, (n, axis) in itertools.product((1, 2), enumerate(axes)):

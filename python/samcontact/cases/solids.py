@@ -289,7 +289,7 @@ def models(
 ) -> Any:
     """Create a union of the sections of all laws, e.g. of `SwiftBody` for part = "Body".
 
-    namespace: globals of the module that defines the sections. bases: base classes as in `_model`.
+    namespace: globals of the module that defines the sections. bases: as in `_model`.
     others: sections of further laws.
     """
     laws = {name: law for name, law in LAWS.items() if law.constants or part == "Body"}
