@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Estimates of required and available memory, to refuse calculations that would not fit.
 
-The constants are total bytes per cell, measured in tests/faults/test_out_of_memory.py.
+The constants are bytes per cell, measured in tests/faults/test_out_of_memory.py.
 """
 
 from __future__ import annotations
