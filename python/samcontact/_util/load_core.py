@@ -2,8 +2,8 @@
 """Loading of the compiled core with a limited number of OpenMP threads that spin only briefly.
 
 Waking a sleeping thread takes as long as a small Fourier transform, especially on virtual machines.
-A spinning thread takes processor time from other processes. Waiting threads therefore spin for a few
-tenths of a millisecond and then sleep. OpenMP reads its environment variables once, when its
+A spinning thread takes processor time from other processes. Waiting threads therefore spin for a
+few tenths of a millisecond and then sleep. OpenMP reads its environment variables once, when its
 library is loaded. Valid settings of the user have priority, and the environment is restored
 afterwards.
 """

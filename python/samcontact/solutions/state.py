@@ -107,7 +107,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
 
     @property
     def heat_factor(self) -> tuple[float, float]:
-        """Heat flux per unit pressure of both bodies [m/s]; with heat.partition, heat fractions."""
+        """Heat flux per unit pressure of bodies 1 and 2 [m/s]; fraction [-] with heat.partition."""
         return self._core.heat_factor1, self._core.heat_factor2
 
     @property
@@ -206,7 +206,8 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
         It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
-        stress due to tractions and heat. Under load it includes the mismatch of inclusions.
+        stress due to tractions and heat. Under load it includes the effect of stiff or soft
+        inclusions.
         """
         return self._field("residual_stress", body)
 
@@ -225,8 +226,9 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
         Tensor components; this strain is not part of `plastic_strain`. For a `Heterogeneous` body
-        it also contains the strain that gives a homogeneous matrix the same stress: plastic strain,
-        misfit, and mismatch under the present load. In a void this strain is not unique.
+        it also contains the strain with which a homogeneous matrix has the same stress: due to
+        plastic strain, misfit, and different stiffness of inclusions under load. In a void this
+        strain is not unique.
         """
         return self._field("eigenstrain", body)
 
