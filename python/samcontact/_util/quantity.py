@@ -84,7 +84,7 @@ class Quantity(NamedTuple):
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """Return the quantity, shown in µm² if it is an area and its maximum `largest` [m^2] is small."""
+        """Return the quantity, in µm² if it is an area whose maximum `largest` [m^2] is small."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 
