@@ -120,7 +120,7 @@ def _require_hardness(case: Any) -> None:
 def require_hardness_used(
     bodies: Iterable[tuple[str, BodySection]], judged: BodySection | None = None
 ) -> None:
-    """Raise ValueError for a hardness of an elastic material, unless it is the body `judged`."""
+    """Raise ValueError if an elastic material, other than that of `judged`, has a hardness."""
     for name, body in bodies:
         for part in body.parts:
             if part.profile is not None and part.law == "elastic" and part is not judged:

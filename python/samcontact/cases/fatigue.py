@@ -105,7 +105,7 @@ class FatigueSection(Section):
     def exposed(
         self, states: list[State], body: int, profile: HardnessProfile | None
     ) -> Exposure | None:
-        """Return stress over strength at each depth, for a hardness `profile`; None if unused."""
+        """Return stress over strength at each depth of a body; None without [fatigue.exposure]."""
         if self.exposure is None:
             return None
         assert profile is not None  # checked with the case

@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 CELLS, CELLS_OF_LINE = 24, 64
-"""Default numbers of cells per semi-axis of a point contact and half-width of a line contact."""
+"""Default number of cells per semi-axis of a point contact, per half-width of a line contact."""
 LIGHT = 100.0
 """Moes' load parameter M below which a load is called light and requires a longer inlet."""
 INLETS, INLETS_OF_LINE = (4.5, 3.0), (5.0, 3.5)
-"""Distance from the contact centre to the inlet edge, in semi-axes, for light and heavy loads."""
+"""Distance from the contact centre to the inlet edge in semi-axes: (light load, heavy load)."""
 OUTLET, SIDE = 1.5, 1.75
 """Distance from the contact centre to the outlet edge and to the sides, in semi-axes."""
 MAX_RATIO = 2.0

@@ -72,7 +72,7 @@ class Rolling(_Passes):
 
     @property
     def slips(self) -> list[str]:
-        """Names of the fields that require a law of partial slip."""
+        """Names of the given fields that require a law of partial slip."""
         names = ("lateral_creepage", "spin", "tangential_load_x")
         return [f"roll.{name}" for name in names if changed(self, [name])]
 
@@ -196,12 +196,12 @@ class Segment(TiltingSection):
 
     @property
     def time_field(self) -> str:
-        """Field that determines the duration of the steps: "duration", or "speed" for passes."""
+        """Field for the duration of steps: "speed" for passes and retraction, else "duration"."""
         return "duration" if self.passes is None and self.pull_off is None else "speed"
 
     @property
     def slips(self) -> list[str]:
-        """Names of the fields that require a law of partial slip."""
+        """Names of the given fields that require a law of partial slip."""
         rolling = [] if self.roll is None else self.roll.slips
         return [*self.along, *rolling, *(["fret"] if self.fret is not None else [])]
 

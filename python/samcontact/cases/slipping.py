@@ -149,7 +149,7 @@ class Fretting(Section):
         return self.model_copy(update=given)
 
     def steps(self, name: str, value: float, increments: int, reached: EndState) -> paths.Path:
-        """Return the fretting steps, all with `name` ("load" or "approach") equal to `value`."""
+        """Return the fretting steps at load or approach `value`, which must be reached before."""
         if reached[:2] != (name, value):
             raise ValueError(
                 f"fret requires that the previous segment ends at {name} = {value!r}, got "

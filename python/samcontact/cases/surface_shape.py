@@ -60,7 +60,7 @@ class SelfAffineRoughness(Section):
 
 
 class FirstGrid(NamedTuple):
-    """Expected contact of a part, for the choice of a grid.
+    """Expected contact of a machine part, from which a first grid is chosen.
 
     half: half-widths of the contact along x and y [m]. refined: number of cells along y on the
     first grid, relative to the number for a smooth contact of equal width.

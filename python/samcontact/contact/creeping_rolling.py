@@ -68,7 +68,7 @@ class CreepingRest:
         self._elastic = _core.CreepingTractions(grid._core, upper, lower, none, none)
 
     def __call__(self, pressure: FloatArray, shear: FloatArray) -> tuple[FloatArray, float]:
-        """Return the remainder, shape (3, nx, ny), and the maximum total u_z in contact cells [m]."""
+        """Return the remainder, shape (3, nx, ny), and the maximum total u_z in the contact [m]."""
         whole = self._moving.displacement(pressure, shear)
         rest: FloatArray = whole - self._elastic.displacement(pressure, shear)
         touching = whole[2][in_contact(pressure)]

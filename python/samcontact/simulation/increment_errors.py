@@ -49,7 +49,7 @@ which occurs in single cells. The two values used are calibrated, see docs/theor
 _logger = logging.getLogger("samcontact")
 
 _RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
-"""Ratios as above for creep without plastic flow or partial slip, with half (True) or twice (False)
+"""The same ratios for creep without plastic flow or partial slip, with half (True) or twice (False)
 as many increments: exact for first-order convergence, an upper bound for second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]

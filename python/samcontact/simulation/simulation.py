@@ -223,7 +223,7 @@ class Simulation(Configured, HtmlTable):
             Duration of the increment [s]: >= 0 with viscoelastic bodies, which move by whole cells;
             > 0 with `heat.partition`, `heat.history` or `FallingCoulomb`, or 0 to move unloaded.
         moment, tilt : pair of floats, optional
-            As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
+            As in `ContactSolver.solve`, at the end of the increment; if omitted, the tilt is kept.
 
         Returns
         -------
