@@ -49,8 +49,8 @@ which occurs in single cells. The two values used are calibrated, see docs/theor
 _logger = logging.getLogger("samcontact")
 
 _RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
-"""The same ratios for creep without plastic flow or partial slip, with half (True) or twice (False)
-as many increments: exact for first-order convergence, an upper bound for second order."""
+"""Like the ratios above, for creep without plastic flow or partial slip: with half (True) or twice
+(False) as many increments. Exact for first-order convergence, an upper bound for second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
 """Function that runs a setup on a grid, with an initial heat, along a path."""
