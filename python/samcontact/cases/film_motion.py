@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [film] of a case file: motion of the surfaces, load, supply and boundary layer."""
+"""Section [film] of a case file: motion, load, lubricant supply and boundary layer."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class BoundarySection(Section):
 
 
 class FilmSection(Section):
-    """[film]: motion, load, supply and boundary layer, see `lubrication.steady`."""
+    """[film]: motion, load, lubricant supply and boundary layer, see `lubrication.steady`."""
 
     speed1: Velocity | None = None
     speed2: Velocity | None = None

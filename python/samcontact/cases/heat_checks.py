@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of frictional heating against the motion of the bodies and against wear."""
+"""Checks that frictional heating agrees with the motion of the bodies, and with wear."""
 
 from __future__ import annotations
 

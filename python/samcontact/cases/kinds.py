@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Kinds of case files, recognised by the sections that they contain.
 
-The module of a kind is imported only on use, as this takes longer than solving a small contact.
+The module of a kind is imported only on use: importing all takes longer than a small contact.
 """
 
 from __future__ import annotations

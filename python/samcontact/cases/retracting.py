@@ -23,7 +23,7 @@ class PullOff(Section):
     def steps(self, increments: int, reached: EndState) -> tuple[paths.Path, EndState]:
         """Return path and end state of the segment; `reached`: end state of the previous one.
 
-        increments: their maximum number. Raises ValueError if there is no previous segment.
+        increments: maximum number of increments. Raises ValueError if there is no previous segment.
         """
         if not reached.quantity:
             raise ValueError(

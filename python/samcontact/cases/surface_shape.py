@@ -109,7 +109,7 @@ class SurfaceShape(Section):
         return ""
 
     def first_grid(self, load: float, E_star: float) -> FirstGrid | None:
-        """Return the expected contact at a load [N]; None: the Hertz contact of the `radii`."""
+        """Return the expected contact at a load [N]; None if it is the Hertz contact of `radii`."""
         return None
 
     def require_path(self, loads: Sequence[float | None]) -> None:

@@ -259,7 +259,7 @@ def tangential_drive(
 def at_pace(
     drive: TangentialDrive, law: FrictionLaw, duration: float | None, slip_rate: float | None
 ) -> TangentialDrive:
-    """Return a drive with the duration of the increment and the slip rate to start from."""
+    """Add the duration of the increment, and the initial slip rate of the iteration, to a drive."""
     lasts = lasting(law, duration)
     if slip_rate is not None:
         if not lasts:

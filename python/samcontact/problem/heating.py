@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of frictional heating against bodies and grid; conversion for the compiled core."""
+"""Checks that bodies and grid support frictional heating; conversion for the compiled core."""
 
 from __future__ import annotations
 

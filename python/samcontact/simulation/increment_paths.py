@@ -37,7 +37,10 @@ def _is_by_cells(changes: FloatArray, sizes: Sizes) -> bool:
 
 
 def are_multiples(changes: FloatArray, sizes: Sizes) -> bool:
-    """Whether displacements [body][axis] are multiples of cell sizes; x only without sizes[1]."""
+    """Whether displacements [body][axis] are multiples of the cell sizes.
+
+    If sizes[1] is None, only the displacements along x are checked.
+    """
     axes = 1 if sizes[1] is None else 2
     cells = changes[:, :axes] / np.array(sizes[:axes])
     return bool(np.allclose(cells, np.round(cells), atol=1e-6))

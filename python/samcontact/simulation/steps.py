@@ -196,7 +196,10 @@ class StepArguments:
         return changed
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Return the heating of both bodies for the compiled core; duration [s]: transient heat."""
+        """Return the heating of both bodies for the compiled core.
+
+        duration: that of the increment [s] with heat.history; otherwise None.
+        """
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)
