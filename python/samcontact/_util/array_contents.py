@@ -16,10 +16,11 @@ NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)
 
 
 def masked_values(value: ArrayLike) -> int:
-    """Return the number of masked values in an array or a list of arrays.
+    """Return the number of masked values in a (masked) array or a list of such arrays.
 
-    `numpy.ma` is not imported for this check: the import takes longer than solving a small contact.
-    Nor does the check wait for an import in another thread: a forked process lacks this thread.
+    `numpy.ma` is not imported for this check, because the import takes longer than solving a small
+    contact. If another thread is importing it, the check does not wait for the end of the import:
+    in a forked process this thread does not exist, and the check would wait indefinitely.
     """
     masked = getattr(sys.modules.get("numpy.ma"), "MaskedArray", None)
     if masked is None:

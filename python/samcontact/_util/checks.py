@@ -69,7 +69,7 @@ def _remedy(value: Any) -> str:
 
 
 def boolean(name: str, value: Any) -> bool:
-    """Return `value` as a bool; raise TypeError for other types, e.g. "no" (true in Python)."""
+    """Return `value` as a bool; raise TypeError for other types, e.g. the text "no"."""
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} must be True or False, got {in_short(value)}")
     return bool(value)
@@ -207,7 +207,7 @@ def axis_number(axis: Any) -> int:
 
 
 def require_fast(name: str, method: str, periodic: str) -> None:
-    """Raise ValueError if residual_stress is "exact" and the grid is periodic."""
+    """Raise ValueError if the method of residual stress is "exact" and the grid is periodic."""
     if method == "exact" and periodic:
         raise ValueError(
             f'{name} must be "fast" on a periodic grid (periodic = {periodic!r}), got '
@@ -269,7 +269,7 @@ def _within_range(name: str, array: FloatArray, value: ArrayLike) -> FloatArray:
 
 
 def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum of an array, ignoring NaN; 0 if the result is not finite."""
+    """Return the minimum or maximum (`end`) of an array without NaN; 0 if it is not finite."""
     found = float(end.reduce(array, axis=None))
     return found if math.isfinite(found) else 0.0
 
@@ -303,7 +303,7 @@ def gap_array(
 ) -> FloatArray:
     """Return `value` as a float64 array of exactly this `shape`, finite in at least one cell.
 
-    nobody: infinite value that marks cells without a body, +inf for a gap.
+    nobody: infinite value of cells without a body: +inf for a gap, -inf for heights.
     """
     array = real_array(name, value)
     if array.shape != shape:

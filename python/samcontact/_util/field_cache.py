@@ -31,7 +31,7 @@ _fields: WeakKeyDictionary[Any, dict[Hashable, FloatArray]] = WeakKeyDictionary(
 
 
 def kept(owner: Any, name: Hashable, compute: Callable[[], FloatArray]) -> FloatArray:
-    """Return the read-only field `name` of `owner`; compute and store it if it is not cached."""
+    """Return a read-only field of `owner`, e.g. a state; compute and store it if not cached."""
     with _lock:
         mine = _fields[owner] = _fields.pop(owner, {})
         if name in mine:

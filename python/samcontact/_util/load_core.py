@@ -2,8 +2,8 @@
 """Loading of the compiled core with a limited number of OpenMP threads that spin only briefly.
 
 Waking a sleeping thread takes as long as a small Fourier transform, especially on virtual machines.
-A spinning thread takes processor time from other processes. Waiting threads therefore spin for some
-tenths of a millisecond and then sleep. OpenMP reads its environment variables once, when its
+A spinning thread takes processor time from other processes. Waiting threads therefore spin for a
+few tenths of a millisecond and then sleep. OpenMP reads its environment variables once, when its
 library is loaded. Valid settings of the user have priority, and the environment is restored
 afterwards.
 """
@@ -50,7 +50,7 @@ def _limit(given: str) -> str:
 
 
 def _stack(given: str) -> str | None:
-    """Return OMP_STACKSIZE, at least the minimum for the core; None to remove the variable."""
+    """Return a value of OMP_STACKSIZE that suffices for the core; None: remove the variable."""
     text = given.strip().lower()
     number, unit = (text[:-1], text[-1]) if text[-1:] in _BYTES_PER_UNIT else (text, "k")
     count = _count(number.strip())
@@ -60,7 +60,7 @@ def _stack(given: str) -> str | None:
 
 
 def _default_stack() -> str | None:
-    """Return "1M", the stack size of threads, if `ulimit -s` is too small; otherwise None."""
+    """Return "1M" as stack size of the threads if `ulimit -s` is too small; otherwise None."""
     if sys.platform == "win32":
         return None
     import resource

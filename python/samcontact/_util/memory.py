@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Estimates of required and available memory, to refuse calculations that would not fit.
 
-The constants are total bytes per cell, measured in tests/faults/test_out_of_memory.py.
+The constants are bytes per cell, measured in tests/faults/test_out_of_memory.py.
 """
 
 from __future__ import annotations
@@ -23,27 +23,27 @@ CONTACT_BYTES, COUPLED_CONTACT_BYTES, COUPLED_PARTIAL_SLIP_BYTES, HEATED_CONTACT
     290.0,
     185.0,
 )
-"""Bytes per surface cell of an elastic contact: without friction; with coupled shear, which also
-displaces the surfaces normally; with coupled shear in partial slip, not including the memory that
-the core requests for contact cells; with heating."""
+"""Bytes per surface cell of an elastic contact, in this order: without friction; with coupled
+shear, which also displaces the surfaces normally; with coupled shear in partial slip, not including
+the memory that the compiled core requests for contact cells; with heating."""
 SIMULATION_BYTES, PARTIAL_SLIP_SIMULATION_BYTES, YIELD_SCAN_BYTES = 75.0, 275.0, 450.0
-"""Bytes per surface cell, in addition to the contact solution: for increments; for increments with
-partial slip; for the search for first yield."""
+"""Bytes per surface cell in addition to the contact solution, in this order: for an increment; for
+an increment with partial slip; for the search for first yield."""
 SURFACE_BYTES = 48.0
 """Bytes per surface cell for heights, including Fourier modes while roughness is generated."""
 DISPLACEMENT_BYTES = 65.0
 """Bytes per surface cell for a displacement field."""
 TRACTION_STRESS_BYTES, TEMPERATURE_BYTES = 56.0, 35.0
-"""Bytes per volume cell: for stress due to tractions; for temperature."""
+"""Bytes per volume cell for the stress due to tractions, and for the temperature."""
 FAST_RESIDUAL_BYTES, EXACT_RESIDUAL_BYTES = 350.0, 1200.0
 """Bytes per volume cell for residual stress and displacement due to plastic strain, with the
 methods "fast" and "exact"."""
 ZONE_FIELD_BYTES = 200.0
 """Bytes per cell of a plastic subdomain, for the stress."""
 LIBRARY_BYTES, BLAS_BUFFER_BYTES, HDF5_FILE_BYTES = 400e6, 45e6, 64e6
-"""Address space [bytes]: for all libraries of a run with one thread of linear algebra, including
-the first block of the core (128 MB); for each further thread of NumPy or of SciPy; for an HDF5 file
-while it is written."""
+"""Address space [bytes], in this order: for all libraries of a run with one thread of linear
+algebra, including the first block of the compiled core (128 MB); for each further thread of NumPy
+or of SciPy; for an HDF5 file while it is written."""
 VOLUME_FIELD_BYTES = 300.0
 """Bytes per volume cell for one field of a state, except residual stress with the method "exact",
 which requires `EXACT_RESIDUAL_BYTES`."""

@@ -293,6 +293,6 @@ ASPERITIES = {
 
 
 def described(name: str, among: Mapping[str, Quantity] = CONTACT) -> tuple[Quantity, int | None]:
-    """Return the quantity and the body number of a variable; without a body the number is None."""
+    """Return the quantity and the body number of a variable; the number is None without a body."""
     kind, _, body = name.partition("_body")
     return among[kind], int(body) if body else None

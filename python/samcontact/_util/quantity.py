@@ -28,7 +28,7 @@ _COLOURS = {
 
 
 class Quantity(NamedTuple):
-    """Names, units and display format of one quantity; empty texts are not shown."""
+    """Names, units and display format of one quantity; a text that is empty is not shown."""
 
     unit: str
     """SI unit of values in files and in Python; "1" for a pure number, "" for a text."""
@@ -84,7 +84,7 @@ class Quantity(NamedTuple):
         return f"{name} [{self.shown}]" if "\n" in name else f"{name}\n[{self.shown}]"
 
     def fitting(self, largest: float) -> Quantity:
-        """Return the quantity, in µm² if it is an area with a small maximum `largest` [m^2]."""
+        """Return the quantity, in µm² if it is an area whose maximum `largest` [m^2] is small."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Displacements of the two bodies through the contact, along x alone or along x and y."""
+"""Displacements of both bodies through the contact: along x only, or along x and y."""
 
 from __future__ import annotations
 

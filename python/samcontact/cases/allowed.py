@@ -24,7 +24,7 @@ _TYPE_NAMES = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
-    """Return the plain type of an annotation (without `Annotated` and None) and the metadata."""
+    """Return the type inside an annotation, without `Annotated` and None, and all its metadata."""
     marks = list(metadata)
     while True:
         origin, parts = get_origin(annotation), get_args(annotation)

@@ -23,7 +23,7 @@ from .sections import GridSection, settings_section
 
 
 class AsperitySection(Section):
-    """[asperities]: two colliding spheres, their passes, and grid sizes if there is no [grid]."""
+    """[asperities]: two colliding spheres, number of passes, and sizes of a default grid."""
 
     R1: Length
     R2: Length
@@ -44,7 +44,7 @@ class AsperitySection(Section):
         return Collision(self.R1, self.R2, self.interference)
 
     def grid_arguments(self) -> dict[str, Any]:
-        """Return the arguments of `Collision.grid` that the case specifies."""
+        """Return the arguments of `Collision.grid` that are given in the section."""
         names = ("increments", "width", "depth")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}
 

@@ -193,7 +193,7 @@ class HeightsFile(Section):
         return {"path": self.path}
 
     def plain(self, grid: Grid, folder: Path) -> FloatArray | None:
-        """Return the heights in a text file with one number per cell [m]; None for other files."""
+        """Return heights [m] from a text file with one number per cell; None for other files."""
         path = folder / self.path
         if not changed(self, HeightsFile.model_fields) <= {"path"} or not is_plain(path):
             return None
@@ -217,6 +217,6 @@ class HeightsFile(Section):
         return surface if self.mirror is None else surface.mirrored(self.mirror)
 
     def placement(self) -> dict[str, Any]:
-        """Return arguments of `MeasuredSurface.on` or `relief` that the case gives, except x."""
+        """Return the given arguments of `MeasuredSurface.on` or `.relief`; x is not included."""
         names = ("y", "method", "average", "fill")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

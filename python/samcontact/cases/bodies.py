@@ -68,7 +68,7 @@ class _Body(Solid):
 
     @property
     def sections(self) -> dict[str, Any]:
-        """Sections of all materials by position in the body: "" (substrate), ".layers[0]", ..."""
+        """Material sections by their place in the body: "" (substrate), ".layers[0]", ..."""
         found: dict[str, Any] = {f".layers[{n}]": x for n, x in enumerate(self.coating)}
         found |= {"": self} | {f".inclusions[{n}]": x for n, x in enumerate(self.inclusions or [])}
         drawn = self.random_inclusions
@@ -92,7 +92,7 @@ class _Body(Solid):
 
     @model_validator(mode="after")
     def _possible(self) -> _Body:
-        """Build the body once, so that the core checks the combination of constants."""
+        """Build the body once, so that the compiled core checks the combination of constants."""
         self.build()
         return self
 

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 
 
 def _accuracy(given: Any) -> Any:
-    """Check that the prescribed accuracy consists of relative errors in (0, 1)."""
+    """Check `accuracy`: one relative error in (0, 1), or a table with one for each quantity."""
     values = list(given.values()) if isinstance(given, dict) else [given]
     for value in values or [given]:
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
@@ -139,7 +139,7 @@ class Case(CaseFile):
         return self
 
     def _resolve_loads(self) -> None:
-        """Replace each `load_factor`, relative to the load of the part, by a load in newtons."""
+        """Replace each `load_factor` of the path by a load [N]: factor times load of the part."""
         path = []
         for index, segment in enumerate(self.path):
             try:
@@ -193,7 +193,7 @@ class Case(CaseFile):
 
     @property
     def reason_for_grid(self) -> str:
-        """Reason why a case with accuracy requires [grid]; "" if [grid] is not required."""
+        """Reason why a case with the field `accuracy` requires [grid]; "" if it does not."""
         return reason_for_grid(self)
 
     @property

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of combinations of sections and fields: no field may be without effect or in conflict."""
+"""Checks of a case: each field must have an effect, and no two fields may contradict each other."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def require_all_used(case: Any) -> None:
-    """Raise ValueError for the first field of a `Case` that has no effect or is in conflict."""
+    """Raise ValueError for the first field that has no effect or contradicts another field."""
     _require_accuracy(case)
     bodies = (("body1", case.body1), ("body2", case.body2))
     # [[path]] heat_factor: 0 switches the heat source off on purpose
@@ -53,7 +53,7 @@ def require_all_used(case: Any) -> None:
 
 
 def _require_inclusions_in_volume(case: Any) -> None:
-    """Raise ValueError for inclusions without layers of cells, or with wear, dents or accuracy."""
+    """Raise ValueError for inclusions on a grid without dz, or with wear, dents or `accuracy`."""
     for name, body in (("body1", case.body1), ("body2", case.body2)):
         if not body.has_inclusions:
             continue
@@ -106,7 +106,7 @@ def _require_cycle(case: Any) -> None:
 
 
 def _require_hardness(case: Any) -> None:
-    """Raise ValueError if a hardness has no effect, or if [fatigue.exposure] lacks a hardness."""
+    """Raise ValueError for a hardness without effect, or one missing for [fatigue.exposure]."""
     judged = None if case.fatigue is None else case.fatigue.exposure
     if judged is not None and (case.body1, case.body2)[case.output.body - 1].profile is None:
         raise ValueError(
@@ -120,7 +120,7 @@ def _require_hardness(case: Any) -> None:
 def require_hardness_used(
     bodies: Iterable[tuple[str, BodySection]], judged: BodySection | None = None
 ) -> None:
-    """Raise ValueError if an elastic material has a hardness, except the substrate of `judged`."""
+    """Raise ValueError if an elastic material, other than that of `judged`, has a hardness."""
     for name, body in bodies:
         for part in body.parts:
             if part.profile is not None and part.law == "elastic" and part is not judged:
@@ -189,7 +189,7 @@ def _require_free_along_y(case: Any) -> None:
 
 
 def _require_known_faces(case: Any) -> None:
-    """Raise ValueError for results and studies that bodies with free faces do not support."""
+    """Raise ValueError for wear, accuracy or stress fields of bodies with free faces."""
     for number, body in enumerate((case.body1, case.body2), 1):
         if getattr(body, "free_faces", None) is None:
             continue
@@ -205,7 +205,7 @@ def _require_known_faces(case: Any) -> None:
 
 
 def _require_dentable(case: Any) -> None:
-    """Raise ValueError for [dents] in an elastic body 2, with wear or on a periodic grid."""
+    """Raise ValueError for [dents] if body 2 is elastic, with [wear], or on a periodic grid."""
     if case.dents is None:
         return
     if not case.body2.is_plastic:
@@ -220,7 +220,7 @@ def _require_dentable(case: Any) -> None:
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError for wear, motions or forces that require Coulomb friction but lack it."""
+    """Raise ValueError in full sliding for wear, motions or forces that require partial slip."""
     if case.sticks:
         return
     if case.wear is not None and case.wear.law != "threshold":
@@ -238,7 +238,7 @@ def _require_law_of_friction(case: Any) -> None:
 
 
 def _require_fixed_path(case: Any, section: str, reason: str) -> None:
-    """Raise ValueError for a retraction, whose number of increments the solution determines."""
+    """Raise ValueError for a retraction: its number of increments depends on the solution."""
     for index, segment in enumerate(case.path):
         if segment.pull_off is not None:
             raise ValueError(
@@ -248,7 +248,7 @@ def _require_fixed_path(case: Any, section: str, reason: str) -> None:
 
 
 def _require_no_passes(case: Any) -> None:
-    """Raise ValueError for passes of adhering bodies, which do not separate at zero load."""
+    """Raise ValueError for rolling or sliding passes of bodies that adhere at zero load."""
     for index, segment in enumerate(case.path):
         if segment.passes is not None:
             kind = "roll" if segment.roll is not None else "slide"
@@ -259,7 +259,7 @@ def _require_no_passes(case: Any) -> None:
 
 
 def _require_law_of_contact(case: Any) -> None:
-    """Raise ValueError for tension without adhesion, and for fields not allowed with adhesion."""
+    """Raise ValueError for a tensile load without adhesion, or fields not allowed with adhesion."""
     law = contact_law_of(case.contact)
     for index, segment in enumerate(case.path):
         if segment.pull_off is not None and not law.varies:
@@ -288,7 +288,7 @@ def _require_law_of_contact(case: Any) -> None:
 
 
 def _require_accuracy(case: Any) -> None:
-    """Raise ValueError for fields that `accuracy` excludes or that require `accuracy`."""
+    """Raise ValueError for fields that are allowed only with `accuracy`, or only without it."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
             raise ValueError(f"{name} requires accuracy: add the field accuracy, or omit {name}")
@@ -308,7 +308,7 @@ def _require_accuracy(case: Any) -> None:
 
 
 def reason_for_grid(case: Any) -> str:
-    """Return why a case with accuracy requires [grid]; "" if [grid] is not required."""
+    """Return why a case with the field `accuracy` requires [grid]; "" if it does not."""
     if case.grid is not None and case.grid.periodic:
         return "grid.periodic prescribes the period"
     if case.wear is not None:

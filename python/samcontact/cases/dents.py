@@ -113,7 +113,7 @@ class Indentation:
     settings: Mapping[str, Any]
 
     def __call__(self, simulation: Simulation) -> None:
-        """Press the particles in, on a grid with equal cells and long enough for all particles."""
+        """Press in the particles on a longer grid with equal cells; set their plastic strain."""
         grid = simulation.grid
         half = 0.5 * grid.ny * grid.dy
         for one in self.particles:

@@ -29,7 +29,7 @@ class LimitSection(Section):
 
 
 class ExposureSection(Section):
-    """[fatigue.exposure]: exposure of a hardened case over depth, see `fatigue.exposure`."""
+    """[fatigue.exposure]: stress over strength of a hardened case, see `fatigue.exposure`."""
 
     slope: Slope = 0.3
     axis: Literal["x", "y"] = "x"
@@ -105,7 +105,7 @@ class FatigueSection(Section):
     def exposed(
         self, states: list[State], body: int, profile: HardnessProfile | None
     ) -> Exposure | None:
-        """Return the exposure over depth for the hardness `profile`; None if not requested."""
+        """Return stress over strength at each depth of a body; None without [fatigue.exposure]."""
         if self.exposure is None:
             return None
         assert profile is not None  # checked with the case
@@ -113,7 +113,7 @@ class FatigueSection(Section):
         return exposure(self._cycle(states, body), profile, **given)
 
     def life_of(self, fields: list[FatigueField]) -> Life | None:
-        """Return the life from the result of `FatigueSection.fields`; None if not requested."""
+        """Return the life from the result of `fields`; None without [fatigue.life]."""
         if self.life is None:
             return None
         given = self.life.model_dump()

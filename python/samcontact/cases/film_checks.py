@@ -44,7 +44,7 @@ def require_possible(case: FilmDescription) -> None:
 
 
 def _require_used_bodies(case: FilmDescription) -> None:
-    """Raise ValueError for sections of the bodies that have no effect."""
+    """Raise ValueError for sections of body 1 or 2 that have no effect on a film."""
     for name, body in (("body1", case.body1), ("body2", case.body2)):
         for part in body.parts:
             yields = LAWS[part.law].yields
@@ -59,7 +59,7 @@ def _require_used_bodies(case: FilmDescription) -> None:
 
 
 def _require_constants(case: FilmDescription) -> None:
-    """Raise ValueError unless lubricant.thermal and film.thermal are given together."""
+    """Raise ValueError if only one of lubricant.thermal and film.thermal is given."""
     if case.film.thermal and case.lubricant.thermal is None:
         raise ValueError(
             "film.thermal requires lubricant.thermal: add thermal = {conductivity = 0.14, "

@@ -69,7 +69,7 @@ class FilmDescription(CaseFile):
         return self.lubricant.build()
 
     def load_on(self, grid: Grid | None) -> float:
-        """Return the load on the cells of a grid [N]; ValueError if missing or given twice."""
+        """Return the load of the contact in a grid [N]; ValueError if missing or given twice."""
         nominal = self.surface.nominal_load(grid)
         load = self.film.load
         if load is not None and nominal is not None:

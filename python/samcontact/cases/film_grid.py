@@ -18,11 +18,11 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 CELLS, CELLS_OF_LINE = 24, 64
-"""Default numbers of cells per semi-axis of a point contact and half-width of a line contact."""
+"""Default number of cells per semi-axis of a point contact, per half-width of a line contact."""
 LIGHT = 100.0
 """Moes' load parameter M below which a load is called light and requires a longer inlet."""
 INLETS, INLETS_OF_LINE = (4.5, 3.0), (5.0, 3.5)
-"""Distance from the contact centre to the inlet edge, in semi-axes, for light and heavy loads."""
+"""Distance from the contact centre to the inlet edge in semi-axes: (light load, heavy load)."""
 OUTLET, SIDE = 1.5, 1.75
 """Distance from the contact centre to the outlet edge and to the sides, in semi-axes."""
 MAX_RATIO = 2.0
@@ -73,7 +73,7 @@ class FilmGridSection(Section):
         return Grid(self.nx, self.ny, self.dx, self.dy, self.nz or 0, self.dz, self.periodic)
 
     def with_depth(self, given: FilmGridSection) -> FilmGridSection:
-        """Return the grid with the layers of `given`; default dz: the shorter side of a cell."""
+        """Return the grid with nz and dz of `given`; default dz: the shorter side of a cell."""
         assert self.dx is not None
         assert self.dy is not None
         shorter = self.dx if self.ny == 1 else min(self.dx, self.dy)

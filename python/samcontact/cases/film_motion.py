@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Section [film] of a case file: motion of the surfaces, load, supply and boundary layer."""
+"""Section [film] of a case file: motion, load, lubricant supply and boundary layer."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class BoundarySection(Section):
 
 
 class FilmSection(Section):
-    """[film]: motion, load, supply and boundary layer, see `lubrication.steady`."""
+    """[film]: motion, load, lubricant supply and boundary layer, see `lubrication.steady`."""
 
     speed1: Velocity | None = None
     speed2: Velocity | None = None
@@ -104,7 +104,7 @@ class FilmSection(Section):
             )
 
     def _require_stribeck(self) -> None:
-        """Raise ValueError for fields that a Stribeck curve does not support."""
+        """Raise ValueError for fields that cannot be combined with a Stribeck curve."""
         for name in sorted(changed(self, ("spin", "supply", "approach"))):
             raise ValueError(f"{name} cannot be combined with speeds: omit it")
         if self.boundary is None:
@@ -124,8 +124,8 @@ class FilmSection(Section):
     def velocities(self, surface: SurfaceShape, largest: bool = True) -> Vectors:
         """Return the velocities of bodies 1 and 2 along x and y [m/s].
 
-        surface: part to which an angular speed refers. largest: whether to use the largest or the
-        smallest of several `speeds`.
+        surface: shape of the part to which angular speeds refer. largest: use the largest of
+        several `speeds`; otherwise the smallest.
         """
         if self.speed1 is not None and self.speed2 is not None:
             return _vector(self.speed1), _vector(self.speed2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solution of film cases: steady, versus speed, on elastic-plastic bodies, and transient."""
+"""Solution of film cases: steady or transient, at several speeds, or on elastic-plastic bodies."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ MAX_CELLS = 1.01
 
 
 def solved(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Films:
-    """Return the films of a case; errors have an attribute `result` with the films so far."""
+    """Return the films of a case; the attribute `result` of an error holds the films so far."""
     if case.film.speeds is not None:
         return _over_speeds(case, case.film.speeds)
     if case.yields:

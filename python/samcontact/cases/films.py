@@ -130,7 +130,7 @@ class FilmCase(FilmDescription):
         )
 
     def _beyond_hertz(self) -> str:
-        """Return the name of the field that rules out Hertz theory."""
+        """Return the name of the field because of which Hertz theory does not apply."""
         layered = [name for name in ("body1", "body2") if getattr(self, name).coating]
         if layered:
             return f"{layered[0]}.layers"

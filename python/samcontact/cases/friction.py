@@ -14,7 +14,7 @@ from .solids import field_of
 
 
 class _FrictionLaw(Section):
-    """Section with one field for each law of partial slip, of which exactly one is given."""
+    """Section with a field for each law of partial slip; exactly one field must be given."""
 
     @model_validator(mode="after")
     def _one_law(self) -> _FrictionLaw:
@@ -40,7 +40,7 @@ def default_of(law: type[FrictionLaw], name: str) -> Any:
 
 
 def _friction_section() -> Any:
-    """Create a section with one field per law: a number for one constant, a table for several."""
+    """Create a section with a field per law: a number if it has one constant, else a table."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:

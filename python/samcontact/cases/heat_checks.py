@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of frictional heating against the motion of the bodies and against wear."""
+"""Checks that frictional heating agrees with the motion of the bodies, and with wear."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def require_velocity_of_motion(
 ) -> None:
     """Raise ValueError unless heated bodies move at heat.velocity.
 
-    travels: displacements [body][axis] [m] in a duration [s].
+    travels: displacements in `duration` [m], indexed by body and axis. duration [s].
     """
     axes = "xy" if travels[0][1] or travels[1][1] else "x"
     for body, (n, axis) in itertools.product((1, 2), enumerate(axes)):

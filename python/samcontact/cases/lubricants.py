@@ -72,7 +72,7 @@ class _Lubricant(Section):
         return made
 
     def _warming(self, heat: LubricantThermal) -> tuple[float, float]:
-        """Return coefficient beta [1/K] and the temperature at which the viscosity is given [K]."""
+        """Return thermal.beta [1/K], and the temperature [K] to which the viscosity refers."""
         if heat.beta is None:
             raise ValueError("thermal.beta is required for this kind of lubricant: add it")
         return heat.beta, REFERENCE if heat.temperature is None else heat.temperature

@@ -72,7 +72,7 @@ class Rolling(_Passes):
 
     @property
     def slips(self) -> list[str]:
-        """Names of the fields that require a law of partial slip."""
+        """Names of the given fields that require a law of partial slip."""
         names = ("lateral_creepage", "spin", "tangential_load_x")
         return [f"roll.{name}" for name in names if changed(self, [name])]
 
@@ -132,7 +132,7 @@ class Segment(TiltingSection):
         return self
 
     def with_load(self, nominal: float | None) -> Segment:
-        """Return the segment with its load [N]: `load_factor` times the load of the part.
+        """Return the segment with its load [N]: `load_factor` times load of the part (e.g. gear).
 
         Raises ValueError if the part has no load.
         """
@@ -196,12 +196,12 @@ class Segment(TiltingSection):
 
     @property
     def time_field(self) -> str:
-        """Name of the field that gives the steps of this segment a duration."""
+        """Field for the duration of steps: "speed" for passes and retraction, else "duration"."""
         return "duration" if self.passes is None and self.pull_off is None else "speed"
 
     @property
     def slips(self) -> list[str]:
-        """Names of the fields that require a law of partial slip."""
+        """Names of the given fields that require a law of partial slip."""
         rolling = [] if self.roll is None else self.roll.slips
         return [*self.along, *rolling, *(["fret"] if self.fret is not None else [])]
 
@@ -217,7 +217,7 @@ class Segment(TiltingSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the steps and the end state of this segment; `reached`: previous end state.
+        """Return steps and end state of this segment; `reached`: end state of the previous one.
 
         Raises ValueError if the segment cannot start from the end of the previous segment.
         """

@@ -141,7 +141,7 @@ class GearSurface(SurfaceShape):
         return super().reason_for_grid
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the tooth pair [N], or on the grid width if the grid is periodic along y."""
+        """Load on the tooth pair [N], or on the part of it within a grid periodic along y."""
         if self.torque is None:
             return None
         load = self.contact().load(self.torque, self.sharing)
@@ -154,7 +154,7 @@ class GearSurface(SurfaceShape):
 
 
 class CamSurface(SurfaceShape):
-    """Cam on a flat-faced tappet at an angle of the cam, see `parts.Cam`."""
+    """Cam on a flat-faced tappet at a given cam angle, see `parts.Cam`."""
 
     shape: Literal["cam"]
     base_radius: Length

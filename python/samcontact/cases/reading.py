@@ -37,7 +37,7 @@ def load_case(path: str | Path) -> AnyCase:
     -------
     Case, AsperityCase, FilmCase or SlidingCase
         An `AsperityCase` if the file has a section [asperities], a `FilmCase` if it has [film], a
-        `SlidingCase` if it has [sliding].
+        `SlidingCase` if it has [sliding], otherwise a `Case`.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def parse_case(text: str, source: str | Path = "case.toml") -> AnyCase:
     Parameters
     ----------
     text : str
-        TOML.
+        Content of a case file, in TOML.
     source : str or Path, optional
         Path of the file with this text, for error messages. Relative paths in the text start from
         the folder of this file.
@@ -82,7 +82,7 @@ def parse_case(text: str, source: str | Path = "case.toml") -> AnyCase:
     -------
     Case, AsperityCase, FilmCase or SlidingCase
         An `AsperityCase` if the text has a section [asperities], a `FilmCase` if it has [film], a
-        `SlidingCase` if it has [sliding].
+        `SlidingCase` if it has [sliding], otherwise a `Case`.
 
     Raises
     ------

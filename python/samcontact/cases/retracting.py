@@ -21,9 +21,9 @@ class PullOff(Section):
     speed: Annotated[Positive, in_unit("m/s")] | None = None
 
     def steps(self, increments: int, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return the path and the end state of the segment; `reached`: previous end state.
+        """Return path and end state of the segment; `reached`: end state of the previous one.
 
-        increments: maximum number. Raises ValueError if there is no previous segment.
+        increments: maximum number of increments. Raises ValueError if there is no previous segment.
         """
         if not reached.quantity:
             raise ValueError(

@@ -212,7 +212,7 @@ class BearingSurface(_RollingSurface):
 
     @property
     def solved_race(self) -> str:
-        """Race whose contact is solved: `race`, or the one with the higher Hertz pressure."""
+        """Race whose contact is solved: `race`, by default that with the higher Hertz pressure."""
         return self.bearing.governing_race if self.race is None else self.race
 
     @property
@@ -305,7 +305,7 @@ def in_full(content: Any) -> Any:
 
 
 def short_places(message: str, content: Any) -> str:
-    """Return an error message with field names as in the file: in [roller] or [bearing]."""
+    """Return an error message with [surface] renamed to [roller] or [bearing], as in the file."""
     for name in SHORT_FORMS:
         if isinstance(content, Mapping) and name in content:
             return re.sub(r"^surface\b", name, message, flags=re.MULTILINE)

@@ -27,7 +27,7 @@ class ShakedownSection(Section):
     def solve(
         self, simulation: Simulation, path: Path, progress: bool, checkpoint: Folder | None = None
     ) -> ShakedownResult:
-        """Repeat the path with `samcontact.shakedown.run`, starting with a new simulation."""
+        """Repeat the path of a new simulation with `samcontact.shakedown.run`."""
         return run(
             simulation,
             path,

@@ -21,7 +21,7 @@ Force = Annotated[Finite, in_unit("N")]
 
 
 class EndState(NamedTuple):
-    """End of a path segment: load or approach, tangential forces and torque, moments and tilts.
+    """State at the end of a segment: load or approach, tangential forces, torque, moments, tilts.
 
     A force is None after a prescribed motion, because this force is unknown before the solution.
     """
@@ -61,7 +61,7 @@ class TangentialSection(Section):
     def add_along(
         self, steps: paths.Path, fractions: Sequence[float], reached: EndState
     ) -> EndState:
-        """Add tangential motions and forces to the steps; return the end of the segment.
+        """Add tangential motions and forces to the steps; return the end state of the segment.
 
         fractions: position of the end of each step in the segment, 0 to 1. reached: load or
         approach at the end of the segment, and tangential forces at the start of the segment.
@@ -149,7 +149,7 @@ class Fretting(Section):
         return self.model_copy(update=given)
 
     def steps(self, name: str, value: float, increments: int, reached: EndState) -> paths.Path:
-        """Return the fretting steps; the previous segment must end at load or approach `value`."""
+        """Return the fretting steps at load or approach `value`, which must be reached before."""
         if reached[:2] != (name, value):
             raise ValueError(
                 f"fret requires that the previous segment ends at {name} = {value!r}, got "

@@ -287,9 +287,9 @@ def _model(name: str, law: Law, part: str, namespace: dict[str, Any], *bases: ty
 def models(
     part: str, namespace: dict[str, Any], *bases: type[Solid], others: tuple[Any, ...] = ()
 ) -> Any:
-    """Create a union of the sections of all laws, e.g. of `SwiftBody` for part = "Body".
+    """Create a union of the sections of all laws; `part` ends their names, e.g. `SwiftBody`.
 
-    namespace: globals of the module that defines the sections. bases: base classes as in `_model`.
+    namespace: globals of the module that defines the sections. bases: as in `_model`.
     others: sections of further laws.
     """
     laws = {name: law for name, law in LAWS.items() if law.constants or part == "Body"}

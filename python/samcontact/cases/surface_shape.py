@@ -60,7 +60,7 @@ class SelfAffineRoughness(Section):
 
 
 class FirstGrid(NamedTuple):
-    """Expected contact of a part, for the choice of a grid.
+    """Expected contact of a machine part, from which a first grid is chosen.
 
     half: half-widths of the contact along x and y [m]. refined: number of cells along y on the
     first grid, relative to the number for a smooth contact of equal width.
@@ -82,7 +82,7 @@ class SurfaceShape(Section):
         return None
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the part [N], or on one period of a periodic grid; None if no load is given."""
+        """Load on the part, e.g. a gear [N], or on a period of the grid; None if not given."""
         return None
 
     @property
@@ -100,7 +100,7 @@ class SurfaceShape(Section):
 
     @property
     def reason_for_grid(self) -> str:
-        """Reason why a case with accuracy requires [grid]; "" if [grid] is not required."""
+        """Reason why this shape requires [grid] in a case with the field `accuracy`; "" if none."""
         radii = self.radii()
         if radii is None or not all(map(math.isfinite, radii)):
             return (
@@ -109,7 +109,7 @@ class SurfaceShape(Section):
         return ""
 
     def first_grid(self, load: float, E_star: float) -> FirstGrid | None:
-        """Return the expected contact at a load [N], for a first grid; None if `radii` suffice."""
+        """Return the expected contact at a load [N]; None if it is the Hertz contact of `radii`."""
         return None
 
     def require_path(self, loads: Sequence[float | None]) -> None:
@@ -120,7 +120,7 @@ class SurfaceShape(Section):
 
     @property
     def is_known(self) -> bool:
-        """Whether the surface is defined on every grid."""
+        """Whether every grid can be used: no random roughness, and no heights from a file."""
         return self.roughness is None or self.roughness.kind == "sinusoidal"
 
     @abstractmethod

@@ -52,7 +52,7 @@ class TiltingSection(TangentialSection):
     def add_tilting(
         self, steps: paths.Path, fractions: Sequence[float], reached: EndState
     ) -> EndState:
-        """Add moments and tilts to the steps; return the end of the segment.
+        """Add moments and tilts to the steps; return the end state of the segment.
 
         fractions: position of the end of each step in the segment, 0 to 1. reached: load or
         approach at the end of the segment, and moments and tilts at its start.

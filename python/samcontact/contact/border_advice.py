@@ -32,8 +32,8 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
 def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
     """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
-    Some of these remedies replace the remedy in `text`. `remedy_prefix`, a further remedy that
-    begins with a comma, is then appended to the message.
+    The remedy in `text` may be replaced by a better one. In this case, `remedy_prefix` (a second
+    remedy, which begins with a comma) is appended to the message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if remedy and "normal to y" in before and (rows := _rows_beyond_faces(setup)):
@@ -75,7 +75,7 @@ def _rows_beyond_faces(setup: ContactSetup) -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Describe the tilt of a gap as text; "" unless it exceeds half of the heights without tilt."""
+    """Describe the tilt of a gap; "" unless it exceeds half of the heights without tilt."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]

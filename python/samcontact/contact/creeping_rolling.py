@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Steady rolling of viscoelastic bodies with friction.
 
-The displacement is the sum of the displacement of elastic bodies with intermediate moduli and a
-remainder. The remainder is computed from the tractions of the last solution, and the elastic bodies
-are solved again with it, until the remainder no longer changes.
+The displacement is that of elastic bodies with intermediate moduli plus a remainder. The contact of
+the elastic bodies is solved repeatedly, each time with the remainder due to the last tractions,
+until the remainder no longer changes.
 """
 
 from __future__ import annotations
@@ -27,12 +27,11 @@ Tractions = tuple[FloatArray | None, FloatArray | None]
 Motion = tuple[float, float, float]
 """Creepages along x and y [-] and spin [1/m]."""
 Roll = Callable[[FloatArray, Tractions, Motion, float, FloatArray | None], dict[str, Any]]
-"""Function that solves steady rolling of elastic bodies. Its arguments are the gap [m], tractions
-and motion from which the iteration starts, the tolerance, and an additional tangential displacement
-[m], shape (2, nx, ny)."""
+"""Function that solves steady rolling of elastic bodies. Arguments: gap; tractions and motion to
+start from; tolerance; additional tangential displacement, shape (2, nx, ny) [m]."""
 
 _DEPTH = 8
-"""Maximum number of previous changes that the Anderson acceleration uses."""
+"""Number of earlier differences that the acceleration uses."""
 _MAX_REPETITIONS = 400
 _INNER_TOL = 0.01
 """Tolerance of one repetition, divided by the tolerance of the solution."""
@@ -43,8 +42,8 @@ _TIGHTEST_TOL = 1e-12
 def intermediate(body: Body, speed: float, grid: Grid) -> Body:
     """Return an elastic body with the mean of the compliances for very fast and for slow waves.
 
-    The slow waves are twice as long as the grid. For all shorter waves, the complex compliance of a
-    standard linear solid differs from the returned compliance by less than the latter.
+    The slow waves are twice as long as the grid. For faster waves, the complex compliance of a
+    standard linear solid differs from the returned compliance by less than the returned value.
     """
     if relaxation_of(body) is None:
         return body
@@ -54,7 +53,7 @@ def intermediate(body: Body, speed: float, grid: Grid) -> Body:
 
 
 class CreepingRest:
-    """Remainder: displacement of rolling viscoelastic bodies minus that of elastic bodies."""
+    """Remainder: displacement of rolling viscoelastic bodies minus that of `elastic` bodies."""
 
     def __init__(
         self, grid: Grid, bodies: tuple[Body, Body], elastic: tuple[Body, Body], speed: float
@@ -69,7 +68,7 @@ class CreepingRest:
         self._elastic = _core.CreepingTractions(grid._core, upper, lower, none, none)
 
     def __call__(self, pressure: FloatArray, shear: FloatArray) -> tuple[FloatArray, float]:
-        """Return the remainder, shape (3, nx, ny), and the maximum total |u_z| in contact [m]."""
+        """Return the remainder, shape (3, nx, ny), and the maximum total u_z in the contact [m]."""
         whole = self._moving.displacement(pressure, shear)
         rest: FloatArray = whole - self._elastic.displacement(pressure, shear)
         touching = whole[2][in_contact(pressure)]
@@ -84,7 +83,7 @@ class _Acceleration:
         self._changes: list[FloatArray] = []
 
     def next(self, guess: FloatArray, change: FloatArray) -> FloatArray:
-        """Return the next guess, from the last guess and its change by one repetition."""
+        """Return the next guess, from the last guess and the change that one repetition makes."""
         self._guesses = [*self._guesses, guess][-_DEPTH - 1 :]
         self._changes = [*self._changes, change][-_DEPTH - 1 :]
         if len(self._guesses) == 1:

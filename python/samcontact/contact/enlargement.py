@@ -61,7 +61,7 @@ def explain_failed_enlargement(error: GridTooSmallError, grid: Grid) -> Iterator
 
 
 def enlarged_evenly(n: int, min_cells: float) -> int:
-    """Return n if n >= `min_cells`; else n plus an even number, >= both `min_cells` and 1.25 n."""
+    """Return n if n >= `min_cells`; else n plus an even number, at least `min_cells` and 1.25 n."""
     if min_cells <= n:
         return n
     return n + 2 * math.ceil((max(min_cells, _MIN_SIDE_GROWTH * n) - n) / 2)

@@ -25,7 +25,7 @@ UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
 """Tangential drive of a contact without shear."""
 
 _HIGHER = [2.0**power for power in range(13, 0, -1)]
-"""Factors on the given speeds in a continuation from higher speeds."""
+"""Speeds of the successive solutions in `_from_above`, as multiples of the given speeds."""
 
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
 """Function that creates the solution. Its arguments are the grid, the displacement [m] of
@@ -43,7 +43,7 @@ class MovingContactSolver(ContactSolver):
     speeds : pair of float
         Velocity of the material of each body along +x relative to the contact [m/s].
     finish : callable
-        Creates the solution, see `Finish`.
+        Function that creates the solution from the computed fields.
     settings
         `tol`, `on_border` and `max_iterations` of `ContactSolver`.
     """
@@ -64,7 +64,7 @@ class MovingContactSolver(ContactSolver):
         return self._core_at(1.0)
 
     def _core_at(self, factor: float) -> Any:
-        """Return the core's solver for speeds that are multiplied by a factor."""
+        """Return the contact of the compiled core for the given speeds times `factor`."""
         bodies, speeds, _ = self._moving
         needed = memory.surface(self.grid, memory.MOVING_CONTACT_BYTES)
         memory.require_for_grid("a moving viscoelastic contact", self.grid, needed)
@@ -93,10 +93,10 @@ class MovingContactSolver(ContactSolver):
         return self._moving[2](self.grid, self._delayed(found["pressure"]), found), complaint
 
     def _from_above(self, contact: Pressing, settings: Sequence[Any]) -> FloatArray | None:
-        """Return the pressure at twice the given speeds [Pa], or None if it is not found.
+        """Return the pressure at twice the given speeds [Pa]; None if it is not found.
 
-        The speeds are reduced step by step, from speeds at which the material has nearly its
-        instantaneous modulus. Each solution is the initial guess for the next lower speed.
+        The speeds are halved repeatedly, beginning with speeds at which the bodies have nearly
+        their instantaneous moduli. Each solution starts from the previous pressure.
         """
         pressure = None
         for factor in _HIGHER if any(self._moving[1]) else ():
@@ -107,11 +107,11 @@ class MovingContactSolver(ContactSolver):
         return pressure
 
     def _delayed(self, pressure: FloatArray) -> FloatArray:
-        """Return the part of the displacement that changes sign with the direction of motion [m].
+        """Return the part of the displacement that depends on the direction of motion [m].
 
-        This part is half of the difference between the displacement and the displacement in
-        reversed motion, which is computed with mirrored fields. The remaining displacement is due
-        to a symmetric operator and causes no force along x.
+        It is half of the difference between the displacements in the given and in reversed motion,
+        due to the same pressure. The other part is due to a symmetric operator, and thus causes no
+        force along x.
         """
         reversed_pressure = np.ascontiguousarray(pressure[::-1])
         mirrored = self._core.displacement(reversed_pressure)[::-1]
@@ -135,7 +135,7 @@ def pressure_of(start: Any, kind: type[ContactSolution]) -> FloatArray:
 
 
 def moving_creep(body: Body, speed: float) -> _core.MovingCreep:
-    """Return the creep of a body as a function of the distance moved, for the core."""
+    """Return the creep of a body as a function of the distance moved, for the compiled core."""
     terms = relaxation_of(body)
     if terms is None:
         return _core.MovingCreep([], [], speed > 0)
@@ -144,7 +144,7 @@ def moving_creep(body: Body, speed: float) -> _core.MovingCreep:
 
 
 def _effective(body: Body, speed: float, grid: Grid) -> Body:
-    """Return an elastic body with the modulus for waves that are half as long as the grid.
+    """Elastic body with the modulus for waves of half the grid length that pass at `speed`.
 
     It is used only for estimates of the contact and for warnings.
     """

@@ -84,5 +84,5 @@ class NormalDrive:
         return any(self.is_moment) or self.about != UNTILTED
 
     def to_core(self) -> _core.Drive:
-        """Return the drive as an object of the core."""
+        """Return the drive as an object of the compiled core."""
         return _core.Drive(self.name == "load", self.value, self.is_moment, self.about, self.spring)

@@ -139,7 +139,7 @@ class ContactSolver(ContactFields):
         self._core = self._new_core()
 
     def _new_core(self) -> Any:
-        """Return the solver object of the core."""
+        """Return the solver of the compiled core."""
         setup = self.grid._core, self.body1._core, self.body2._core
         adhesion = self.adhesion.resolved(self.grid, self.body1, self.body2)
         law, contact = self._law.to_core(), adhesion.to_core()
@@ -232,8 +232,8 @@ class ContactSolver(ContactFields):
             (`FallingCoulomb`).
         slip_rate : float, optional
             With `duration`: initial slip rate of all cells in the iteration [m/s], >= 0, which
-            selects one of several solutions. Default: the slip rate of `previous`, or 0. Without
-            `slip_rate`, an increment that may have several solutions is refused.
+            selects one of several solutions. Default: the slip rate of `previous`, or 0. By
+            default, an increment that may have several solutions is rejected.
 
         Returns
         -------

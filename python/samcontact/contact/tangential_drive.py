@@ -80,7 +80,7 @@ class TangentialDriver(Protocol):
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[ContactSolution, str]:
-        """Return the solution and a message about the edge of the grid."""
+        """Return the solution, and a message if the contact reaches the grid edge ("" if not)."""
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ class TangentialDrive:
         return carried(pressure, cells), carried(shear, cells), None, approach, tilt
 
     def _rate(self, grid: Grid) -> FloatArray | None:
-        """Return the initial slip rate of the iteration [m/s], or None for 0."""
+        """Return the slip rate from which the iteration starts [m/s]; None means 0."""
         if self.duration == 0.0:
             return None
         if self.slip_rate is not None:
@@ -125,7 +125,7 @@ class TangentialDrive:
         return self._carried(known, grid)
 
     def _plastic(self, grid: Grid) -> FloatArray | None:
-        """Return the plastic slip of a surface layer before the increment [m], or None for 0."""
+        """Return the plastic slip of the layer before the increment [m]; None means 0."""
         known = None if self.previous is None else plastic_slip_on(self.previous, grid)
         return self._carried(known, grid)
 
@@ -144,7 +144,7 @@ class TangentialDrive:
         start: FloatArray | None,
         settings: Settings,
     ) -> tuple[PartialSlipSolution, str]:
-        """Return the solution with accumulated motions, and a message about the grid edge."""
+        """Return the solution with accumulated motions, and a message as in `TangentialDriver`."""
         p, s, g, d, tilt = self._before(grid)
         moves = self.mean_travel != 0
         if start is None and moves and self.previous is not None:
@@ -259,7 +259,7 @@ def tangential_drive(
 def at_pace(
     drive: TangentialDrive, law: FrictionLaw, duration: float | None, slip_rate: float | None
 ) -> TangentialDrive:
-    """Return a drive with the duration of the increment and an initial slip rate."""
+    """Add the duration of the increment, and the initial slip rate of the iteration, to a drive."""
     lasts = lasting(law, duration)
     if slip_rate is not None:
         if not lasts:

@@ -35,22 +35,24 @@ FRICTION_ON = ("repulsion", "compression")
 
 @dataclass(frozen=True, repr=False)
 class Adhesion(ContactLaw):
-    """Adhesion, for `ContactSolver` and `Simulation`: attraction a(g) with a work of adhesion.
+    """Adhesion, for `ContactSolver` and `Simulation`: an attraction a(g) across the gap g.
 
-    The pressure is p = r - a(g) with a repulsion r >= 0 where the gap g is zero. The integral of a
-    over g is the work of adhesion w [J/m^2]. Several states may be in equilibrium; a solution
-    follows the branch of its initial state, and jumps where this branch ends (pull-in, pull-off).
-    Use one of the constructors `exponential`, `dugdale`, `lennard_jones`, `tabulated` and `jkr`.
+    The pressure is p = r - a(g). The repulsion r is >= 0 where the gap is zero, and 0 elsewhere.
+    The integral of a over g is the work of adhesion w [J/m^2]. Several states may be in
+    equilibrium: a solution follows the branch of its initial state, and jumps where this branch
+    ends (pull-in, pull-off). Use one of the constructors `exponential`, `dugdale`, `lennard_jones`,
+    `tabulated` and `jkr`.
 
-    A law is resolved if kappa = K0 s <= 0.6, where K0 is the displacement of a cell due to a unit
-    pressure on it and s the steepest fall of the attraction with the gap. For larger kappa, single
-    cells jump into or out of contact: a ResolutionWarning is issued above 0.6, and the law is
-    refused above 1. range=None stands for the shortest range that the grid resolves (kappa = 0.5).
+    The grid resolves a law if kappa = K0 s <= 0.6, where K0 is the displacement of a cell due to a
+    unit pressure on it, and s is the steepest decrease of the attraction with the gap. With larger
+    kappa, single cells jump into or out of contact: above 0.6, a ResolutionWarning is issued; above
+    1, the law is rejected. range=None stands for the shortest range that the grid resolves (kappa =
+    0.5).
 
     All constructors have the argument `friction_on`, the pressure on which friction depends. With
-    "repulsion", friction depends on r. The attraction then adds to the load, and the friction force
-    is mu (W + integral of a), as in the law of Derjaguin (1934, doi:10.1007/BF01333114). With
-    "compression", friction depends on p where p > 0, and cells under tension transmit no shear.
+    "repulsion", friction depends on r: under the load W, the force of Coulomb friction in full
+    sliding is mu (W + integral of a), as in the law of Derjaguin (1934, doi:10.1007/BF01333114).
+    With "compression", friction depends on p where p > 0; cells under tension transmit no shear.
     """
 
     friction_on: str = field(
@@ -148,7 +150,7 @@ class Adhesion(ContactLaw):
     def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
         """Return the law as it is solved on a grid, with a range that the grid resolves.
 
-        Raises ValueError if the cells are so large that single cells would jump.
+        Raises ValueError if the cells are so large that single cells would jump into contact.
         """
         found = self.on(grid, body1, body2)
         if found.kappa > MAX_SOLVABLE:
@@ -160,7 +162,7 @@ class Adhesion(ContactLaw):
         return found.law
 
     def to_core(self) -> _core.ContactLaw:
-        """Return the law as an object of the core; raise ValueError without a range."""
+        """Return the law as an object of the compiled core; raise ValueError without a range."""
         missing = [item.name for item in fields(self) if getattr(self, item.name) is None]
         if missing:
             raise ValueError(
@@ -170,7 +172,7 @@ class Adhesion(ContactLaw):
         return _core.ContactLaw(self.kind, self._parameters(), self.rubs_by_compression)
 
     def _parameters(self) -> list[float]:
-        """Return the parameters for the law of the core."""
+        """Return the parameters of the law in the order of the compiled core."""
         return [getattr(self, name) for name in self._own_names()]
 
     def _own_names(self) -> list[str]:
@@ -300,7 +302,7 @@ class TabulatedAdhesion(Adhesion):
 
 @dataclass(frozen=True)
 class ResolvedAdhesion(HtmlTable):
-    """Law of adhesion on a grid; from `Adhesion.on`.
+    """Law of adhesion as it is solved on a grid; created by `Adhesion.on`.
 
     Attributes
     ----------
@@ -309,7 +311,7 @@ class ResolvedAdhesion(HtmlTable):
     kappa : float
         Resolution number K0 s [-]; at most 0.6 if the grid resolves the law.
     is_refined : bool
-        Whether the range was chosen for the grid.
+        Whether the range was chosen for the grid, because none was given.
     modulus : float
         Contact modulus E* at the scale of a cell [Pa]; for layered bodies, the modulus near the
         surface.
@@ -361,7 +363,7 @@ class ResolvedAdhesion(HtmlTable):
 def _of_cell(grid: Grid, body1: Body, body2: Body) -> tuple[float, float]:
     """Return the displacement of a cell under unit pressure [m/Pa], and the contact modulus [Pa].
 
-    The modulus is E* of half-spaces with an equal displacement of a single cell under pressure.
+    The modulus is E* of the half-spaces on which a cell under unit pressure is displaced equally.
     """
     cores = relaxed(body1)._core, relaxed(body2)._core
     alone = Grid(1, 1, grid.dx, grid.dy)

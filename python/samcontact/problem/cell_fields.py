@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conversion of fields to the memory layout of the core."""
+"""Conversion of fields to the memory layout of the compiled core."""
 
 from __future__ import annotations
 

@@ -9,9 +9,10 @@ from .grid import Grid
 
 
 def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bool:
-    """Return whether any layered body can yield or has inclusions.
+    """Return whether any layered body can yield or has inclusions, after checking these bodies.
 
-    Raises ValueError if such a body is not supported.
+    Raises ValueError for such a body if its substrate is rigid, if `residual_stress` is "exact", or
+    if the bottom of a layer lies inside a layer of cells.
     """
     flows = False
     for n, given in enumerate(bodies, 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact laws: lower bound of the pressure as a function of the gap, and the cells in contact.
+"""Contact laws: lower bound of the pressure at a given gap; condition for cells in contact.
 
 A cell is in contact if its pressure exceeds the lower bound. Only this module defines this
 condition.
@@ -30,18 +30,18 @@ if TYPE_CHECKING:
 class ContactLaw(HtmlTable):
     """Contact law; the dataclass fields are the parameters, with their units as metadata.
 
-    The pressure is p = r - a(g). The repulsion r is >= 0 in closed cells and 0 elsewhere; a(g) >= 0
-    is the attraction across the gap g. With an attractive law, friction depends on the repulsion
-    (unless a law of `Adhesion` states otherwise) and the grid is not enlarged. A simulation starts
-    with separated bodies under the maximum tension. A prescribed pressure, heat, and `advance`
-    under partial slip are not supported.
+    The pressure is p = r - a(g). The repulsion r is >= 0 in cells without a gap and 0 elsewhere;
+    a(g) >= 0 is the attraction across the gap g. With an attractive law (a > 0), friction depends
+    on the repulsion (unless `friction_on` of `Adhesion` states otherwise), the grid is not
+    enlarged, and a simulation starts with separated bodies under the maximum tension. An attractive
+    law does not support a prescribed pressure, heat, or `advance` under partial slip.
     """
 
     kind: ClassVar[str]
-    """Name of the law in case files, results and the core."""
+    """Name of the law in case files, in results and in the compiled core."""
 
     def to_core(self) -> _core.ContactLaw:
-        """Return the law as an object of the core."""
+        """Return the law as an object of the compiled core."""
         return _core.ContactLaw(self.kind, list(astuple(self)))
 
     @cached_property

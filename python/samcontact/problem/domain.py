@@ -69,7 +69,7 @@ class SurfaceGeometry:
 
 
 def _require_possible(grid: Grid, face: float) -> None:
-    """Raise ValueError if the grid is periodic, or if a free face is not on an edge of cells."""
+    """Raise ValueError if the grid is periodic, or if a free face at y = `face` cuts cells."""
     if grid.periodic:
         raise ValueError(
             f"free_faces cannot be combined with grid.periodic = {grid.periodic!r}, got a face at "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Friction laws. Each class corresponds to a law of the core with the same name.
+"""Friction laws. Each class corresponds to a law of the same name in the compiled core.
 
 The core defines the parameters of a law, their ranges and the bound of the shear traction. Checks,
 case files, results and checkpoints use these definitions.
@@ -54,7 +54,7 @@ class FrictionLaw(HtmlTable):
         self.to_core()  # checks the ranges
 
     def to_core(self) -> _core.FrictionLaw:
-        """Return the law as an object of the core; raise ValueError for an invalid parameter."""
+        """Return the law as an object of the compiled core; ValueError for invalid parameters."""
         made: _core.FrictionLaw | None = self.__dict__.get("_made")
         if made is None:
             values = {name: np.atleast_1d(value).tolist() for name, value in asdict(self).items()}
@@ -74,7 +74,10 @@ class FrictionLaw(HtmlTable):
         return bound
 
     def ratio(self, pressure: float) -> float:
-        """Return maximum shear / pressure [-]. This ratio never increases with pressure [Pa]."""
+        """Return the maximum shear at a pressure [Pa], divided by this pressure [-].
+
+        The ratio is constant or decreases with increasing pressure.
+        """
         return self.to_core().ratio(non_negative("pressure", pressure))
 
     @property
@@ -99,7 +102,7 @@ class FrictionLaw(HtmlTable):
 
     @property
     def varies_along_x(self) -> bool:
-        """Whether the friction varies along x with the material of a body."""
+        """Whether the friction varies along x over a body, and thus moves with the body."""
         return False
 
     @property
@@ -140,7 +143,7 @@ class FrictionLaw(HtmlTable):
 
 
 def _numbers(name: str, given: Any) -> tuple[float, ...]:
-    """Return a list of numbers, or the rows of a table one after the other, as a tuple."""
+    """Return a tuple of the numbers in a list, or in a table row after row."""
     values = real_array(name, [] if given is None else given)
     return tuple((values.ravel() + 0.0).tolist())
 
@@ -256,7 +259,7 @@ def sticking_law(friction: Any) -> FrictionLaw:
 
 
 def has_history(law: FrictionLaw, bodies: Iterable[Any]) -> bool:
-    """Whether the bodies carry partial slip or plastic strain with them, cell by cell."""
+    """Whether partial slip or plastic strain is stored in cells that move with the bodies."""
     return law.sticks or any(body.is_plastic for body in bodies)
 
 
@@ -293,7 +296,7 @@ _ATTRIBUTE_PREFIX = "friction_"
 
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
-    """Return the law as attributes of results: friction_law, and friction_... per parameter."""
+    """Return the law as attributes of results: "friction_law", "friction_" + parameter name."""
     given = {name: value for name, value in law.to_tree().items() if value != []}
     return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in given.items()}
 

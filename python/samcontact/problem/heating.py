@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of frictional heating against bodies and grid, and conversion for the core."""
+"""Checks that bodies and grid support frictional heating; conversion for the compiled core."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: Fricti
 
 
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
-    """Return the heating of each body for the core; raise ValueError for unsupported heating.
+    """Return the heating of each body for the compiled core; ValueError if not supported.
 
     duration: length of the increment under transient heating [s].
     """
@@ -90,7 +90,7 @@ def _thicknesses(body: Body) -> list[float]:
 def _required_constants(
     name: str, n: int, body: Body, factor: float
 ) -> tuple[tuple[float, float, float], ...]:
-    """Return the thermal constants of a body; raise ValueError if heat cannot enter it."""
+    """Return the thermal constants of a body; ValueError if it has none or is rigid."""
     if body.is_rigid:
         raise ValueError(f"{name} must be 0 for rigid body{n}, got {factor!r}")
     if materials_of(body)[-1].is_rigid:
@@ -118,7 +118,7 @@ def _of_missing(body: Body) -> str:
 
 
 def _require_in_layers(n: int, body: Body, grid: Grid) -> None:
-    """Raise ValueError if a layer of a heated body is too thin."""
+    """Raise ValueError if a layer of a heated body is too thin for the cells of the grid."""
     cell = max(grid.dx, grid.dy)
     for k, thickness in enumerate(_thicknesses(body)):
         if thickness < MIN_THICKNESS * cell:
@@ -136,7 +136,7 @@ def _diffusivities(thermal: Sequence[tuple[float, float, float]]) -> tuple[float
 
 
 def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: float) -> None:
-    """Raise ValueError on a periodic grid for steady heat, or heat that moves along a period."""
+    """Raise ValueError on a periodic grid if a heat source is steady or moves along a period."""
     if not grid.periodic:
         return
     if heat.time is None and heat.history is None:
@@ -188,7 +188,7 @@ def require_speeds(heat: Heat, bodies: Bodies, grid: Grid, speeds: Sequence[floa
 
 
 def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float) -> None:
-    """Raise ValueError if heat diffuses over too small a part of a cell in the shortest step."""
+    """Raise ValueError if heat diffuses over too short a distance in the shortest time step."""
     cell = max(grid.dx, grid.dy)
     if math.sqrt(diffusivity * shortest) < MIN_DIFFUSION_LENGTH * cell:
         minimum = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
@@ -207,11 +207,11 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
 
 
 def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], FloatArray] | None:
-    """Return a function for the thermal softening of a body in cells of thickness dz [m], or None.
+    """Return a function for the thermal softening of a body; None if it does not soften.
 
-    The arguments of the function are temperature rises [K], shape (nx, ny, m), and the number of
-    cell layers above these cells. The function returns factors on the yield stress, by the law of
-    the material in each cell.
+    dz: thickness of the cells [m]. The arguments of the function are temperature rises [K], shape
+    (nx, ny, m), and the number of cell layers above these cells. The function returns factors on
+    the yield stress, by the law of the material in each cell.
     """
     if body.softening is None:
         return None
@@ -232,7 +232,7 @@ def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], Fl
 
 
 def core_law(body: Body, dz: float | None) -> Callable[[FloatArray], FloatArray] | None:
-    """Return a function for softening in the core, with results of shape (nz, nx, ny), or None."""
+    """Return the function of `softening_of` with results of shape (nz, nx, ny), or None."""
     law = softening_of(body, dz)
     if law is None:
         return None
@@ -251,7 +251,7 @@ def require_reference(heat: Heat) -> None:
 
 
 def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
-    """Raise ValueError if heat.partition is given in full sliding, or missing though required."""
+    """Raise ValueError if heat.partition is needed but missing, or is given in full sliding."""
     if friction.needs_temperature and heat.partition is None:
         raise ValueError(
             f"heat.partition is required with friction = {in_short(friction)}, which depends on "

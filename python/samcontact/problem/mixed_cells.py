@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conversion of the cells of heterogeneous bodies for the core."""
+"""Conversion of the cells of heterogeneous bodies for the compiled core."""
 
 from __future__ import annotations
 
@@ -19,11 +19,16 @@ from .two_phase_cells import set_two_phases
 def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
     """Return the cells that differ from the matrix of a body, and the materials of its inclusions.
 
-    The result is None for a body without such cells; otherwise it is a tuple of four items: the
-    first cell of a box around the differing cells; for each cell [k][i][j] of the box, its number
-    among the differing cells, or -1 in the matrix; one row of constants for each differing cell
-    (bulk and shear modulus, share of the inclusion, misfit, material, normal of two phases,
-    expansion); and the materials of the core. Raises ValueError for unsupported materials.
+    The result is None for a body without such cells; otherwise it is a tuple of four items:
+
+    1. first cell of a box that contains all differing cells;
+    2. for each cell [k][i][j] of the box, its row in item 3, or -1 for a cell of the matrix;
+    3. a row of constants for each differing cell: bulk and shear modulus, share that the inclusion
+       fills, misfit strain, index in item 4, normal of the interface between two phases, thermal
+       expansion;
+    4. the materials of the inclusions, as objects of the compiled core.
+
+    Raises ValueError for unsupported materials.
     """
     if not isinstance(body, Heterogeneous):
         return None
@@ -53,7 +58,7 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
 
 
 def _differs(cells: InclusionCells, body: Heterogeneous) -> BoolArray:
-    """Whether a cell differs from the matrix in its moduli, misfit strain or yield law."""
+    """Return for each cell whether moduli, misfit strain or yield law differ from the matrix."""
     own_law = np.array([
         material is None or not _flows_like(material, material_around(body, number))
         for number, material in enumerate(body.phases)

@@ -69,7 +69,7 @@ class Relief(ShortRepr):
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
-    """Check a relief against the grid, and return arguments of the core; None without relief."""
+    """Check a relief against the grid; return arguments of the compiled core, or None."""
     if relief is None:
         return None
     if not isinstance(relief, Relief):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Settings of `ContactSolver` and `Simulation`, with their defaults and ranges.
 
-Argument checks, repr, checkpoints, the section [contact] of case files, and the core use these
-definitions.
+Argument checks, repr, checkpoints, the section [contact] of case files, and the compiled core
+use these definitions.
 """
 
 from __future__ import annotations
@@ -186,7 +186,7 @@ class Settings(ContactSettings):
             )
 
     def to_core(self, dx: float) -> _core.Settings:
-        """Return the settings for the core; dx: cell size along x [m]."""
+        """Return the settings for the compiled core; dx: cell size along x [m]."""
         given = self.arguments()
         del given["friction"], given["adhesion"], given["stiffness"]  # passed separately
         given["increment_tol"] = self.increment_tol or 0.0

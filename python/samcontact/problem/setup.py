@@ -40,10 +40,11 @@ class SimulationSetup:
         return self.settings.law
 
     def steps_of_motion(self, grid: Grid) -> tuple[float, float | None]:
-        """Return the lengths along x and y [m] of which displacements of the bodies are multiples.
+        """Return the lengths along x and y [m] in multiples of which the bodies are displaced.
 
-        Along x, other displacements shift the contact origin in the grid. Along y, None means that
-        any displacement is possible, because the bodies have no history (see `has_history`).
+        Along x, the remainder of any other displacement shifts the contact origin in the grid (see
+        `State.origin`). None along y: any displacement is possible, because the bodies have no
+        history (see `has_history`).
         """
         return grid.dx, grid.dy if has_history(self.friction, self.bodies) else None
 
@@ -54,7 +55,7 @@ class SimulationSetup:
 
     @property
     def needs_duration(self) -> bool:
-        """Whether increments without heat require a duration."""
+        """Whether increments require a duration even if there is no heat."""
         return relaxes(self.body1, self.body2) or self.friction.needs_duration
 
     def resolved_adhesion(self, grid: Grid) -> ContactLaw:

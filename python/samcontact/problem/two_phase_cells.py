@@ -24,12 +24,13 @@ At larger ratios, mixed moduli are more accurate.
 def set_two_phases(
     body: Heterogeneous, cells: InclusionCells, grid: Grid, fields: Sequence[FloatArray]
 ) -> None:
-    """Set the constants of the cells that are computed as two phases (laminates), in place.
+    """Set the constants of the cells that are computed as two phases (laminates); change `fields`.
 
     fields: bulk and shear modulus, share, six misfit strains, index of the material, three
     components of the normal, and thermal expansion of each cell. The two-phase cells are the partly
     filled cells, unless nothing yields, the matrix has backstresses, or the moduli differ by a
-    large factor, as in a void. Two-phase cells get the constants and the normal of the inclusion.
+    large factor, as in a void. In a two-phase cell, the fields are set to the constants of the
+    inclusion and to its normal.
     """
     if not body.is_plastic or backstresses_of(body):
         return

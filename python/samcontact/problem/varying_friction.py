@@ -78,7 +78,7 @@ class MappedCoulomb(FrictionLaw):
 
     @property
     def varies_along_x(self) -> bool:
-        """Whether the friction varies along x with the material of a body."""
+        """Whether the friction varies along x over a body, and thus moves with the body."""
         return len(self.x) > 1
 
 
@@ -124,7 +124,7 @@ class FallingCoulomb(FrictionLaw):
 
     mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
     In short increments, a cell may be in equilibrium with and without slip: such an increment is
-    refused unless the law has a memory. With a memory d, v is a mean of the slip rates of a
+    rejected unless the law has a memory. With a memory d, v is a mean of the slip rates of a
     material point over its slip path, with weights that decrease by a factor of e over a distance
     of d.
 

@@ -37,7 +37,7 @@ KIND = "simulation"
 
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
-    """Write a checkpoint file; on failure, an old file is kept. more: further data to store."""
+    """Write a checkpoint file; on failure, the old file is kept. more: further data to store."""
     tree = {"setup": _setup_tree(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 
@@ -45,7 +45,7 @@ def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) 
 def read_checkpoint(
     path: str | os.PathLike[str], softening: Sequence[Any]
 ) -> tuple[Snapshot, Tree]:
-    """Read a checkpoint file; return the snapshot of the simulation and all data trees."""
+    """Read a checkpoint file; return the snapshot of the simulation, and all data of the file."""
     try:
         law1, law2 = softening
     except (TypeError, ValueError) as error:

@@ -57,7 +57,7 @@ class Engine:
         self.preparation: Preparation | None = None
         """Preparation that this simulation began with; repetitions begin with it too."""
         self.access = ExclusiveAccess()
-        # The core does not own them.
+        # Kept here, because the core does not own them.
         self._laws = [core_law(body, grid.dz) for body in setup.bodies]
         self._may_overlap = may_overlap(setup.bodies, setup.friction)
         self._open(self._checked_domain(grid))
@@ -65,9 +65,10 @@ class Engine:
         """The domain before any enlargement."""
 
     def _open(self, domain: Domain, prepare: Callable[[Any], object] | None = None) -> None:
-        """Switch to another domain; `prepare` sets the state of the new core (default: initial).
+        """Switch to another domain with a new compiled core; `prepare` sets the state of the core.
 
-        After an error or interrupt, the old domain and core remain in use.
+        By default, the core is in the initial state. After an error or interrupt, the old domain
+        and core remain in use.
         """
         core = self._core_over(domain)
         if prepare is not None:
@@ -122,13 +123,13 @@ class Engine:
         return self.state_of(self.core.state, self.heat)
 
     def state_of(self, core: Any, heat: Heat) -> State:
-        """Wrap a state of the core as a State, with the heating of the next increment."""
+        """Create a `State` from a state of the compiled core; heat: that of the next increment."""
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
-        """Solve an increment; return the step, and the core states before and after the increment.
+        """Solve an increment; return the step, and the states of the core before and after it.
 
-        The core state before the increment is None unless the bodies might overlap.
+        The state before the increment is None unless the bodies might overlap.
         """
         with self.access:
             while True:
@@ -154,7 +155,7 @@ class Engine:
     def advance(
         self, given: Mapping[str, Any], monitor: Monitor
     ) -> tuple[State, list[UserWarning]]:
-        """Advance by one increment; return the new state, and the warnings of the core."""
+        """Advance by one increment; return the new state, and the warnings to issue."""
         setup = self.setup
         earlier = self.state if self._arguments.relaxes else None
         step, before, core = self.solve(given, monitor)

@@ -45,9 +45,9 @@ _FIELDS = {
 
 
 def names(bodies: Sequence[Body], body: int = 2, *, volume: bool = True) -> list[str]:
-    """Return the names of quantities of the contact, of elastic-plastic and of viscoelastic bodies.
+    """Return the names of all quantities with error control: of the contact and of its bodies.
 
-    If no body is elastic-plastic, the only quantity of a body is the von Mises stress of `body`.
+    If no body is elastic-plastic, the von Mises stress is included for one body only: `body`.
     """
     inelastic = [n for n, material in enumerate(bodies, 1) if material.is_plastic]
     relaxing = [n for n, material in enumerate(bodies, 1) if relaxes(material)]
@@ -65,11 +65,11 @@ def value(state: State, name: str) -> float:
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """Return one or several values whose maximum is the quantity; each value converges separately.
+    """Return one or several values, of which the quantity is the maximum.
 
-    A volume field has several values: the maximum below the surface and the maximum at the surface;
-    for each layer, the maximum inside the layer and the maxima at both faces. Which of these maxima
-    is the largest may depend on the grid.
+    For a volume field, these are the maximum below the surface and the maximum at the surface; for
+    each layer, the maximum inside the layer and the maxima at both faces. Each value is compared
+    separately between grids, because another one may be the largest on another grid.
     """
     if name in ("load", "approach"):
         return (float(getattr(state, name)),)
@@ -120,7 +120,7 @@ def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
 
 
 def _fields(state: State, kind: str, body: int) -> list[FloatArray]:
-    """Return the scalar fields whose overall maximum is the quantity."""
+    """Return the scalar fields of a body, over all of which the quantity is the maximum."""
     zones = state.zones(body)
     if not zones and kind != "max_von_mises":
         return []
@@ -149,7 +149,7 @@ def _parts_of_material(cells: FloatArray, *, is_layer: bool) -> list[float]:
 
 
 def _count(materials: int) -> int:
-    """Return how many values `parts` gives for a body that consists of several materials."""
+    """Return the number of values that `parts` returns for a body with this many materials."""
     return 3 * materials - 1
 
 

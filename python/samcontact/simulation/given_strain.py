@@ -33,8 +33,8 @@ def set_plastic_strain(
 ) -> None:
     """Set the plastic strain of a body, see `Simulation.set_plastic_strain`.
 
-    anywhere: whether the strain may lie entirely outside the grid, as in a preparation, whose
-    strain may move into the grid later.
+    anywhere: whether the strain may lie entirely outside the grid, like that of dents that are made
+    before the path, and that enter the grid later.
     """
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])
@@ -48,7 +48,7 @@ def set_plastic_strain(
 
 
 def prepare(simulation: Any, preparation: Preparation | None) -> None:
-    """Apply a preparation to a new simulation, and to its repetitions for error estimates."""
+    """Apply a preparation, e.g. dents, to a new simulation, and store it for repetitions."""
     if preparation is not None:
         simulation.engine.preparation = preparation
         preparation(simulation)
@@ -73,7 +73,7 @@ def plastic_fields(
     terms: int,
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-    """Check a plastic state; return its fields with z before x. terms: number of backstresses."""
+    """Check a plastic state; return its fields, axis z before x. terms: number of backstresses."""
     given = real_array("strain", strain).shape
     fits = len(given) == 4 and min(given) > 0
     rows = grid.nx
@@ -134,7 +134,7 @@ def eigenstrain_field(
 
 
 def _three(name: str, numbers: Cells, minimum: int) -> tuple[int, int, int]:
-    """Return three checked integers."""
+    """Check that `numbers` are three integers >= `minimum`, and return them."""
     try:
         i, j, k = numbers
     except (TypeError, ValueError) as error:

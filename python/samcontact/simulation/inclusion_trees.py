@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Heterogeneous bodies as trees of plain data for checkpoints, and back."""
+"""Conversion of heterogeneous bodies to trees of plain data for checkpoints, and back."""
 
 from __future__ import annotations
 

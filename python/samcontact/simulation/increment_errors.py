@@ -49,8 +49,8 @@ which occurs in single cells. The two values used are calibrated, see docs/theor
 _logger = logging.getLogger("samcontact")
 
 _RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
-"""Ratios as above for creep without plastic flow or partial slip, with half (True) or twice (False)
-as many increments: exact for first-order convergence, an upper bound for second order."""
+"""Like the ratios above, for creep without plastic flow or partial slip: with half (True) or twice
+(False) as many increments. Exact for first-order convergence, an upper bound for second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
 """Function that runs a setup on a grid, with an initial heat, along a path."""
@@ -134,8 +134,8 @@ def check_errors(
 
     No error is estimated if a warning filter ignores the warning.
 
-    states: the latest states. factor: an error is estimated only if the number of increments has
-    grown by this factor since the last estimate, which bounds the time of all estimates.
+    states: after the latest increments. factor: an error is estimated only if the number of
+    increments has grown by this factor since the last estimate; this limits the computing time.
     """
     history = engine.history
     if not monitor.checks_increments or not states or not history.is_due(factor):
@@ -252,14 +252,14 @@ def _compared(
 
 
 def _scaled(differences: Mapping[str, float], factors: Sequence[float]) -> dict[str, float]:
-    """Convert differences to errors by two factors: one for strains, one for other quantities."""
+    """Multiply differences by factors[0] for strains, factors[1] for others; return the errors."""
     return {
         name: factors[0 if "strain" in name else 1] * share for name, share in differences.items()
     }
 
 
 def _level(states: Sequence[State]) -> int:
-    """Return how often the cell size is doubled to obtain the grid of the estimate."""
+    """Return how many times the cell size is doubled to obtain the grid of the estimate."""
     top = max(states, key=lambda state: float(state.pressure.max()))
     periodic = top.grid.periodic
     yields = any(states[-1].max_equivalent_plastic_strain(body) > 0 for body in (1, 2))
@@ -307,7 +307,7 @@ def _difference(both: Sequence[tuple[FloatArray, ...]], floor: float) -> float:
 
 
 def _common(one: FloatArray, other: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Restrict two fields to common cells: equal centres, layers from the surface down."""
+    """Restrict two fields with the same centre to their common cells and layers."""
     if one.shape == other.shape:
         return one, other
     x = 1 if one.ndim == 3 and len(one) == 2 else 0  # for a pair of components

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Sizes = tuple[float, float | None]
-"""Cell sizes along x and y [m]; None along y if bodies may move by parts of cells along y."""
+"""Cell sizes along x and y [m]; None for y if bodies may move along y by a part of a cell."""
 Ends = list[tuple[int, int]]
 """Pairs of indices (from 0) of increments in two paths that end at equal targets."""
 _TARGETS = ("load", "approach", "torque")
@@ -37,7 +37,10 @@ def _is_by_cells(changes: FloatArray, sizes: Sizes) -> bool:
 
 
 def are_multiples(changes: FloatArray, sizes: Sizes) -> bool:
-    """Whether displacements [body][axis] are multiples of cell sizes; sizes[1] None: x only."""
+    """Whether displacements [body][axis] are multiples of the cell sizes.
+
+    If sizes[1] is None, only the displacements along x are checked.
+    """
     axes = 1 if sizes[1] is None else 2
     cells = changes[:, :axes] / np.array(sizes[:axes])
     return bool(np.allclose(cells, np.round(cells), atol=1e-6))
@@ -181,7 +184,7 @@ def _continues(before: Step, step: Step, after: Step) -> bool:
 
 
 def _pairs(name: str, step: Step, after: Step) -> list[tuple[float | None, float | None]]:
-    """Return pairs of the components of a motion in two increments."""
+    """Return, for each component of a motion, its values in two increments."""
     if name == "shift":
         return list(zip(step[name], after[name], strict=True))
     one, other = (both_axes(each[name]).ravel().tolist() for each in (step, after))

@@ -29,9 +29,9 @@ if TYPE_CHECKING:
 
 
 def describe(engine: Engine, **what: Any) -> Identity:
-    """Return the identity of a run about to begin, from the setup and other data, e.g. the path.
+    """Return data that identify a run before it begins: setup and further data, e.g. the path.
 
-    Softening laws are separate parts, so that messages can name them.
+    Softening laws are listed separately, so that an error message can name them.
     """
     arguments = engine.setup.on_domain(engine.first, engine.heat)
     for number in (1, 2):
@@ -72,7 +72,7 @@ class Journal:
         Solver of the increments.
     run_identity : Identity
         Identity of the run, from `describe` before the first increment. Checkpoints of another run
-        are refused.
+        are rejected.
 
     Raises
     ------
@@ -129,7 +129,7 @@ class Journal:
         self.count += 1
 
     def add_all(self, states: Iterable[State]) -> None:
-        """Store checkpoints of all increments so far, for a run that had no journal until now."""
+        """Store checkpoints of all previous increments, for a run that starts a journal later."""
         for state in states:
             self.add(state)
 

@@ -34,17 +34,17 @@ _CREEP = (
 
 
 def heat_of(state: State) -> Tree:
-    """Return the heat history at an unloaded state as plain data."""
+    """Return the history of the heat at an unloaded state, as plain data."""
     return _parts_of(state, _HEAT)
 
 
 def creep_of(state: State) -> Tree:
-    """Return tractions and traction memory at a state of viscoelastic bodies as plain data."""
+    """Return tractions of viscoelastic bodies, and their memory of earlier ones, as plain data."""
     return _parts_of(state, _CREEP)
 
 
 def continue_history(engine: Engine, *parts: Tree) -> None:
-    """Let a simulation that has not started yet continue the history of heat or creep on its grid.
+    """Let a new simulation continue the histories `parts` of heat or creep, given on its grid.
 
     An empty history has no effect.
     """

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def relaxing_step(engine: Engine, hold: str | None) -> dict[str, Any]:
     """Return the arguments of `Simulation.step` for the long-time state.
 
-    hold: "load" or "approach", which remains constant; None: the one that the last step gave.
+    hold: "load" or "approach", which remains constant; None: the one prescribed in the last step.
 
     Raises ValueError if no body is viscoelastic, or if one is a fluid.
     """

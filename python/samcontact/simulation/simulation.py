@@ -77,7 +77,7 @@ class Simulation(Configured, HtmlTable):
     image_tol : float, optional
         Maximum error of "fast" due to periodicity, relative to the residual stress, in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
-        Boxes of cells for the plastic strain. "auto": several if this saves work, e.g. on rough
+        Boxes of cells with plastic strain. "auto": several boxes if this saves work, e.g. on rough
         surfaces; "one": one box. The choice changes results by about 1e-3 of the residual stress.
     heat : Heat, optional
         Frictional heating. Default: none, `Heat(0.0)`.
@@ -99,8 +99,8 @@ class Simulation(Configured, HtmlTable):
     Notes
     -----
     If the contact reaches the edge, the grid is enlarged by cells of unchanged size, up to 64 times
-    the cells; `run` returns all states on the last grid. With a period, heat.history, softening or
-    attraction, the grid is fixed.
+    the cells; `run` returns all states on the last grid. The grid is fixed if it is periodic, and
+    with heat.history, softening or attraction.
     """
 
     _last = "engine"
@@ -223,7 +223,7 @@ class Simulation(Configured, HtmlTable):
             Duration of the increment [s]: >= 0 with viscoelastic bodies, which move by whole cells;
             > 0 with `heat.partition`, `heat.history` or `FallingCoulomb`, or 0 to move unloaded.
         moment, tilt : pair of floats, optional
-            As in `ContactSolver.solve`, at the end of the increment. Without both: tilt unchanged.
+            As in `ContactSolver.solve`, at the end of the increment; if omitted, the tilt is kept.
 
         Returns
         -------
@@ -345,8 +345,8 @@ class Simulation(Configured, HtmlTable):
         backstress : array_like, shape (terms, 6, nx, ny, nz), optional
             Deviators of kinematic hardening [Pa], as from `State.backstress`; default 0.
         first : int, optional
-            Grid row of the first row of these fields, possibly negative. The fields may then have
-            any length: ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
+            Grid row along x at which these fields begin, possibly negative. They may then have any
+            length along x: ``set_plastic_strain(2, track.plastic_strain(), first=track.first)``.
         """
         set_plastic_strain(self.engine, body, strain, equivalent, backstress, first)
 

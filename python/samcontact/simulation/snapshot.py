@@ -26,7 +26,7 @@ class Snapshot:
     arguments: dict[str, Any]
     """Arguments of `Simulation`."""
     state: Tree
-    """Components of the state of the simulation, as the core stores them."""
+    """Components of the state of the simulation, as the compiled core stores them."""
     counters: dict[str, int]
 
     @classmethod

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checked arguments of a step of a simulation, converted for the core."""
+"""Checked arguments of a step of a simulation, converted for the compiled core."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ Travels = tuple[tuple[float, float], tuple[float, float]]
 
 @dataclass(frozen=True)
 class Step:
-    """Targets and motions of an increment for the core, and the heat from this increment on."""
+    """Targets and motions of an increment for the compiled core, and the heat from then on."""
 
     normal: NormalDrive | None
     """None with prescribed tractions."""
@@ -195,7 +195,10 @@ class StepArguments:
         return changed
 
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
-        """Return the heating of both bodies for the core; duration [s] is for transient heat."""
+        """Return the heating of both bodies for the compiled core.
+
+        duration: that of the increment [s] with heat.history; otherwise None.
+        """
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
             require_heat_of(self.friction, heat)
@@ -333,10 +336,10 @@ def _of_friction(
 
 
 def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid: Grid) -> None:
-    """Raise ValueError unless the bodies move by whole cells, at the velocity of the heat.
+    """Raise ValueError unless the bodies move by whole cells along x, and at heat.velocity.
 
-    With a track, the velocity follows from the motion. With a track along y, motion by fractions of
-    a cell passes this check; motion of bodies with a history is checked separately.
+    With heat.track, the velocity follows from the motion, and is not checked. With a track along y,
+    the bodies may move by fractions of a cell; if they have a history, the caller checks this.
     """
     if heat.track is not None:
         for axis, (cells, length) in enumerate(zip(advance, heat.tracks, strict=True)):

@@ -24,12 +24,12 @@ Path = Sequence[Mapping[str, Any]]
 def run_list(name: str, path: Any) -> list[dict[str, Any]]:
     """Return a path as a list of dictionaries, after checking their keys.
 
-    Raises TypeError and ValueError.
+    Raises TypeError or ValueError for an invalid path.
     """
     retractions: dict[int, dict[str, Any]] = {}
 
     def steps() -> Iterator[Any]:
-        """Iterate over the steps, with a plain step in the place of each retraction."""
+        """Iterate over the steps; replace each retraction by a plain step, and remember it."""
         for n, step in enumerate(path):
             if not isinstance(step, Mapping) or "pull_off" not in step:
                 yield step
@@ -54,7 +54,7 @@ def run_list(name: str, path: Any) -> list[dict[str, Any]]:
 def unfolded(
     path: Path, engine: Engine, current: Callable[[], State]
 ) -> Iterator[Mapping[str, Any]]:
-    """Iterate over the arguments of increments; the caller solves each before it takes the next.
+    """Iterate over the arguments of increments; each must be solved before the next is requested.
 
     current: function that returns the state after the increments so far. Raises ValueError without
     adhesion, or if a retraction does not separate the surfaces.
@@ -71,9 +71,9 @@ def unfolded(
 
 
 def solved_path(path: Path, engine: Engine, states: Sequence[State]) -> list[Mapping[str, Any]]:
-    """Return the arguments of the increments that led to the states of a run along a path.
+    """Return the arguments of the increments whose states a run along a path has returned.
 
-    Raises ValueError if the path begins with a retraction, from an unknown state.
+    Raises ValueError if the path begins with a retraction, because its initial state is unknown.
     """
     if path and "pull_off" in path[0]:
         raise ValueError("path must begin with increments that make contact, got pull_off first")
@@ -99,7 +99,7 @@ def count_text(path: Path) -> str:
 
 
 def _step_of(retraction: Retraction, engine: Engine) -> float:
-    """Return the step of a retraction [m]; raise ValueError without adhesion or without a step."""
+    """Return the step of a retraction [m]; ValueError without adhesion, or if it is unknown."""
     law = engine.setup.resolved_adhesion(engine.domain.grid)
     if not law.attracts:
         raise ValueError(

@@ -59,8 +59,9 @@ def perimeter_correction(
 ) -> float:
     """Return the perimeter correction of `contact_area`, relative to the contact area [-].
 
-    The correction is 0 if the contact edge is located from the pressure. Arguments as for
-    `contact_area`.
+    The correction is the area that `contact_area` subtracts from the counted cells because of their
+    sides on the contact outline. It is 0 if the contact edge is located from the pressure. The
+    arguments are those of `contact_area`.
     """
     area, uncertainty = _located(pressure, periodic, gap)
     return uncertainty / area if area > 0 else 0.0

@@ -188,9 +188,10 @@ class PartialSlipSolution(ShearedSolution):
         With dissimilar materials this residual refers to the final pressure, and `error` is the
         complementarity error of the pressure for the final shear.
     energy_gap : float
-        Error bound of the shear, as an energy [J]: with the computed slip, no admissible shear
-        traction dissipates more than `energy_gap` in addition to the computed one. The elastic
-        energy of the error of the shear is at most half of `energy_gap`. NaN for infinite friction.
+        Error bound of the shear, as an energy [J]: with the computed slip, the dissipation of any
+        admissible shear traction exceeds that of the computed one by at most `energy_gap`. The
+        elastic energy of the error of the shear is at most half of `energy_gap`. NaN for infinite
+        friction.
     sweeps : int
         Number of alternating solutions for pressure and for shear; 1 if pressure and shear are
         uncoupled.
@@ -283,7 +284,7 @@ def rows_of_tilt(tilt: FloatArray, moment: FloatArray) -> Rows:
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid contains all cells of the grid of a solution; more cells are allowed."""
+    """Whether a grid contains all cells of the grid of a solution, and possibly more."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)
@@ -291,9 +292,9 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 
 
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
-    """Return pressure, shear, gap, approach and tilt of a solution on a grid with equal cells.
+    """Return pressure, shear, gap, approach and tilt of a solution on a grid of equal cell size.
 
-    Raises ValueError for a grid with other cells; `name` is the argument named in the message."""
+    Raises ValueError for another cell size; `name` is the name of the solution in the message."""
     if not fits(solution, grid):
         raise ValueError(
             f"{name} must be a solution on a grid with the same cells, got one on "
@@ -310,12 +311,12 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
 
 
 def slip_rate_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
-    """Return the slip rate on a grid with equal cells [m/s]; None if the solution has none."""
+    """Return the slip rate on a grid of equal cell size [m/s]; None if the solution has none."""
     return _centred_on(solution.slip_rate, solution.grid, grid)
 
 
 def plastic_slip_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
-    """Return the plastic slip on a grid with equal cells [m]; None if the solution has none."""
+    """Return the plastic slip on a grid of equal cell size [m]; None if the solution has none."""
     return _centred_on(solution.plastic_slip, solution.grid, grid)
 
 

@@ -48,9 +48,10 @@ class InclusionState:
     def disturbance(self, body: int = 2) -> FloatArray:
         """Stress due to plastic strain and inclusions [Pa], shape (6, nx, ny, nz).
 
-        It is the stress minus the stress due to tractions, heat and initial stress in the
-        homogeneous matrix. Without load it is the residual stress. Under load it also contains the
-        effect of the different stiffness of inclusions, which vanishes on unloading.
+        It is the total stress minus the stress that tractions, heat and initial stress cause in a
+        homogeneous body of the matrix material. Without load it is the residual stress. Under load
+        it also contains the effect of the different stiffness of inclusions, which vanishes on
+        unloading.
         """
         return self._field("disturbance", body)
 

@@ -20,7 +20,7 @@ _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
-    """Return the body; raise ValueError if it has no layers or is offset from the grid cells."""
+    """Return the body; ValueError if it has no layers, or its fields are offset from the grid."""
     found = matrix_of(bodies[body - 1])
     if not isinstance(found, Layered):
         raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")

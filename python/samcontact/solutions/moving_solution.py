@@ -22,8 +22,9 @@ class SlidingSolution(ContactSolution):
     velocity : float
         Velocity of body 1 relative to body 2 along x [m/s].
     tangential_load : ndarray, shape (2,)
-        Force on body 2 along x and y due to the inclination of the pressure [N]. The force along x
-        has the sign of the velocity. The opposite force on body 1 resists the sliding.
+        Force on body 2 along x and y [N], because the pressure acts normal to an inclined surface.
+        The force along x has the sign of the velocity. The opposite force on body 1 resists the
+        sliding.
     """
 
     velocity: float

@@ -14,9 +14,9 @@ from .._util.checks import FloatArray
 from ..problem.contact_law import in_contact
 
 MIN_EDGE_PRESSURE_RATIO = 1.05
-"""Minimum ratio of the pressures in a cell at a sharp edge and in the next inner cell."""
+"""Minimum pressure in a cell at a sharp edge, divided by the pressure in the next inner cell."""
 MIN_STEP_RATIO = 8.0
-"""Minimum ratio of the height of a step to the changes of slope of the gap next to the step."""
+"""Minimum height of a step of the gap, divided by the changes of slope next to the step."""
 
 Ints = NDArray[np.intp]
 _BLOCK_CELLS = 1 << 13
@@ -63,7 +63,7 @@ def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
 
 
 class Sides(NamedTuple):
-    """Sides of cells (i, j) normal to an axis; step: direction from cell to side, +1 or -1."""
+    """Sides of the cells (i, j) that are normal to `axis`; step: +1 or -1, from cell to side."""
 
     i: Ints
     j: Ints
@@ -71,7 +71,7 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Return i and j of the cells that lie `cells` cells outwards, cyclic at the grid edge."""
+        """Return i and j of the cells that lie `cells` cells beyond the sides; periodic indices."""
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
@@ -178,10 +178,10 @@ def _bends_suddenly(heights: FloatArray) -> bool:
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:
-    """Whether any cell has more than `MIN_EDGE_PRESSURE_RATIO` times the pressure of neighbours.
+    """Whether in any cell the pressure is higher than in both neighbours along x, or along y.
 
-    The neighbours are the two along x, or the two along y. Every contact edge towards which the
-    pressure rises has such a cell, and a smooth contact has none.
+    Higher means at least by the factor `MIN_EDGE_PRESSURE_RATIO`. Every contact edge towards which
+    the pressure rises has such a cell, and a smooth contact has none.
     """
     for axis, name in enumerate("xy"):
         p = pressure if axis == 0 else pressure.T

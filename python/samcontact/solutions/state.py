@@ -107,7 +107,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
 
     @property
     def heat_factor(self) -> tuple[float, float]:
-        """Heat flux per unit pressure of both bodies [m/s]; with heat.partition, heat fractions."""
+        """Heat flux per unit pressure of bodies 1 and 2 [m/s]; fraction [-] with heat.partition."""
         return self._core.heat_factor1, self._core.heat_factor2
 
     @property
@@ -206,7 +206,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
         It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
-        stress due to tractions and heat. Under load it includes the mismatch of inclusions.
+        stress due to tractions and heat. Loaded inclusions of another stiffness add to it.
         """
         return self._field("residual_stress", body)
 
@@ -224,9 +224,9 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     def eigenstrain(self, body: int = 2) -> FloatArray:
         """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
-        Tensor components; this strain is not part of `plastic_strain`. For a `Heterogeneous` body
-        it also contains the strain that gives a homogeneous matrix the same stress: plastic strain,
-        misfit, and mismatch under the present load. In a void this strain is not unique.
+        Tensor components; not part of `plastic_strain`. For a `Heterogeneous` body it also contains
+        the strain with which a homogeneous matrix has the same stress: due to plastic strain,
+        misfit, and different stiffness of inclusions under load. In a void it is not unique.
         """
         return self._field("eigenstrain", body)
 
@@ -352,7 +352,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     def _field(
         self, name: str, body: int, compute: Callable[[], FloatArray] | None = None
     ) -> FloatArray:
-        """Return a field from the cache or else from `compute` (default: from the core)."""
+        """Return a field from the cache or else from `compute` (default: the compiled core)."""
         index = choice("body", body, (1, 2)) - 1
         return kept(self, (name, index), compute or (lambda: self._core_field(name, index)))
 

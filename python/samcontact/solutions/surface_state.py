@@ -95,7 +95,7 @@ class AttractionState(SlipRateState):
         return field
 
     def _surface(self, name: str) -> FloatArray:
-        """Return a surface field of the core; 0 if the core does not have this field."""
+        """Return a surface field of the compiled core; 0 if it does not have this field."""
         shape = self.grid.nx, self.grid.ny
         field = getattr(self._core, name)
         return np.zeros(shape) if field is None else field.reshape(shape)
@@ -125,7 +125,7 @@ class AttractionState(SlipRateState):
 
     @property
     def attraction_energy(self) -> float:
-        """Work of opening the closed gap against the attraction [J]; 0 without attraction."""
+        """Work against the attraction to open the gap from zero to its present height [J]."""
         return float(self._core.attraction_energy())
 
 
@@ -203,7 +203,7 @@ class SurfaceState(AttractionState, ViscousState):
 
     @cached_property
     def gap(self) -> FloatArray:
-        """Separation [m], shape (nx, ny); with prescribed tractions, for zero approach."""
+        """Separation [m], shape (nx, ny); with prescribed tractions, the approach is taken as 0."""
         field: FloatArray = self._core.gap()
         field.flags.writeable = False
         return field
@@ -226,7 +226,7 @@ class SurfaceState(AttractionState, ViscousState):
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
         """Elastic stress due to pressure and shear at arbitrary points [Pa], shape (6, ...).
 
-        Stress due to plastic strain and initial stress are not included; see `residual_stress`.
+        Stress due to plastic strain, and initial stress, are not included; see `residual_stress`.
         Arguments, errors and method are described in `ContactSolver.stress_at`.
         """
         number = choice("body", body, (1, 2))

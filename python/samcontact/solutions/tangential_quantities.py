@@ -49,7 +49,7 @@ TANGENTIAL_QUANTITIES = (
 def not_rounding(
     values: Mapping[str, FloatArray], load: FloatArray, approach: FloatArray, area: FloatArray
 ) -> list[str]:
-    """Return the names of forces and motions that exceed rounding errors."""
+    """Return the names of forces and motions that are larger than rounding errors."""
     p, d, a = (float(np.nanmax(np.abs(v), initial=0.0)) for v in (load, approach, area))
     size = a**0.5
     scales = (p, p, p * size, d, d, d / size if size > 0 else 0.0)

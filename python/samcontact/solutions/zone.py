@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic subdomain of a body."""
+"""Plastic subdomain of a body, i.e. a box of cells with plastic strain."""
 
 from __future__ import annotations
 
