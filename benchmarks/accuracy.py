@@ -71,7 +71,7 @@ of a machine that also did other work.
 
 ## Partial slip, periodic and rough surfaces, wear, shakedown, fatigue
 
-These uses were not used to calibrate the error estimate. The reference is a closed form (Hertz;
+These cases were not used to calibrate the error estimate. The reference is a closed form (Hertz;
 Cattaneo and Mindlin for bodies with Poisson's ratio 0; half the von Mises stress for the amplitude
 of Crossland's criterion), or a solution to {finer:g} % by the same program, whose own error limits
 the comparison. The heights of the rough surface are given at samples, and its errors refer to the

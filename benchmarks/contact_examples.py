@@ -62,7 +62,7 @@ def carter2d() -> Rows:
 
 
 def bentall() -> Rows:
-    """Rollers of different materials: creepage for four frictions and forces."""
+    """Rollers of different materials: creepage for four pairs of friction and force."""
     grid = sc.Grid(216, 1, 1e-6, 1.0)
     gap, load = sc.surfaces.paraboloid(grid, 25e-3, math.inf), 16201.9
     bodies = of_shear_modulus(23e9, 0.31), of_shear_modulus(82e9, 0.28)

@@ -89,8 +89,8 @@ REASONS = (
     ),
     Reason(
         "free faces|free_faces",
-        "Near a free face: displacement due to shear and heat, and plastic flow of the body with "
-        "this face; also periodic surfaces with a free face.",
+        "The displacement due to shear and heat near a free face, and plastic flow of the body "
+        "with this face; also periodic surfaces of a body with a free face.",
     ),
     Reason(
         "on a grid that is periodic along",
@@ -114,8 +114,8 @@ REASONS = (
     ),
     Reason(
         "inclusions",
-        "Inclusions in a body that a particle dents, and with the method "
-        '"exact", whose stress at the centres of cells makes soft inclusions unstable.',
+        "Inclusions in a body that is dented by a particle. Inclusions with the method "
+        '"exact": it evaluates the stress at cell centres, which makes soft inclusions unstable.',
     ),
 )
 

@@ -101,11 +101,12 @@ def above(records: list[Record]) -> str:
         name: transform_ratio(row) for name, row in largest(records).items()
         if transform_ratio(row) > STATED
     }  # fmt: skip
+    limit = f"more than {STATED:g} times the limit at the rate of transforms"
     if not found:
-        return f"At the largest sizes no job takes more than {STATED:g} times this limit."
+        return f"At the largest sizes, no job takes {limit}."
     worst = sorted(found.items(), key=lambda one: -one[1])
     listed = "; ".join(f"{name} ({value:.1f})" for name, value in worst)
-    return f"At the largest sizes, more than {STATED:g} times this limit: {listed}."
+    return f"At the largest sizes, these jobs take {limit}: {listed}."
 
 
 def page(records: list[Record]) -> str:

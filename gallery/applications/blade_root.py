@@ -85,7 +85,7 @@ APPLICATION = Application(
     title="Fretting of a blade",
     kind="blade",
     gains="The slip zone, the friction work and the tension at the edge of a blade root that is "
-    "pressed and shaken.",
+    "pressed and oscillated.",
     text="At full force {stick} of the contact sticks, and the edges slip. Each cycle dissipates "
     "{work} per millimetre. The tension at the trailing edge reaches {tension}; Findley's stress "
     "is largest there, {findley}, {place} from the edge of the contact.",

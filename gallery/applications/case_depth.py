@@ -67,8 +67,8 @@ APPLICATION = Application(
     "beyond which a deeper case gains nothing.",
     text="The exposure is the orthogonal shear stress divided by the local strength. It is {chd0} "
     "with a case hardening depth of 0.3 mm, {chd1} with 0.5 mm, {chd2} with 0.7 mm and {chd4} with "
-    "1.1 mm. A value of 1 is the limit: the thinnest case is not deep enough, and the deepest "
-    "cases gain little.",
+    "1.1 mm. A value of 1 is the limit: the thinnest case is not deep enough, and further "
+    "depth gains little.",
     commands=(
         "run case_depth.toml",
         "sweep case_depth.toml --set body2.hardness.depth=0.3e-3,0.5e-3,0.7e-3,0.9e-3,1.1e-3",
@@ -85,7 +85,7 @@ APPLICATION = Application(
     "from the hardness by the correlations on the page [life](../theory/life.md).",
     answers=answers,
     picture=picture,
-    caption="Exposure over depth for a case of 0.5 mm, and the largest exposure by case depth.",
+    caption="Exposure over depth for a case of 0.5 mm, and largest exposure for each case depth.",
     coarser=(
         ("nx = 96", "nx = 48"),
         ("dx = 20e-6", "dx = 40e-6"),

@@ -52,10 +52,10 @@ def answers(work: Work) -> list[Answer]:
     return [
         Answer("p0", "maximum pressure", p0, "Pa", error, "Hertz, without coating", flank().p0),
         Answer("tension", "largest tension along x in the coating", float(above[XX].max()), "Pa",
-               check="continuous strain at the interface", expected=float(in_coating(below).max())),
+               check="from the steel, with equal strain", expected=float(in_coating(below).max())),
         Answer("steel", "largest tension along x in the steel below", float(below[XX].max()), "Pa"),
         Answer("shear", "largest shear stress at the interface", float(np.abs(above[4]).max()),
-               "Pa", check="in the steel", expected=float(np.abs(below[4]).max())),
+               "Pa", check="on the steel side", expected=float(np.abs(below[4]).max())),
     ]  # fmt: skip
 
 
@@ -87,9 +87,9 @@ APPLICATION = Application(
     kind="coated_gear",
     gains="Tension in the coating of a gear flank under friction, and the shear stress at its "
     "interface.",
-    text="Behind the contact the friction pulls the coating with {tension}; the softer steel below "
-    "carries {steel} at the same strain. The interface transmits a shear stress of {shear}. The "
-    "coating hardly changes the pressure, {p0}.",
+    text="Behind the contact, friction causes a tension of {tension} in the coating, and of "
+    "{steel} in the steel below, which is softer and has the same strain. The interface transmits "
+    "a shear stress of {shear}. The coating hardly changes the pressure, {p0}.",
     commands=("run coated_gear.toml",),
     shown=("Estimated grid errors",),
     functions=(

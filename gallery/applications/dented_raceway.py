@@ -69,7 +69,7 @@ APPLICATION = Application(
     text="The particle leaves a dent of {depth}. The ball then causes a pressure of {peak} at the "
     "shoulder of the dent; before the dent the pressure is {away}. Dang Van's stress is largest at "
     "the shoulder: {dang_van} at {place} from the middle of the dent. Below the contact it reaches "
-    "{deep}, {below} deep. Cracks start at the shoulder.",
+    "{deep}, {below} deep. Cracks are therefore expected to start at the shoulder.",
     commands=("run dent.toml",),
     shown=("Estimated grid errors", "Fatigue of body 2"),
     functions=(

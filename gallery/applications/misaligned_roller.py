@@ -73,8 +73,8 @@ APPLICATION = Application(
     gains="The pressure at the end of a roller with the logarithmic profile of ISO/TS 16281 when "
     "it is tilted by 1 mrad.",
     text="The tilt raises the maximum pressure from {aligned} to {tilted}; in the middle it is "
-    "{middle}. The pressure varies within a few per cent of the length, and the cells near the "
-    "ends are refined until the error is below 2 %.",
+    "{middle}. The peaks of pressure at the ends extend over a few per cent of the length, and the "
+    "cells are refined until the error is below 2 %.",
     commands=("run roller.toml", "sweep roller.toml --set surface.tilt=0.0,0.0005,0.001"),
     shown=("Estimated errors", "At maximum von Mises stress"),
     functions=(

@@ -101,7 +101,8 @@ def page(application: Application, record: dict[str, Any]) -> str:
 
 {answers(record)}
 
-{errors(one)} The column difference compares the value with the check.
+{errors(one)} The column "difference" gives the relative
+difference between the value and the check.
 {one.limits}
 
 ## Commands

@@ -72,8 +72,8 @@ APPLICATION = Application(
         ("sc.measured.read", "measured surface"),
     ),
     guide=("rough surfaces", "roughness.md"),
-    limits="The sweep solves the case on these cells. Lubricant and debris are not "
-    "modelled. The threshold is a constant of the material.",
+    limits="The command `sweep` solves the case on both grids, first on the larger cells. "
+    "Lubricant and debris are not modelled. The threshold is a constant of the material.",
     answers=answers,
     picture=picture,
     caption="Wear along a line after each cycle, and a map of the worn depth at the end.",

@@ -121,8 +121,8 @@ def extrapolate_increments(steps: ArrayLike, used: int = 0, max_order: int = 1) 
         Change of the value when the number of increments is doubled, for each successive doubling;
         at least one doubling.
     used : int, optional
-        Index in `steps` of the doubling that starts from the number of increments used for the
-        value.
+        Index in `steps` of the doubling from n to 2 n increments, where n is the number of
+        increments with which the value was computed.
     max_order : {1, 2}, optional
         Highest order of convergence in the number of increments. With 1, the order is taken as 1;
         with 2, the observed order is used, limited to the range from 1 to 2.
@@ -159,6 +159,8 @@ def _further(d: FloatArray, max_order: int) -> FloatArray:
 
 def by_grid(coarse: FloatArray, finest: FloatArray) -> FloatArray:
     """Estimate the relative change of an increment correction from a coarse to the finest grid.
+
+    An increment correction extrapolates a value to infinitely many increments.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fatigue criteria of a path for which errors can be estimated, by their names in results files."""
+"""Fatigue criteria whose errors can be estimated, by their names in results files."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ QUANTITIES = CONTACT | {name: SWEEP[name] for name in SWEEP if name.startswith(P
 
 
 def names(case: Case, bodies: Sequence[Body]) -> list[str]:
-    """Return the names of the criteria of [fatigue].
+    """Return the names of the criteria in the section [fatigue] of a case.
 
     There are none for a layered body, because the criteria are discontinuous at interfaces.
     """

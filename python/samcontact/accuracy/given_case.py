@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conversion of an argument to a case of one contact."""
+"""Conversion of an argument (case, path or dictionary) to a case of one contact."""
 
 from __future__ import annotations
 

@@ -70,10 +70,10 @@ class GridErrors(HtmlTable):
     ----------
     values, errors : dict of ndarray, shape (increments,)
         Values and absolute errors by name in results files, in SI units. Values are interpolated
-        between cells, see docs/theory/accuracy.md. Volume quantities and their errors are given at
-        the increment of maximum stress and at the last increment; they are NaN elsewhere. Errors
-        are infinite for quantities that do not converge: maximum pressure, stresses and strains at
-        a sharp edge, see `SingularPressureWarning`.
+        between cells, see docs/theory/accuracy.md. Stresses, strains and imprint depths,
+        with their errors, are given at the increment of maximum stress and at the last increment;
+        they are NaN elsewhere. Errors are infinite for quantities that do not converge: maximum
+        pressure, stresses and strains at a sharp edge, see `SingularPressureWarning`.
     states : list of State
         States of the run itself, not of the coarser solution.
     slope_beyond : float
@@ -270,7 +270,7 @@ def _warn_of_depth(grid: Grid, coarse: Grid) -> None:
 
 
 def _marks(states: Sequence[State], names: Sequence[str]) -> set[int]:
-    """Return the indices of the increments at which errors of volume quantities are estimated."""
+    """Return the indices of increments at which errors of all quantities are estimated."""
     from ..results.zones import max_von_mises
 
     bodies = {int(name[-1]) for name in names if name.startswith("max_von_mises")}
@@ -285,10 +285,9 @@ def _differences(
 ) -> dict[str, float]:
     """Return the difference of each quantity between two grids, by name.
 
-    Two grids may agree by chance. Therefore, each relative difference is at least 20 % of the
-    largest in its group of `_KINDS`, and the difference of the contact area is at least
-    `of_outline` times the area. The difference is infinite for quantities that are singular at a
-    sharp edge.
+    Two grids may agree by chance. Therefore, each relative difference is raised to at least
+    20 % of the largest in its group of `_KINDS`, and that of the contact area to at least
+    `of_outline`. The difference is infinite for quantities that are singular at a sharp edge.
     """
     found = {name: abs(value - coarse[name]) for name, value in fine.items()}
     endless = {name for name in fine if sharp and sharp_edges.is_singular(name)}

@@ -33,7 +33,7 @@ class GridSolution(NamedTuple):
     def half(self) -> tuple[float, float]:
         """Half-widths along x and y [m] of the region that contains contact and plastic strain.
 
-        They are 0 for repeated cycles, of which only some states are known.
+        They are 0 for repeated cycles, because only some of their states are stored.
         """
         if self.repeated is not None:
             return 0.0, 0.0
@@ -78,7 +78,7 @@ class GridSolution(NamedTuple):
 
 
 def _is_sheared(state: State) -> bool:
-    """Whether a state has shear traction, with a friction law that allows partial slip."""
+    """Whether a state has shear traction that follows from a law of partial slip."""
     if not state.setup.friction.sticks:
         return False
     return bool(np.abs(state.shear).max() > ROUNDING_ERROR * np.abs(state.pressure).max())

@@ -50,7 +50,7 @@ class Grids(Protocol):
     def on(self, level: int, *, free: bool) -> GridSection:
         """Return the grid of a level.
 
-        free: whether the number of cell layers along z is left open.
+        free: whether the solver chooses the number of cell layers along z (nz = 0).
         """
         ...
 
@@ -189,11 +189,11 @@ class GivenGrids:
         return self.grid.model_copy(update=changes)
 
     def settle(self, level: int, half: tuple[float, float]) -> None:
-        """Keep the extent of [grid]: the surface is known only there, or this is its period."""
+        """Keep the extent of [grid]: the surface is known only there, or has this period."""
 
 
 class Depths:
-    """Cell sizes along z with which each elastic-plastic layer has a whole number of cells.
+    """Cell sizes along z that divide each elastic-plastic layer into a whole number of cells.
 
     first: cell size along z on the first grid, for bodies without layers [m].
     """

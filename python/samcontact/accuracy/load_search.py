@@ -224,12 +224,12 @@ def find_load(
         Case, path of a case file, or dictionary of the same layout, whose forces are multiplied by
         one factor. Or a function of the maximum load [N] that returns simulation and path.
     quantity : str
-        Quantity with an error in results files, e.g. "max_pressure", "imprint_depth_body2". A name
-        without body number means the larger value of both bodies. The larger of the values at
-        maximum load and at the end of the path is used. Special names: "permanent_deformation",
-        the sum of the residual imprint depths of both bodies at the end of the path; "yield", the
-        maximum ratio of von Mises stress to local yield stress in an elastic solution (1 at first
-        yield).
+        Name of a quantity whose error is in results files, e.g. "max_pressure" or
+        "imprint_depth_body2". A name without body number means the larger value of both bodies. The
+        larger of the values at maximum load and at the end of the path is used. Special
+        names: "permanent_deformation", the sum of the residual imprint depths of both bodies at the
+        end of the path; "yield", the maximum ratio of von Mises stress to local yield stress in an
+        elastic solution (1 at first yield).
     value : float, optional
         Target value in SI units, > 0. Default: 1.
     tolerance : float, optional
@@ -252,8 +252,8 @@ def find_load(
     ValueError
         No load reaches the value; the message gives the maximum, or a bound found before the
         search. An argument is out of range, the quantity is unknown, the case has no loads or has
-        wear, or another call wrote `checkpoint`. With "yield": no body is elastic-plastic, or a
-        body that can yield is layered, softens, or first yields in the deepest grid layer.
+        wear, or `checkpoint` belongs to another call. With "yield": no body is elastic-plastic, or
+        a body that can yield is layered, softens, or first yields in the deepest grid layer.
     """
     search = prepare_search(
         case, quantity, value, tolerance=tolerance, largest_load=largest_load, progress=progress

@@ -331,7 +331,7 @@ class AccuracySearch:
 
 
 def _disagreement(grids: list[GridRun]) -> str:
-    """Return a text on the difference between the notes of the last two grids, or "" if equal."""
+    """Return a text if `Study.note` differs between the last two grids, otherwise ""."""
     last, before = grids[-1].note, grids[-2].note if len(grids) > 1 else grids[-1].note
     return "" if last == before else f"{last} on the finest grid, but {before} on the one before"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tasks that are solved on each grid (path, cycles of wear), and the values that are compared."""
+"""Tasks that are solved on each grid (path, cycles of wear), and values compared between grids."""
 
 from __future__ import annotations
 

@@ -101,7 +101,10 @@ class WearStudy:
         return [float(value if place is None else value[place]) for value in values]
 
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
-        """Return errors of the contact area, whose outline changes by whole cells; 0 for others."""
+        """Return errors of the contact area; 0 for other quantities.
+
+        The outline of the contact changes by whole cells.
+        """
         found = np.zeros((self.count, len(names)))
         loaded = max(solution.states, key=lambda state: state.load)
         for n, name in enumerate(names):

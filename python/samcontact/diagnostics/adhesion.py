@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of contacts with adhesion: resolution of the law, attraction at the edge, yield."""
+"""Checks of adhesive contacts: cells for the adhesion law, attraction at the grid edge, yield."""
 
 from __future__ import annotations
 

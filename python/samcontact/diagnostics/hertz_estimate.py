@@ -55,7 +55,7 @@ class PlasticBody(NamedTuple):
 
 
 class _Fit(NamedTuple):
-    """Points of a grid at which a paraboloid is fitted, and terms of the paraboloid there."""
+    """Points of a grid at which a paraboloid is fitted, and values of its terms at these points."""
 
     chosen: tuple[Any, ...]
     """Index that selects the points from the cells."""
@@ -95,7 +95,8 @@ class Paraboloid(NamedTuple):
     def fits(self, expected: ExpectedContact) -> bool:
         """Whether a Hertz contact lies within the reach of the paraboloid.
 
-        Also True for a contact that is wide relative to the radii, which unit checks then detect.
+        Also True if the contact is wide relative to its radii of curvature: the unit checks report
+        such a contact.
         """
         if all(e <= r for e, r in zip(_extent_of(expected, self), self.reach, strict=True)):
             return True

@@ -132,7 +132,7 @@ def _strain_text(state: State, setup: ContactSetup) -> str:
 
 
 def _cut_text(state: State) -> str:
-    """Text of the warning if plastic strain lies outside the volume fields, else ""."""
+    """Text of the warning if plastic strain lies outside the output fields, else ""."""
     grid, core = state.grid, state._core
     for body in (1, 2):
         box = core.strain_beyond(body - 1)

@@ -281,7 +281,7 @@ def _thermal_checks(number: int, body: Material) -> Iterator[PlausibilityCheck]:
 def _temperature_check(
     contact: ExpectedExtent, number: int, factor: float, body: Material, heat: Heat
 ) -> PlausibilityCheck:
-    """Check of the temperature rise [K]: flux/conductivity times (contact or diffusion length)."""
+    """Check of the temperature rise [K], estimated as flux/conductivity times a length."""
     conductivity, _, diffusivity = body.thermal or (1.0, 0.0, 1.0)
     size = math.sqrt(math.prod(contact.expected.semi_axes))
     age = heat.time if heat.history is None else heat.history[1]
@@ -300,7 +300,7 @@ def part_of_radius(
 ) -> PlausibilityCheck:
     """Check of the ratio of half-width to radius of curvature of a Hertz contact.
 
-    remedy: function that returns the beginning of the remedy; default: the Hertz estimate.
+    remedy: function that returns the first sentence of the remedy; default: the Hertz estimate.
     """
     first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))

@@ -53,7 +53,7 @@ class RelaxationSteps:
         return found
 
     def _coarse_text(self, before: State, after: State) -> str:
-        """Text of the warning if moving material creeps over less than a cell; otherwise ""."""
+        """Text of the warning if moving material creeps within less than a cell; otherwise ""."""
         duration = after.time - before.time
         if self.coarse or not 0 < duration < math.inf or after.load == 0:
             return ""

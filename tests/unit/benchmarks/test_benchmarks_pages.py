@@ -45,7 +45,7 @@ GIVEN = {
                         "elements on half a period (CalculiX), cells on a period (samcontact)"},
     "roofline": {"n", "operations", "bytes"},
     "scale": {"limit of this exponent", "limit of the bytes per cell", "n", "processes",
-              "sent per displacement and process [GB]",
+              "sent per evaluation and process [GB]",
               "size of a message [MB]"},
     "static_capacity": {"p₀ of ISO 76 [GPa]"},
     "viscous_peers": {"allowed error"},
