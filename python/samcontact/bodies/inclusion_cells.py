@@ -87,9 +87,9 @@ class InclusionCells(ShortRepr):
         return np.asarray(differs | (self.expansion != 0.0))
 
     def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
-        """Return a field of the box, shape (n, m, l), on a grid with this number of cells.
+        """Copy a field of the box, shape (n, m, l), to a grid.
 
-        Cells of the grid outside the box have the value `outside`.
+        shape: numbers of cells of the grid. Its cells outside the box have the value `outside`.
         """
         whole = np.full(shape, outside, dtype=field.dtype)
         box, grid = zip(
@@ -101,7 +101,7 @@ class InclusionCells(ShortRepr):
 
 
 def _common(first: int, count: int, size: int) -> tuple[slice, slice]:
-    """Common part of a box and a grid along an axis, as a slice of the box and one of the grid."""
+    """Common cells of a box and a grid along an axis: slice of the box, and slice of the grid."""
     low, high = max(first, 0), min(first + count, size)
     high = max(low, high)
     return slice(low - first, high - first), slice(low, high)

@@ -66,10 +66,10 @@ def running_in(
 ) -> RunningIn:
     """Simulate running-in: wear of a surface in proportion to the pressure of its boundary layer.
 
-    The depth grows by ``archard`` times the pressure of the boundary layer times the sliding
-    distance (Archard's law); the fluid causes no wear. The worn surface is at rest in the contact,
-    like the surface of a pin on a rotating disc, so each of its points wears continuously. After
-    each step, a steady film is solved on the worn gap.
+    The worn depth increases by ``archard`` times the pressure of the boundary layer times the
+    sliding distance (Archard's law); the fluid causes no wear. The worn surface is at rest in the
+    contact, like the surface of a pin on a rotating disc, so each of its points wears continuously.
+    After each step, a steady film is solved on the worn gap.
 
     Parameters
     ----------
@@ -80,8 +80,8 @@ def running_in(
     duration : float
         Duration [s], > 0.
     steps : int
-        Number of steps of equal duration, >= 1. A step must not wear off more than 10 thicknesses
-        of the layer.
+        Number of steps of equal duration, >= 1. A step must not wear off more than 10 times the
+        thickness of the boundary layer.
     worn : {1, 2}, optional
         Body that wears; its velocity must be 0.
     tol, max_iterations
@@ -157,7 +157,7 @@ def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
 
 
 class _Course:
-    """Steady films on a gap that grows by wear.
+    """Steady films on a gap that wear increases.
 
     Each solution starts from the preceding film. If this fails, it starts from the dry contact.
     """

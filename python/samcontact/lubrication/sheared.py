@@ -56,8 +56,8 @@ class ShearedLevel:
     def solve(self, found: Any, layer: tuple[float, float]) -> Any:
         """Solve for flow and heat, starting from a state of the film.
 
-        Flow and heat are consistent when the flow needs no further iteration after an update of its
-        coefficients.
+        The coefficients of the flow and its solution are updated in turn, until the solution with
+        new coefficients needs no iteration.
         """
         task, counts = self._solver.task, dict.fromkeys(COUNTS, 0)
         for _ in range(MAX_OUTER):
