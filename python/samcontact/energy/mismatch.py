@@ -18,10 +18,10 @@ if TYPE_CHECKING:
 
 
 def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
-    """Return the elastic energy of bodies minus that of bodies without inclusions [J].
+    """Return the elastic energy of bodies minus that of the same bodies without inclusions [J].
 
-    It is 1/2 of the integral of s0 : e* - s : e0, with the stress s0 of the tractions in the
-    homogeneous matrix, the stress s, the eigenstrain e* of the inclusions and their misfit e0.
+    It is 1/2 of the integral of s0 : e* - s : e0, with the stress s0 that the tractions cause in
+    the homogeneous matrix, the stress s, the eigenstrain e* of the inclusions and their misfit e0.
     """
     total = 0.0
     for number, body in enumerate(bodies, 1):
@@ -41,7 +41,7 @@ def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
 
 
 def not_balanced(bodies: Sequence[Body], states: Sequence[State]) -> str:
-    """Return why the energy balance of bodies with inclusions cannot be computed; "" if it can."""
+    """Return why no energy balance of bodies with inclusions can be computed; "" if it can be."""
     for number, body in enumerate(bodies, 1):
         if not isinstance(body, Heterogeneous):
             continue

@@ -2,7 +2,8 @@
 """Travel of the bodies in an increment, and fields on the cells that move with them.
 
 In the frame of the contact, a body moves by its travel a. A field f that moves with the body
-changes by -a df/dx, so that f' times the mean tractions is work of the travel.
+changes by -a df/dx in a cell of the grid. The change at a point of the body is therefore the change
+in the cell plus a df/dx. The work of the mean tractions on a df/dx is the work of the travel.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ def slope(grid: Grid, field: FloatArray) -> FloatArray:
 
 
 def first_cell(state: State, body: int) -> int:
-    """Return the cell of a body at the first row of the grid, counted from the start."""
+    """Return the index of the body cell that is at the first row of the grid; 0 at the start."""
     place = state.offset(body) - state.travel[body - 1] - state.origin
     return round(place / state.grid.dx)
 
@@ -58,7 +59,7 @@ class Motion:
 
     @property
     def on_grid(self) -> float:
-        """Travel through the grid, in which the contact moves by fractions of a cell [m]."""
+        """Travel relative to the grid, in which the contact moves by fractions of a cell [m]."""
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:
@@ -92,7 +93,7 @@ class Motion:
     def work_of_travel(
         self, pressures: tuple[FloatArray, FloatArray], surfaces: tuple[FloatArray, FloatArray]
     ) -> float:
-        """Return the work that moves the slopes of a surface through the pressure, per cell area.
+        """Return the work done on a sloped surface that moves through the pressure, per cell area.
 
         The arrays are the pressure [Pa] and the depth of the surface [m] before and after the
         motion.

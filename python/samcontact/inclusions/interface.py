@@ -171,8 +171,8 @@ def interfaces(
     Raises
     ------
     ValueError
-        The fields of the body are offset from the cells of the grid, or an inclusion in `numbers`
-        is not entirely inside the fields.
+        The body has moved by a distance that is not a whole number of cells, or an inclusion in
+        `numbers` is not entirely inside the fields.
     TypeError
         The body is not heterogeneous.
     """

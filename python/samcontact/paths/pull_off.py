@@ -27,16 +27,17 @@ class Retraction:
     """Retraction of two adhesive bodies until they separate, as a part of a path.
 
     An entry ``{"pull_off": Retraction()}`` of the path of `Simulation.run` stands for as many
-    increments as the separation requires. The approach, or that of a machine of finite stiffness,
-    decreases by `step` in each of them, from its value in the preceding state. `pull_off` retracts
-    a simulation at once.
+    increments as the separation requires. The approach decreases by `step` in each of them,
+    starting from the preceding state; with a machine of finite stiffness, it is the prescribed
+    approach of the machine that decreases. The function `pull_off` retracts a simulation
+    immediately instead.
 
     Attributes
     ----------
     step : float or None
-        Decrease of the approach in an increment [m], > 0. None: a quarter of the length w/a_max of
-        the law of adhesion on the grid, with its work of adhesion w and largest attraction a_max;
-        for the exponential law, a quarter of the range.
+        Decrease of the approach in an increment [m], > 0. None: a quarter of the length w/a_max,
+        where w is the work of adhesion and a_max the largest attraction of the law of adhesion on
+        the grid; for the exponential law, a quarter of its range.
     until : {"apart", "maximum"}
         End of the retraction, as in `pull_off`.
     max_steps : int
@@ -100,10 +101,11 @@ def pull_off(
 ) -> PullOff:
     """Retract a simulation with adhesion, until its surfaces separate.
 
-    The approach, or that of a machine of finite stiffness, decreases by `step` in each increment.
-    The contact follows its branch of equilibrium and jumps apart where the branch ends: past the
-    largest tension with a rigid machine, at the largest tension with a soft one. The surfaces count
-    as separated if no cell is in contact and the tension has fallen to a hundredth of its maximum.
+    The approach decreases by `step` in each increment; with a machine of finite stiffness, it is
+    the prescribed approach of the machine that decreases. The contact follows its branch of
+    equilibrium and jumps apart where the branch ends: past the largest tension with a rigid
+    machine, at the largest tension with a soft one. The surfaces count as separated if no cell is
+    in contact and the tension has fallen to a hundredth of its maximum.
 
     Parameters
     ----------
@@ -134,8 +136,8 @@ def pull_off(
     Warns
     -----
     IncrementWarning
-        The tension rises by more than 5 % of its maximum in the increment that ends there, or is
-        largest at the start.
+        The tension rises by more than 5 % of its maximum in the increment that ends at the maximum,
+        or it is largest at the start.
     """
     step = positive("step", step)
     retraction = Retraction(step, until, max_steps, speed)
@@ -173,7 +175,7 @@ def require_speed(retraction: Retraction, needed: bool) -> None:
 def retraction_increments(
     retraction: Retraction, current: Callable[[], Any], step: float, stiffness: float | None
 ) -> Iterator[dict[str, float]]:
-    """Iterate over the arguments of the increments; each is solved before the next is asked.
+    """Iterate over the arguments of the increments; solve each before requesting the next.
 
     current: function that returns the present state. step: decrease of the approach in an
     increment [m]. stiffness: stiffness of the machine [N/m], None: rigid. Raises ValueError if

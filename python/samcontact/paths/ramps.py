@@ -37,7 +37,7 @@ def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
 
 
 def start_unit(targets: Container[str]) -> str:
-    """Return the unit of the start of a ramp with some targets: N for load, m for approach."""
+    """Return the unit of `start` of a ramp: N if the target is a load, m if it is an approach."""
     return "N" if "load" in targets else "m"
 
 
@@ -115,7 +115,7 @@ def hold(
         Heat flux per unit pressure from the first step on [m/s]; 0 switches the source off.
     first_duration : float, optional
         Duration of the first step [s]; the times since the start of the path then form a geometric
-        sequence, as creep over several decades requires. Default: equal durations.
+        sequence, which suits creep over several decades of time. Default: equal durations.
 
     Returns
     -------

@@ -35,8 +35,8 @@ def creep(load: float, until: float, per_decade: int = 8, first: float | None = 
     list of dict
         Steps for `Simulation.run`: an elastic one (duration 0), then steps whose times since
         loading form a geometric sequence. Over many decades, the error is of first order in the
-        logarithmic step. With 8 steps per decade it is below 1 % if 10 % of the modulus remain, and
-        2.5 % if 0.1 % remain.
+        logarithmic step. With 8 steps per decade, the error is below 1 % if the long-time modulus
+        is 10 % of the instantaneous modulus, and 2.5 % if it is 0.1 %.
 
     Raises
     ------
@@ -73,10 +73,12 @@ def oscillation(
     frequency : float
         Frequency [Hz], > 0.
     periods : int
-        Number of periods. A steady loop requires about the longest relaxation time, or a start from
-        the relaxed state: ``sim.step(load=mean, duration=0.0)``, then ``sim.relax()``.
+        Number of periods. The loop becomes steady after about the longest relaxation time, or from
+        the beginning if the bodies are relaxed at the mean load first: ``sim.step(load=mean,
+        duration=0.0)``, then ``sim.relax()``.
     increments : int
-        Number of steps per period, >= 4; 40 give the loss angle to second order.
+        Number of steps per period, >= 4. The error of the loss angle is of second order in the
+        duration of a step.
     quantity : {"load", "approach"}
 
     Returns

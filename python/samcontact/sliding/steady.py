@@ -45,8 +45,8 @@ def steady(
 
     The gap is fixed to body 1, whose roughness slides over the smooth surface of body 2. The
     material of a viscoelastic body 2 moves through the contact; a viscoelastic body 1 rests in the
-    contact and has its long-time modulus (a warning is issued). The energy lost in body 2 is the
-    hysteretic part of friction; a shear of the interface adds to it.
+    contact and has its long-time modulus (a warning is issued). The energy lost in body 2 causes
+    the hysteretic part of friction. A shear stress at the interface would add to this friction.
 
     Parameters
     ----------
@@ -83,12 +83,10 @@ def steady(
         No convergence, e.g. white noise at low velocities on a body that relaxes to less than 0.1 %
         of its modulus; the error has the attributes `iterations` and `residual`.
 
-    Notes
-    -----
-    The steady displacement is the elastic displacement due to an equivalent pressure, which depends
-    on the pressure that each material point has passed through since it entered the contact. The
-    whole track behind the contact is included. Persson (2001), J. Chem. Phys. 115, 3840, estimates
-    the same friction of randomly rough surfaces.
+    Notes ----- The steady displacement is the elastic displacement due to an equivalent pressure,
+    which depends on the pressure that each material point has passed through since it entered the
+    contact. The whole track behind the contact is included. Persson (2001), J. Chem. Phys. 115,
+    3840, estimates this friction for randomly rough surfaces.
     """
     require_type("grid", grid, Grid)
     bodies = require_moving(body1, body2)
