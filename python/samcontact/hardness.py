@@ -288,7 +288,7 @@ class HardnessProfile(ShortRepr, HtmlTable):
 def hardened_case(
     surface: float, core: float, depth: float, limit: float = 550.0
 ) -> HardnessProfile:
-    """Return a hardness profile over depth for a hardened case of given depth.
+    """Return the hardness profile of a case with a given hardening depth.
 
     Parameters
     ----------

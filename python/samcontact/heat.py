@@ -60,11 +60,10 @@ class Heat:
         heat of earlier steps is taken into account for the time `longest`. Each step then requires
         a `duration`.
     reference : float, optional
-        Distance [m] at which the thermal surface displacement is defined as zero: the distance from
-        a steady point source at rest, for the displacement that this source causes. In a layered
-        body, it is the displacement of the substrate. The definition is needed because the
-        displacement has no limit far away. The choice affects only the approach. Required under
-        approach control; default under load control: 1 m.
+        Distance [m] from a steady point source at rest at which its thermal surface displacement is
+        zero by definition; in a layered body, this is the displacement of the substrate. The
+        definition is needed because the displacement has no limit far away. The choice affects only
+        the approach. Required under approach control; default under load control: 1 m.
     partition : float, optional
         Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of

@@ -46,7 +46,7 @@ class HasFlowCurve:
         return self._at(g, self._core.work)
 
     def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
-        """Axial stress in a bar of this material whose axial strain varies in a given way.
+        """Axial stress in a bar of this material under a prescribed history of axial strain.
 
         Parameters
         ----------

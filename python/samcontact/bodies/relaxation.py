@@ -139,13 +139,13 @@ class HasRelaxation:
     def with_relaxation(self, times: ArrayLike, shares: ArrayLike) -> Self:
         """Return a copy that is linearly viscoelastic, by a generalised Maxwell model.
 
-        After a step of strain, the modulus is E(t) = E (1 - sum(shares) + sum(shares
-        exp(-t/times))). Young's modulus E of the material is therefore the instantaneous modulus,
-        which applies under fast loads. Poisson's ratio is constant. In rubber and other polymers
-        the bulk modulus is constant instead. For them, use the long-time Poisson's ratio: the
-        relative error of a normal contact is then about 1e-3 if the bulk modulus is 1000 times the
-        instantaneous shear modulus. If it is only 10 times this shear modulus, the error is 9 % at
-        short times.
+        After a step of strain, the modulus is
+        E(t) = E (1 - sum(shares) + sum(shares exp(-t/times))). Young's modulus E of the material is
+        therefore the instantaneous modulus, which applies under fast loads. Poisson's ratio is
+        constant. In rubber and other polymers the bulk modulus is constant instead. For them, use
+        the long-time Poisson's ratio: the relative error of a normal contact is then about 1e-3 if
+        the bulk modulus is 1000 times the instantaneous shear modulus. If it is only 10 times this
+        shear modulus, the error is 9 % at short times.
 
         Parameters
         ----------
@@ -319,5 +319,8 @@ def _fitted(omega: FloatArray, measured: Any, count: int) -> tuple[float, FloatA
         )
     used = found[1:] > _NEGLIGIBLE * found.sum()
     if not used.any():
-        raise ValueError("loss must be > 0 at some frequency: the fitted material is elastic")
+        raise ValueError(
+            "loss must be > 0 at some frequency: the fitted material is elastic; use "
+            "Material.elastic, or check loss"
+        )
     return float(found[0]), times[used], found[1:][used]

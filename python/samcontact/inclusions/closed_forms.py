@@ -129,7 +129,7 @@ class EshelbySphere(HtmlTable):
 
 
 def eshelby_factors(nu: float) -> tuple[float, float]:
-    """Factors by which Eshelby's tensor of a sphere maps mean and deviator of an eigenstrain."""
+    """Factors by which Eshelby's tensor of a sphere scales mean and deviator of an eigenstrain."""
     return (1 + nu) / (3 * (1 - nu)), 2 * (4 - 5 * nu) / (15 * (1 - nu))
 
 
@@ -271,7 +271,7 @@ class MisfitSphere:
 
     @property
     def _strength(self) -> float:
-        """Strength of the sphere as a source of displacement [m^3].
+        """Strength of the sphere as a point source of displacement [m^3].
 
         Around a sphere in an infinite body, the radial displacement is this strength divided by the
         square of the distance from the centre.

@@ -165,8 +165,8 @@ def fine_field(
         Boxes around the same inclusions, one for each state of the cycle, e.g. for each position of
         a rolling pass.
     criterion : callable
-        Function that returns the field of a criterion for a stress history of shape (n, 6, nx, ny,
-        nz), e.g. ``lambda s: sc.fatigue.dang_van(s, slope=0.3)``.
+        Function that returns the field of a criterion for a stress history, shape
+        (n, 6, nx, ny, nz), e.g. ``lambda s: sc.fatigue.dang_van(s, slope=0.3)``.
 
     Returns
     -------

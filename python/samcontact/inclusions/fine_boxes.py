@@ -152,8 +152,8 @@ def _matrix_of(state: State, which: int) -> Material:
     if not isinstance(matrix, Material):
         raise ValueError(
             f"body{which} must be a Material or a Heterogeneous body for fine boxes, got "
-            f"{in_short(described)}: the stress that a layer reflects to its inclusions is not "
-            "included"
+            f"{in_short(described)}: fine boxes do not include the effect of layers; add the "
+            "inclusions to a Heterogeneous body on a fine grid"
         )
     if matrix.is_rigid:
         raise ValueError(f"body{which} must not be rigid: it has no stress")

@@ -144,5 +144,6 @@ def solve(
         x = accelerated.next(x, step)
     raise _core.ConvergenceError(
         f"inclusions did not converge: relative change {np.linalg.norm(step) / size:.2g} after "
-        f"{_MAX_EVALUATIONS} evaluations, tol {limit:g}: use fewer or less different inclusions"
+        f"{_MAX_EVALUATIONS} evaluations, tol {limit:g}: solve fewer inclusions together, use "
+        "inclusions with moduli closer to those of the matrix, or increase tol"
     )

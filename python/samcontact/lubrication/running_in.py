@@ -133,7 +133,7 @@ def _sliding_speed(film: FilmSolution, worn: int) -> float:
     if film.boundary is None:
         raise ValueError("film must have a boundary layer, got none: solve it with a Boundary")
     if film.past is not None:
-        raise ValueError("film must be steady, got one of a history: use that of `steady`")
+        raise ValueError("film must be steady, got one of a history: use a film from `steady`")
     if film.velocities[worn - 1].any() or film.spin:
         raise ValueError(
             f"film must have a worn body {worn} at rest and no spin, got the velocity "
@@ -150,9 +150,9 @@ def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
     if largest > limit:
         needed = int(np.ceil(steps * largest / limit))
         raise ValueError(
-            f"steps must be large enough to wear off at most {MAX_STEP:g} thicknesses of the "
-            f"boundary layer in each, got {steps} with {quantity(largest, 'm')}: use {needed} or "
-            "more"
+            f"steps must be so many that each wears off at most {MAX_STEP:g} times the thickness "
+            f"of the boundary layer, got {steps}, of which one wears off {quantity(largest, 'm')}: "
+            f"use {needed} or more"
         )
 
 

@@ -126,9 +126,8 @@ def transient(
     require_type("start", start, FilmSolution)
     if start.heat is not None:
         raise ValueError(
-            "start must be a film without heat, got a heated one: the temperatures of the surfaces "
-            "are those of steady heat, which transient films do not have; solve it with thermal = "
-            "False"
+            "start must be a film without heat, got a heated one: transient films do not include "
+            "heat; solve the start with thermal = False"
         )
     duration, steps = positive("duration", duration), integer("steps", steps, 1)
     functions = {"relief1": relief1, "relief2": relief2, "load": load, "speed": speed}

@@ -74,8 +74,8 @@ def _growing(name: str, first: float, total: float, count: int) -> list[float]:
     start = positive(name, first)
     if not (start < total and count > 1):
         raise ValueError(
-            f"{name} must be < duration ({total!r} s) in at least 2 increments, got {start!r} s in "
-            f"{count}"
+            f"{name} must be < duration ({total!r} s), with increments >= 2, got {start!r} s and "
+            f"{count} increments"
         )
     durations: list[float] = growing_durations(total, start, count).tolist()
     return durations

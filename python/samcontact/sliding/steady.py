@@ -83,10 +83,12 @@ def steady(
         No convergence, e.g. white noise at low velocities on a body that relaxes to less than 0.1 %
         of its modulus; the error has the attributes `iterations` and `residual`.
 
-    Notes ----- The steady displacement is the elastic displacement due to an equivalent pressure,
-    which depends on the pressure that each material point has passed through since it entered the
-    contact. The whole track behind the contact is included. Persson (2001), J. Chem. Phys. 115,
-    3840, estimates this friction for randomly rough surfaces.
+    Notes
+    -----
+    The steady displacement is the elastic displacement due to an equivalent pressure, which depends
+    on the pressure that each material point has passed through since it entered the contact. The
+    whole track behind the contact is included. Persson (2001), J. Chem. Phys. 115, 3840, estimates
+    this friction for randomly rough surfaces.
     """
     require_type("grid", grid, Grid)
     bodies = require_moving(body1, body2)
