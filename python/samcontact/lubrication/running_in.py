@@ -150,9 +150,9 @@ def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
     if largest > limit:
         needed = int(np.ceil(steps * largest / limit))
         raise ValueError(
-            f"steps must be so many that each wears off at most {MAX_STEP:g} times the thickness "
-            f"of the boundary layer, got {steps}, of which one wears off {quantity(largest, 'm')}: "
-            f"use {needed} or more"
+            f"steps must be large enough for each to wear off at most {MAX_STEP:g} times the "
+            f"thickness of the boundary layer, got {steps}, of which one wears off "
+            f"{quantity(largest, 'm')}: use {needed} or more"
         )
 
 
