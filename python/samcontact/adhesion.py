@@ -26,8 +26,8 @@ _POINTS = 200
 def tabor(R: float, w: float, E_star: float, range: float) -> float:
     """Return the Tabor number (R w^2/(E*^2 z^3))^(1/3) [-].
 
-    R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: range z of the
-    attraction [m], which is w divided by the largest attraction. Tabor (1977,
+    R: radius [m]; w: work of adhesion [J/m^2]; E_star: contact modulus [Pa]; range: length z of the
+    attraction [m], i.e. w divided by the largest attraction. Tabor (1977,
     doi:10.1016/0021-9797(77)90366-6). Raises ValueError for values that are not > 0.
 
     For Tabor numbers above about 5, the theory of Johnson, Kendall and Roberts (`jkr`) applies;
@@ -221,7 +221,7 @@ class ProfileContact(ShortRepr):
 
     @property
     def pull_off(self) -> float:
-        """Largest tension at these radii [N]."""
+        """Largest tension at the radii of `radius` [N]."""
         return float(max(-self.load.min(), 0.0))
 
 
@@ -261,7 +261,10 @@ def jkr_profile(
     angle, share = 0.25 * np.pi * (nodes + 1), 0.25 * np.pi * weights
 
     def shape(x: FloatArray) -> FloatArray:
-        """Return x times the integral of f'(r)/sqrt(x^2 - r^2) over r from 0 to x."""
+        """Return x times the integral of f'(r)/sqrt(x^2 - r^2) over r from 0 to x.
+
+        The integral is computed over the angle t, with r = x sin t.
+        """
         at = x[..., None] * np.sin(angle)
         slopes = finite_array("slope", slope(at), at.shape)
         found: FloatArray = x * (slopes @ share)

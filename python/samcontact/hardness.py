@@ -226,7 +226,10 @@ class HardnessProfile(ShortRepr, HtmlTable):
         object.__setattr__(self, "HV", tuple(HV.tolist()))
 
     def at(self, z: ArrayLike) -> FloatArray:
-        """Vickers hardness at depths z [m], in their shape; raises ValueError for depths < 0."""
+        """Return the Vickers hardness at depths z [m], in the shape of z.
+
+        Raises ValueError for depths < 0.
+        """
         return np.asarray(np.interp(checked_depths(z), self.z, self.HV))
 
     def depth_of(self, HV: float) -> float:
@@ -285,7 +288,7 @@ class HardnessProfile(ShortRepr, HtmlTable):
 def hardened_case(
     surface: float, core: float, depth: float, limit: float = 550.0
 ) -> HardnessProfile:
-    """Return the hardness over depth of a case with a given hardening depth.
+    """Return the hardness profile of a case with a given hardening depth.
 
     Parameters
     ----------

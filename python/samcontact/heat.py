@@ -4,9 +4,9 @@
 The heat flux into a body is its heat factor times the pressure, q = Q_f p. In full sliding Q_f =
 beta mu V, where beta is the fraction of the heat that enters this body, mu the coefficient of
 friction and V the sliding speed (Boucly 2008, section 2.1.3). In partial slip there are two kinds
-of heat. The flux may be a fraction of the frictional power, q = beta s . w/t, with the shear
-traction s and the slip w in an increment of duration t. Or the flux Q_f p has another cause than
-slip, e.g. heat from a hotter body through a conductance that is proportional to the pressure.
+of heat. One flux is a fraction of the frictional power, q = beta s . w/t, with the shear traction s
+and the slip w in an increment of duration t. The other flux, Q_f p, is not due to slip, e.g. heat
+from a hotter body through a conductance that is proportional to the pressure.
 """
 
 from __future__ import annotations
@@ -60,10 +60,10 @@ class Heat:
         heat of earlier steps is taken into account for the time `longest`. Each step then requires
         a `duration`.
     reference : float, optional
-        Distance [m] from a steady point source at rest at which the surface displacement due to
-        this source is defined as zero (in a layered body: the displacement of the substrate). A
-        definition is needed because this displacement has no limit far away. The choice affects
-        only the approach. Required under approach control; default under load control: 1 m.
+        Distance [m] from a steady point source at rest at which its thermal surface displacement is
+        zero by definition; in a layered body, this is the displacement of the substrate. The
+        definition is needed because the displacement has no limit far away. The choice affects only
+        the approach. Required under approach control; default under load control: 1 m.
     partition : float, optional
         Fraction beta of the frictional power that enters body 2, in [0, 1]; the rest enters body 1.
         See the function `partition`. Only with `Coulomb` friction in a `Simulation`, instead of
@@ -229,7 +229,7 @@ def factors(friction: float, speed: float, partition: float = 1.0) -> tuple[floa
 def partition(
     body1: Material, body2: Material, radius: float, velocity1: float = 0.0, velocity2: float = 0.0
 ) -> float:
-    """Return the fraction of heat that enters body 2 if both maximum temperatures are equal [-].
+    """Return the fraction of heat into body 2 for equal maximum temperatures of both bodies [-].
 
     Parameters
     ----------

@@ -125,10 +125,9 @@ def steady(
     Notes
     -----
     J. J. Kalker (1990), Three-Dimensional Elastic Bodies in Rolling Contact. The steps are one cell
-    long, so the error is proportional to the cell size. The page on rolling describes the
-    iteration. The creep of viscoelastic bodies includes the whole track behind the contact. It is
-    computed repeatedly from the tractions of the last solution until the tractions no longer
-    change.
+    long, so the error is proportional to the cell size. docs/theory/rolling.md describes the
+    iteration. The creep of viscoelastic bodies includes the whole track behind the contact. Creep
+    and tractions are computed in turn, each from the other, until the tractions no longer change.
     """
     require_type("grid", grid, Grid)
     require_bodies(body1, body2)

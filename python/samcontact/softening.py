@@ -57,7 +57,10 @@ class JohnsonCook:
             raise ValueError(f"floor must be in (0, 1], got {self.floor!r}")
 
     def __call__(self, rise: ArrayLike) -> FloatArray:
-        """Return the factor on the yield stress [-] for temperature rises [K], in their shape."""
+        """Return the factor on the yield stress [-], shape of `rise`.
+
+        rise: temperature rises [K].
+        """
         T = self.ambient + finite_array("rise", rise)
         homologous = np.clip((T - self.reference) / (self.melting - self.reference), 0.0, 1.0)
         return np.maximum(1.0 - homologous**self.m, self.floor)

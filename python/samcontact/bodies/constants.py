@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conversion of constants that are given as one number or several."""
+"""Conversion of material constants, each given as one number or several numbers, to floats."""
 
 from __future__ import annotations
 
@@ -19,9 +19,10 @@ def as_list(value: Any) -> list[Any]:
 
 
 def named_numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Return a group of constants as floats.
+    """Return several constants that are given together as floats.
 
-    Raises ValueError unless there is one constant for each name in `parts`.
+    name: name of the whole, for error messages; parts: names of the constants. Raises ValueError
+    unless there is one constant for each name in `parts`.
     """
     values = as_list(given)
     if len(values) != len(parts):

@@ -67,8 +67,8 @@ class HasDepthProfiles:
     def with_yield_profile(self, z: ArrayLike, factor: ArrayLike) -> Self:
         """Return a copy with a yield stress that varies with depth, as in case hardening.
 
-        Elastic constants are unchanged. At depth z the yield stress, including hardening, is
-        factor(z) times the yield stress of the law.
+        Elastic constants are unchanged. At depth z, the initial and the hardened yield stress are
+        factor(z) times the values that the hardening law gives.
 
         Parameters
         ----------
@@ -77,8 +77,8 @@ class HasDepthProfiles:
             piecewise linear and constant beyond its ends; each layer of the grid has the value at
             the mid-depth of the layer.
         factor : array_like, shape (n,)
-            Ratio of local to nominal yield stress [-], 1e-6 to 1e6, e.g. local hardness over core
-            hardness.
+            Ratio of local to nominal yield stress [-], 1e-6 to 1e6, e.g. the local hardness divided
+            by the hardness of the core.
 
         Returns
         -------
@@ -145,7 +145,7 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Factor on the yield stress [-] at depths z [m]; 1 without a yield profile.
+        """Ratio of local to nominal yield stress [-] at depths z [m]; 1 without a yield profile.
 
         The result has the shape of z. Raises ValueError if z is negative or not finite.
         """

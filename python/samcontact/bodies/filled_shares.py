@@ -175,7 +175,7 @@ def _roots(a: float, b: FloatArray, c: FloatArray) -> FloatArray:
 
 
 def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatArray:
-    """Fraction of each cell along an axis that each of several intervals covers.
+    """Return how much of each cell along an axis is covered by each of several intervals [-].
 
     Parameters
     ----------
@@ -189,7 +189,7 @@ def overlaps(edges: FloatArray, first: float, step: float, count: int) -> FloatA
     Returns
     -------
     ndarray, shape (count, n)
-        Covered fraction; rows are cells, columns are intervals.
+        Covered fraction of each cell; the rows are the cells, the columns the intervals.
     """
     low = first + step * np.arange(count)
     left = np.maximum(low[:, None], edges[:-1])

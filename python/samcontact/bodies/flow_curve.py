@@ -39,14 +39,14 @@ class HasFlowCurve:
         """Plastic work [J/m^3] up to equivalent plastic strain g: integral of the yield stress.
 
         This is the energy dissipated per volume. It includes neither the work of backstresses
-        (kinematic hardening) nor the factors of thermal softening and of a yield profile. The
-        result has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is
-        negative or not finite.
+        (kinematic hardening) nor the effect of thermal softening or of a yield profile. The result
+        has the shape of g; it is 0 for an elastic or rigid body. Raises ValueError if g is negative
+        or not finite.
         """
         return self._at(g, self._core.work)
 
     def uniaxial_stress(self, strain: ArrayLike) -> FloatArray:
-        """Axial stress in a bar of this material under a history of axial strain.
+        """Axial stress in a bar of this material under a prescribed history of axial strain.
 
         Parameters
         ----------

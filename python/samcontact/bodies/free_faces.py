@@ -73,9 +73,9 @@ class HasFreeFaces:
             face.
         method : {"exact", "factor"}, optional
             "exact" solves for the quarter-space that ends at each face. "factor" mirrors the
-            pressure about the face and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), which is
-            faster to prepare and less accurate. docs/theory/free_faces.md states the errors of
-            both.
+            pressure about the face and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), which
+            takes less time to prepare but is less accurate. docs/theory/free_faces.md states the
+            errors of both.
 
         Returns
         -------
@@ -109,7 +109,7 @@ def contact_strip(bodies: Iterable[Any]) -> tuple[float, float]:
 
 
 def require_endless(reason: str, *bodies: Any) -> None:
-    """Raise ValueError, with the given reason, if a body has free faces."""
+    """Raise ValueError if a body has free faces; `reason` becomes part of the message."""
     for n, body in enumerate(bodies, 1):
         if getattr(body, "free_faces", None) is not None:
             raise ValueError(f"body{n} must not have free_faces, got {body.free_faces!r}: {reason}")

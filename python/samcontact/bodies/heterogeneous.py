@@ -60,7 +60,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Inclusions and voids, in the frame of the grid. Where two of them overlap, the later one
         replaces the earlier one.
     measured : VoxelBlock, optional
-        Measured microstructure, see `voxels`; inclusions replace its voxels.
+        Measured microstructure, see `voxels`. Where an inclusion overlaps its voxels, the inclusion
+        replaces them.
 
     Raises
     ------
@@ -314,7 +315,10 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return cells.over_grid(cells.share, (grid.nx, grid.ny, layers))
 
     def cells_per_radius(self, grid: VolumeGrid) -> float:
-        """Smallest inclusion radius/largest cell edge [-]; infinite without inclusions."""
+        """Smallest radius of an inclusion divided by the largest edge of a cell [-].
+
+        Infinite without inclusions.
+        """
         require_volume(grid)
         return cells_per_radius(grid, self.inclusions)
 
@@ -354,7 +358,10 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
 
 def material_around(body: Heterogeneous, number: int) -> Material:
-    """Material of the matrix around the phase with this index in `Heterogeneous.phases`."""
+    """Material of the matrix around the inclusion or the voxels of one phase.
+
+    number: index of the phase in `Heterogeneous.phases`.
+    """
     if not isinstance(body.matrix, Layered):
         return body.matrix
     if number < len(body.inclusions):

@@ -87,9 +87,9 @@ class InclusionCells(ShortRepr):
         return np.asarray(differs | (self.expansion != 0.0))
 
     def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
-        """Return a field of the box, shape (n, m, l), on a grid with this number of cells.
+        """Copy a field of the box, shape (n, m, l), to a grid.
 
-        Cells of the grid outside the box have the value `outside`.
+        shape: numbers of cells of the grid. Its cells outside the box have the value `outside`.
         """
         whole = np.full(shape, outside, dtype=field.dtype)
         box, grid = zip(
@@ -101,7 +101,7 @@ class InclusionCells(ShortRepr):
 
 
 def _common(first: int, count: int, size: int) -> tuple[slice, slice]:
-    """Common part of a box and a grid along an axis, as a slice of the box and one of the grid."""
+    """Common cells of a box and a grid along an axis: slice of the box, and slice of the grid."""
     low, high = max(first, 0), min(first + count, size)
     high = max(low, high)
     return slice(low - first, high - first), slice(low, high)
@@ -178,7 +178,7 @@ def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp])
     if grid.nz and ends[highest, 2, 0] >= grid.nz:
         raise ValueError(
             f"inclusions must lie in the {grid.nz} layers of the grid, got none inside; "
-            f"{names[highest]} begins in layer {ends[highest, 2, 0]}"
+            f"{names[highest]} begins in layer {ends[highest, 2, 0]}: increase nz, or omit nz"
         )
     outside = np.zeros(len(names), dtype=bool)
     for axis, (name, (low, step, count, wraps)) in enumerate(
@@ -201,7 +201,9 @@ def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp])
                     f"{quantity(-low, 'm')}, got none inside; {names[0]} is at {name} = {at:.6g} m"
                 )
     if outside.all():
-        raise ValueError("inclusions must lie in the grid, got none inside")
+        raise ValueError(
+            "inclusions must lie in the grid, got none inside: enlarge the grid, or move them"
+        )
 
 
 def _require_in_period(grid: VolumeGrid, ends: NDArray[np.intp]) -> None:
@@ -210,7 +212,8 @@ def _require_in_period(grid: VolumeGrid, ends: NDArray[np.intp]) -> None:
         if wraps and (ends[axis, 0] < 0 or ends[axis, 1] > count):
             raise ValueError(
                 f"voxels must lie within the period of the grid along {'xyz'[axis]}, got cells "
-                f"{ends[axis, 0]} to {ends[axis, 1] - 1} of {count}"
+                f"{ends[axis, 0]} to {ends[axis, 1] - 1} of {count}: move the origin of the "
+                "voxels, or enlarge the grid"
             )
 
 

@@ -47,8 +47,8 @@ def require_bodies(*bodies: Any, inclusions: bool = False) -> None:
 def require_homogeneous(reason: str, *bodies: Any) -> None:
     """Raise an error unless each body is a Material without free faces.
 
-    Layers and inclusions raise ValueError with the given reason, free faces raise ValueError, and
-    any other object raises TypeError.
+    A layered or heterogeneous body raises ValueError with `reason` in the message, a body with free
+    faces raises ValueError, and any other object raises TypeError.
     """
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Heterogeneous):

@@ -195,9 +195,10 @@ class Layered(HtmlTable):
     def _over_depth(
         self, depths: FloatArray, out: FloatArray, of: Callable[[Material, FloatArray], FloatArray]
     ) -> FloatArray:
-        """Fill `out` with `of(material, depths)`, evaluated for the material at each depth [m].
+        """Fill `out` with the values of the function `of(material, depths)` at all depths [m].
 
-        The last axes of `out` are the axes of `depths`.
+        The function is called for each material with the depths in it. The last axes of `out` are
+        the axes of `depths`.
         """
         for material, there in layers_at(self, depths):
             out[..., there] = of(material, depths[there])

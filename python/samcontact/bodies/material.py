@@ -249,9 +249,10 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
         Parameters
         ----------
         law : callable
-            Function of the temperature rise [K] that returns the factor on the yield stress, in
-            (0, 1]; argument and result are arrays of shape (nx, ny, nz). The law is called once per
-            increment, with the temperature rise of the first contact solution.
+            Function of the temperature rise [K] that returns the factor on the yield stress, from 0
+            (excluded) to 1; argument and result are arrays of shape (nx, ny, nz). The law is called
+            once per increment, after the contact has been solved for the first time in this
+            increment, with the temperature rise of this solution.
             `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
             passed to `Simulation.load` again. A run with `checkpoint` resumes only with an
             identical law: the code of the law and all data used by the code are compared (defaults,

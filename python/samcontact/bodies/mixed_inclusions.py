@@ -26,7 +26,8 @@ def mixed_cells(
 ) -> InclusionCells:
     """Return the cells of the smallest box of a grid that contains all inclusions.
 
-    around: material of the matrix around each inclusion, then around each material of the voxels.
+    around: material of the matrix around each inclusion, followed by the material of the matrix
+    around the voxels, once for each material of the voxels.
     """
     box = box_of(grid, inclusions, measured)
     memory.require(

@@ -42,7 +42,7 @@ def relative_phase(matrix: Material, material: Material | None, misfit: tuple[fl
     """Return the properties of an inclusion relative to the matrix.
 
     The moduli of a void (material None) are 0. If the material or the matrix has no thermal
-    constants, both are taken to expand equally.
+    constants, their thermal expansions are assumed to be equal.
     """
     if material is None:
         return Phase(0.0, 0.0, misfit)
@@ -60,7 +60,7 @@ def relative_phase(matrix: Material, material: Material | None, misfit: tuple[fl
 
 
 def _components_at(where: Index) -> tuple[Any, ...]:
-    """Index that selects all components of a field in the given cells."""
+    """Return the index that selects all components of a field in the given cells."""
     return (slice(None), *where)
 
 
@@ -76,7 +76,7 @@ class Modulus:
         self.stiff_misfit = np.zeros((components, *shape))
 
     def shrink(self, where: Index, factor: FloatArray) -> None:
-        """Multiply the filled fractions of all inclusions so far by a factor in given cells."""
+        """Multiply the fractions that earlier inclusions fill of the given cells by a factor."""
         self.softer[where] *= factor
         self.stiffer[where] *= factor
         self.soft_misfit[_components_at(where)] *= factor

@@ -142,10 +142,10 @@ class HasRelaxation:
         After a step of strain, the modulus is
         E(t) = E (1 - sum(shares) + sum(shares exp(-t/times))). Young's modulus E of the material is
         therefore the instantaneous modulus, which applies under fast loads. Poisson's ratio is
-        constant. In rubber and other polymers the bulk modulus is constant instead: use the
-        long-time Poisson's ratio. The error is then about 1e-3 if the bulk modulus is 1000 times
-        the instantaneous shear modulus. If the bulk modulus is only 10 times the shear modulus, the
-        error is 9 % at short times.
+        constant. In rubber and other polymers the bulk modulus is constant instead. For them, use
+        the long-time Poisson's ratio: the relative error of a normal contact is then about 1e-3 if
+        the bulk modulus is 1000 times the instantaneous shear modulus. If it is only 10 times this
+        shear modulus, the error is 9 % at short times.
 
         Parameters
         ----------
@@ -158,8 +158,8 @@ class HasRelaxation:
         Returns
         -------
         Material
-            Material with these terms in place of earlier ones. The increments of a simulation then
-            require a duration.
+            Material with these terms in place of earlier ones. Each increment of a simulation then
+            requires a duration.
 
         Raises
         ------
@@ -186,8 +186,8 @@ class HasRelaxation:
 
         The relaxation times form a geometric sequence, from 1/omega of the fastest oscillation to
         1/omega of the slowest. The modulus of each relaxation time is found by non-negative least
-        squares. The differences are relative to the magnitude of the measured complex modulus.
-        Relaxation times with zero modulus are omitted.
+        squares. Each difference between fitted and measured modulus is divided by the magnitude of
+        the measured complex modulus. Relaxation times with zero modulus are omitted.
 
         Parameters
         ----------
@@ -300,7 +300,7 @@ def _dynamic_moduli(omega: ArrayLike, storage: ArrayLike, loss: ArrayLike) -> tu
 
 
 def _fitted(omega: FloatArray, measured: Any, count: int) -> tuple[float, FloatArray, FloatArray]:
-    """Return the long-time modulus [Pa], relaxation times [s] and the modulus of each [Pa]."""
+    """Return the long-time modulus [Pa], the relaxation times [s] and their moduli [Pa]."""
     first, last = -math.log(omega.max()), -math.log(omega.min())
     times = np.exp(np.linspace(first, last, count) if count > 1 else [0.5 * (first + last)])
     x = 1j * omega[:, None] * times
@@ -319,5 +319,8 @@ def _fitted(omega: FloatArray, measured: Any, count: int) -> tuple[float, FloatA
         )
     used = found[1:] > _NEGLIGIBLE * found.sum()
     if not used.any():
-        raise ValueError("loss must be > 0 at some frequency: the fitted material is elastic")
+        raise ValueError(
+            "loss must be > 0 at some frequency: the fitted material is elastic; use "
+            "Material.elastic, or check loss"
+        )
     return float(found[0]), times[used], found[1:][used]

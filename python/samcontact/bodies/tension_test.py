@@ -53,8 +53,9 @@ class FromTest:
             Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
             stress, by least squares. The strain at which this line meets zero stress is subtracted
             from all strains. In a test without an extensometer, the strain includes the deformation
-            of the machine, so this slope is too small. Give E in this case; the deviation of the
-            curve from the fitted line is still taken as the plastic strain.
+            of the machine, so this slope is too small. Give E in this case. The plastic strain
+            remains the deviation of the curve from the fitted line, so the deformation of the
+            machine does not enter it.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional

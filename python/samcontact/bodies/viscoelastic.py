@@ -86,7 +86,7 @@ def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
 
 
 def require_no_relaxation(reason: str, *bodies: Any) -> None:
-    """Raise ValueError, with the given reason, if a body is viscoelastic."""
+    """Raise ValueError if a body is viscoelastic; `reason` becomes part of the message."""
     for n, body in enumerate(bodies, 1):
         if isinstance(body, Body) and (terms := relaxation_of(body)) is not None:
             times = f"{len(terms[0])} relaxation time{'s' * (len(terms[0]) > 1)}"

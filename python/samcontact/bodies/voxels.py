@@ -119,7 +119,7 @@ class VoxelBlock:
 
         Each item is the number of the material, the range of cells along each axis, and the
         fraction of each of these cells that the material fills. The fractions are exact, because
-        cells and voxels overlap in boxes.
+        the overlap of a cell and a voxel is a box.
         """
         ends = self.ends(axes)
         weights = [

@@ -136,12 +136,12 @@ def require_durations(case: Any) -> None:
     heated = case.heat is not None and case.heat.is_timed
     timed = relaxes or heated or case.friction.needs_duration
     for index, segment in enumerate(case.path):
-        if segment.is_timed != timed:
-            raise ValueError(
-                f"path[{index}]: {segment.time_field} must be given if, and only if, heat.history, "
-                "heat.partition or falling_coulomb is given, or a body has relaxation: add the "
-                "missing one, or remove the other"
-            )
+        name = segment.time_field
+        causes = "heat.history, heat.partition, falling_coulomb friction or a body with relaxation"
+        if timed and not segment.is_timed:
+            raise ValueError(f"path[{index}]: {name} is required with {causes}: add {name}")
+        if segment.is_timed and not timed:
+            raise ValueError(f"path[{index}]: {name} has no effect without {causes}: omit {name}")
 
 
 def _require_repeatable(case: Any) -> None:

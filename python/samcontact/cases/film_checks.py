@@ -75,7 +75,7 @@ def _require_constants(case: FilmDescription) -> None:
 def _refuse(case: FilmDescription, fields: dict[str, str], what: str) -> None:
     for name in changed(case.film, fields):
         reason = f": {fields[name]}" if fields[name] else ""
-        raise ValueError(f"film.{name} cannot be combined with {what}{reason}; omit it")
+        raise ValueError(f"film.{name} cannot be combined with {what}{reason}; omit film.{name}")
 
 
 def _require_motion(case: FilmDescription) -> None:

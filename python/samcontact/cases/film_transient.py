@@ -41,8 +41,9 @@ class TransientSection(Section):
         given = [n for n in ("load_factors", "speed_factors") if getattr(self, n) is not None]
         if (self.times is None) != (not given):
             raise ValueError(
-                "times and load_factors or speed_factors must be given together: the factors "
-                "multiply load and speeds of [film] at these times"
+                "times must be given with load_factors, speed_factors or both, which multiply load "
+                "and speeds of [film] at these times, and not alone: "
+                + ("add times" if given else "add factors, or omit times")
             )
         times = self.times or []
         if any(after <= before for before, after in pairwise(times)):

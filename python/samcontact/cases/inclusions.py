@@ -64,7 +64,7 @@ class _Inclusion(_Phase):
                 verb = "must not be given" if given else "must be given"
                 raise ValueError(f'{name} {verb} with shape = "{self.shape}": use {expected}')
         if self.axes is not None and self.shape == "sphere":
-            raise ValueError('axes must not be given with shape = "sphere"')
+            raise ValueError('axes must not be given with shape = "sphere": omit axes')
         self.build()
         return self
 

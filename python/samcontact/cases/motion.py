@@ -151,9 +151,11 @@ class Segment(TiltingSection):
     def _one_movement(self) -> Segment:
         kinds = [kind for kind in ("roll", "slide", "fret") if getattr(self, kind) is not None]
         if len(kinds) > 1:
-            raise ValueError(f"{' and '.join(kinds)} cannot be combined")
+            raise ValueError(
+                f"{' and '.join(kinds)} cannot be combined: use a [[path]] for each of them"
+            )
         if self.spacing == "linear" and changed(self, ["exponent"]):
-            raise ValueError('exponent requires spacing = "power"')
+            raise ValueError('exponent requires spacing = "power": set spacing, or omit exponent')
         if kinds:
             others = {
                 "start",

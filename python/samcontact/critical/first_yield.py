@@ -53,7 +53,10 @@ def first_yield(body: Material, spread: float, friction: float | None) -> tuple[
     while around(p0).excess < 0:
         low, p0 = p0, _PRESSURE_FACTOR * p0
         if p0 > highest:
-            raise ValueError(f"body must yield, but no yield was found up to p0 = {highest:.4g} Pa")
+            raise ValueError(
+                f"body must yield, but no yield was found up to p0 = {highest:.4g} Pa: check the "
+                "yield stress and the yield profile"
+            )
     if low == 0:
         raise ValueError(
             "body must not yield before contact, but its residual stress already reaches "

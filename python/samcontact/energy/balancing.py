@@ -52,7 +52,7 @@ class EnergyBalance(HtmlTable):
     friction_work, plastic_work : float
         Energy dissipated by friction, and by plastic flow [J].
     eigenstrain_energy : float
-        Elastic energy of prescribed eigenstrain alone [J]. External work does not include it.
+        Elastic energy due to prescribed eigenstrain alone [J]; it is not supplied by external work.
     expansion_work : float
         Work of thermal expansion, which the heat supplies [J]: work of the rising surfaces against
         the pressure, plus work of the thermal stress on the plastic strain.
@@ -93,19 +93,18 @@ class EnergyBalance(HtmlTable):
 def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     """Return the energy balance of a contact that is pressed, moves, slides or rolls.
 
-    The work in an increment is the mean force times the motion. The mean load is that of a load
-    proportional to the power 3/2 of the approach, which is exact for elastic balls under normal
-    load. If all cells slip at the end of an increment, the mean tangential force is that of elastic
-    balls under constant load up to the friction limit, and equals this limit afterwards. The energy
-    of the first state is part of the work input. Smaller increments reduce the imbalance.
-
-    The work of thermal expansion in an increment is the mean pressure times the change of the
-    thermal displacement, plus the mean thermal stress times the plastic strain increment. If the
-    surface of a body has a slope, the pressure does work when the body travels, e.g. the work of
-    rolling resistance. In full sliding, the tangential motion of the bodies is their travel alone.
-    The friction work follows from this motion and from the tangential displacement of the surfaces.
-    With thermal softening, the plastic work in an increment is computed with the mean of the yield
-    stresses at its start and its end.
+    The work of an increment is the mean force times the motion. For the mean load, the load is
+    assumed to be proportional to the power 3/2 of the approach, which is exact for elastic balls
+    under normal load. In an increment in which the whole contact comes to slide, the tangential
+    force is assumed to reach the friction limit as for elastic balls under constant load, and then
+    to remain at this limit. `EnergyBalance.imbalance` is smaller with smaller increments. The
+    energy of the first state is part of the work input. The work of thermal expansion in an
+    increment is the mean pressure times the change of the thermal displacement, plus the mean
+    thermal stress times the plastic strain increment. If the surface of a body has a slope, the
+    pressure does work when the body travels, e.g. the work of rolling resistance. In full sliding,
+    the bodies move tangentially by their travel alone. The friction work follows from this motion
+    and from the tangential displacement of the surfaces. With thermal softening, the mean of the
+    yield stresses at the start and the end of an increment is used.
 
     Parameters
     ----------
@@ -266,7 +265,7 @@ def _forces_and_motions(simulation: Simulation, state: State) -> tuple[float, ..
 
 
 def _work_of_travel(simulation: Simulation, states: Sequence[State]) -> FloatArray:
-    """Return the work of moving sloped surfaces through the pressure in each increment [J]."""
+    """Return the work done on sloped surfaces that move through the pressure, by increment [J]."""
     work = np.zeros(len(states) - 1)
     if not any(any(state.travel) for state in states):
         return work

@@ -18,11 +18,10 @@ if TYPE_CHECKING:
 
 
 def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
-    """Return the change of the elastic energy of bodies that their inclusions cause [J].
+    """Return the elastic energy of bodies minus that of the same bodies without inclusions [J].
 
-    The change is 1/2 of the integral of s0 : e* - s : e0. Here, s0 is the stress due to tractions
-    in the homogeneous matrix, s is the stress with inclusions, e* is the eigenstrain of the
-    inclusions, and e0 is their misfit.
+    It is 1/2 of the integral of s0 : e* - s : e0, with the stress s0 that the tractions cause in
+    the homogeneous matrix, the stress s, the eigenstrain e* of the inclusions and their misfit e0.
     """
     total = 0.0
     for number, body in enumerate(bodies, 1):
@@ -42,7 +41,7 @@ def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
 
 
 def not_balanced(bodies: Sequence[Body], states: Sequence[State]) -> str:
-    """Return the reason why inclusions prevent an energy balance, or "" if they do not."""
+    """Return why no energy balance of bodies with inclusions can be computed; "" if it can be."""
     for number, body in enumerate(bodies, 1):
         if not isinstance(body, Heterogeneous):
             continue

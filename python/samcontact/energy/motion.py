@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Travel of the bodies in an increment, and fields on cells that move with the bodies.
 
-In the frame of the contact, a body moves along x by its travel a. A displacement field f that moves
-with the body changes by -a df/dx at fixed points. The work of the travel is the sum of a df/dx
-times the mean tractions.
+In the frame of the contact, a body moves by its travel a. A field f that moves with the body
+changes by -a df/dx in a cell of the grid. The change at a point of the body is therefore the change
+in the cell plus a df/dx. The work of the mean tractions on a df/dx is the work of the travel.
 """
 
 from __future__ import annotations
@@ -27,10 +27,7 @@ def slope(grid: Grid, field: FloatArray) -> FloatArray:
 
 
 def first_cell(state: State, body: int) -> int:
-    """Return the index of the cell of a body that lies at the first row of the grid.
-
-    Index 0 is the cell that lies there at the start of the path.
-    """
+    """Return the index of the body cell that is at the first row of the grid; 0 at the start."""
     place = state.offset(body) - state.travel[body - 1] - state.origin
     return round(place / state.grid.dx)
 
@@ -62,7 +59,7 @@ class Motion:
 
     @property
     def on_grid(self) -> float:
-        """Travel of the body through the grid [m]: its travel plus the motion of the contact."""
+        """Travel relative to the grid, in which the contact moves by fractions of a cell [m]."""
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:
@@ -96,7 +93,7 @@ class Motion:
     def work_of_travel(
         self, pressures: tuple[FloatArray, FloatArray], surfaces: tuple[FloatArray, FloatArray]
     ) -> float:
-        """Return the work of moving a sloped surface through the pressure, divided by cell area.
+        """Return the work done on a sloped surface that moves through the pressure, per cell area.
 
         The arrays are the pressure [Pa] and the depth of the surface [m] before and after the
         motion.

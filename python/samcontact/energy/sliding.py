@@ -17,13 +17,14 @@ SHARE_OF_END = 0.6
 
 
 def correction_of_sliding(law: FrictionLaw, states: Sequence[State]) -> FloatArray:
-    """Return (work of the tangential force) - (mean force times motion) in each increment [J].
+    """Return corrections of the work of the tangential force, by increment [J].
 
-    The result is zero if some cells stick at the end of the increment. Otherwise, the increment is
-    assumed to begin with partial slip, in which the force approaches the friction limit with the
-    power 3/2 of the motion, as for balls under constant load (Mindlin & Deresiewicz 1953). The
-    contact then slides at the friction limit, which changes with the load. The sliding distance is
-    the minimum slip of all contact cells.
+    A correction is the work minus the mean of the forces at the start and the end times the motion.
+    It is zero in increments at whose end some cells stick. In the other increments, the contact
+    first follows the law of Mindlin & Deresiewicz (1953) for balls under constant load: the force
+    approaches the friction limit as 1 - (1 - x)^(3/2), where x is the completed fraction of this
+    part of the motion. Then the contact slides by the smallest slip of all cells; the force is
+    equal to the friction limit, which changes with the load.
     """
     if not law.sticks or law.prevents_slip:
         return np.zeros(len(states) - 1)

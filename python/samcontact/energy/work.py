@@ -29,8 +29,8 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
 
     The work of the isotropic yield stress is integrated in closed form and depends only on the
     states `before` and `after`. The work of the backstress is computed with the mean backstress of
-    both states. The error of this work is of second order in the increment: add up the work of
-    small increments.
+    both states. The error due to this mean is of second order in the size of the increment: compute
+    the work of each increment, and add up the results.
 
     Parameters
     ----------

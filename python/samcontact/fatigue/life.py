@@ -91,8 +91,8 @@ class Life(ShortRepr, HtmlTable):
             )
         if math.isinf(self.log_integral) and math.isinf(reference.log_integral):
             raise ValueError(
-                "reference must have stress above the limit if this life has none: both are "
-                "infinite"
+                "reference must have a stress above its limit, because this life has none: the "
+                "ratio of two infinite lives is undefined"
             )
         return _exp((reference.log_integral - self.log_integral) / self.constants["weibull"])
 
@@ -119,7 +119,8 @@ class Life(ShortRepr, HtmlTable):
         """
         if math.isinf(self.log_integral):
             raise ValueError(
-                "the stress exceeds the limit nowhere: no constant gives a finite life"
+                "the stress exceeds the limit nowhere, so that no constant gives a finite life: "
+                "use a smaller limit"
             )
         size = positive("cycles", cycles)
         return (

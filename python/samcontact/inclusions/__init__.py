@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Inclusions in stressed bodies: closed forms, interfaces, stress of the matrix, statistics.
+"""Inclusions in stressed bodies: closed forms, interfaces, stress in the matrix, statistics.
 
 Bodies with inclusions are described by `samcontact.Heterogeneous`; the functions of this module
-evaluate their states. The stress of the matrix is taken from cells that contain no part of an
-inclusion.
+evaluate the states of a simulation with such a body. The stress of the matrix is taken from cells
+that contain no part of an inclusion.
 """
 
 from .butterflies import ButterflyMap, butterflies

@@ -20,14 +20,14 @@ _SLICE = 0.5  # half thickness of the section through an inclusion, in radii
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ButterflyMap(ShortRepr, HtmlTable):
-    """Criterion around inclusions in sections along the rolling direction, from `butterflies`.
+    """Fatigue criterion versus direction from the centre of an inclusion, from `butterflies`.
 
     Attributes
     ----------
     angle : ndarray, shape (sectors,)
         Middle of each sector [rad], from -pi to pi: 0 along x, pi/2 towards the surface.
     count : ndarray of int, shape (sectors,)
-        Number of inclusions that have their largest value in the sector.
+        Number of inclusions for which the criterion is largest in this sector.
     relative : ndarray, shape (sectors,)
         Largest value of the criterion in the sector, divided by the largest value around the
         inclusion; mean over all inclusions. A sector without cells counts as 0.
@@ -61,13 +61,14 @@ def butterflies(
     """Return a map of the directions around inclusions in which a fatigue criterion is largest.
 
     Butterflies are wings of altered steel at non-metallic inclusions below a raceway. The map uses
-    the cells of the matrix in a section parallel to x and z through each inclusion. The section
-    extends half a radius to each side.
+    the cells of the matrix in a section parallel to x and z through each inclusion. Cells up to
+    half a radius on each side of the centre plane belong to the section.
 
     Parameters
     ----------
     field : FatigueField
-        Criterion over a rolling pass along x, e.g. from `samcontact.fatigue.dang_van`.
+        Fatigue criterion for the stresses of a rolling pass along x, e.g. from
+        `samcontact.fatigue.dang_van`.
     body : Heterogeneous
         Body for which the field was computed.
     within : float, optional

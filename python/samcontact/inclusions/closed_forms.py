@@ -110,7 +110,7 @@ class EshelbySphere(HtmlTable):
 
     @property
     def concentration(self) -> float:
-        """Maximum von Mises stress of the matrix, relative to that far from the sphere [-].
+        """Maximum von Mises stress of the matrix, divided by the value far from the sphere [-].
 
         Infinite if the von Mises stress far from the sphere is 0.
         """
@@ -129,7 +129,7 @@ class EshelbySphere(HtmlTable):
 
 
 def eshelby_factors(nu: float) -> tuple[float, float]:
-    """Factors of Eshelby's tensor of a sphere for the mean and the deviator of an eigenstrain."""
+    """Factors by which Eshelby's tensor of a sphere scales mean and deviator of an eigenstrain."""
     return (1 + nu) / (3 * (1 - nu)), 2 * (4 - 5 * nu) / (15 * (1 - nu))
 
 
@@ -271,7 +271,11 @@ class MisfitSphere:
 
     @property
     def _strength(self) -> float:
-        """Radial displacement times the square of the distance in an infinite body [m^3]."""
+        """Strength of the sphere as a point source of displacement [m^3].
+
+        Around a sphere in an infinite body, the radial displacement is this strength divided by the
+        square of the distance from the centre.
+        """
         return (1 + self.nu) / (3 * (1 - self.nu)) * self.misfit * self.radius**3
 
     def surface_displacement(self, distance: ArrayLike) -> FloatArray:

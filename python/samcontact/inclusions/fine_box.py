@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress around small inclusions on fine cells, and fatigue criteria over a cycle of it."""
+"""Stress around small inclusions on fine cells, and fatigue criteria for cycles of this stress."""
 
 from __future__ import annotations
 
@@ -40,7 +40,8 @@ class FineBox(ShortRepr, HtmlTable):
     phase : ndarray of int, shape (nx, ny, nz)
         Index in `numbers` of the inclusion that fills most of a cell; -1 in the matrix.
     given_stress : ndarray, shape (6, nx, ny, nz)
-        Stress of the state, without these inclusions, interpolated to the cells [Pa].
+        Stress of the state, which does not contain these inclusions, interpolated to the cells
+        [Pa].
     stress : ndarray, shape (6, nx, ny, nz)
         Stress with the inclusions [Pa].
     eigenstrain : ndarray, shape (6, nx, ny, nz)
@@ -156,15 +157,16 @@ class FineBox(ShortRepr, HtmlTable):
 def fine_field(
     boxes: Sequence[FineBox], criterion: Callable[[FloatArray], FatigueField]
 ) -> FatigueField:
-    """Fatigue criterion over a cycle of fine boxes around the same inclusions.
+    """Fatigue criterion for the stress cycle around small inclusions.
 
     Parameters
     ----------
     boxes : sequence of FineBox
-        One box for each state of the cycle, e.g. of the positions of a rolling pass.
+        Boxes around the same inclusions, one for each state of the cycle, e.g. for each position of
+        a rolling pass.
     criterion : callable
-        Function of the stress, shape (n, 6, nx, ny, nz), that returns a field, e.g. ``lambda s:
-        sc.fatigue.dang_van(s, slope=0.3)``.
+        Function that returns the field of a criterion for a stress history, shape
+        (n, 6, nx, ny, nz), e.g. ``lambda s: sc.fatigue.dang_van(s, slope=0.3)``.
 
     Returns
     -------

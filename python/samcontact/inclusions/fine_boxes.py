@@ -44,7 +44,7 @@ def fine_boxes(
     within: float = 2.0,
     tol: float = 1e-4,
 ) -> list[FineBox]:
-    """Solve inclusions that are small compared with the cells of a state, each in a fine box.
+    """Solve inclusions that are small compared with the cells of a state, in boxes of fine cells.
 
     The stress of the state, which does not contain these inclusions, acts on them. Their effect on
     the contact and on the plastic flow of the state is neglected. This effect decreases as
@@ -62,7 +62,8 @@ def fine_boxes(
     body : {1, 2}, optional
         Body that contains the inclusions; neither rigid nor layered. Default: 2.
     cells_per_radius : float, optional
-        Cells per smallest radius of a box, at least 2; a warning is issued below 4. Default: 8.
+        Number of cells per radius of the smallest inclusion in a box, at least 2; a warning is
+        issued below 4. Default: 8.
     within : float, optional
         Distance from the centre of each inclusion to the sides of its box, in radii, above 1 and at
         most 10. Default: 2.
@@ -79,8 +80,8 @@ def fine_boxes(
     ------
     ValueError
         An inclusion can yield, lies outside the grid, or lies in another inclusion. The body is
-        layered or rigid, or its fields are offset from the cells of the grid. An argument is
-        outside its range.
+        layered or rigid, or it has moved by a distance that is not a whole number of cells. An
+        argument is outside its range.
     TypeError
         An argument has the wrong type.
     ConvergenceError
@@ -145,14 +146,14 @@ def _are_close(a: Inclusion, b: Inclusion) -> bool:
 
 
 def _matrix_of(state: State, which: int) -> Material:
-    """Return the material of a body, or of the matrix of a heterogeneous body, after a check."""
+    """Return the material of a body or of its matrix; raise an error if it is not supported."""
     described = state.setup.bodies[which - 1]
     matrix = matrix_of(described)
     if not isinstance(matrix, Material):
         raise ValueError(
             f"body{which} must be a Material or a Heterogeneous body for fine boxes, got "
-            f"{in_short(described)}: the stress that a layer reflects to its inclusions is not "
-            "included"
+            f"{in_short(described)}: fine boxes do not include the effect of layers; add the "
+            "inclusions to a Heterogeneous body on a fine grid"
         )
     if matrix.is_rigid:
         raise ValueError(f"body{which} must not be rigid: it has no stress")

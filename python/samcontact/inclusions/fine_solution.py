@@ -51,7 +51,8 @@ class Solution(NamedTuple):
 class _Law:
     """Update of the eigenstrain e* of all cells at constant s + p C e*.
 
-    Here s is the stress, C the stiffness of the matrix and p a factor, see `MixedLaw` of the core.
+    Here s is the stress, C the stiffness of the matrix and p a factor, see `MixedLaw` in the
+    compiled core.
     """
 
     def __init__(self, cells: Moduli, E: float, nu: float) -> None:
@@ -66,7 +67,7 @@ class _Law:
     def _kept(
         ratio: FloatArray, sphere: float, stiffness: float, strong: bool
     ) -> tuple[FloatArray, FloatArray]:
-        """Return p times the stiffness of the matrix, and the share of s in s + p C e*."""
+        """Return p C, and the ratio of the updated s to s + p C e* without misfit [-]."""
         p = np.full_like(ratio, sphere)
         if strong:
             p = np.where(ratio < 1, 1.0, np.where(ratio > 1, 0.5 * sphere, p))
@@ -143,5 +144,6 @@ def solve(
         x = accelerated.next(x, step)
     raise _core.ConvergenceError(
         f"inclusions did not converge: relative change {np.linalg.norm(step) / size:.2g} after "
-        f"{_MAX_EVALUATIONS} evaluations, tol {limit:g}: use fewer or less different inclusions"
+        f"{_MAX_EVALUATIONS} evaluations, tol {limit:g}: solve fewer inclusions together, use "
+        "inclusions with moduli closer to those of the matrix, or increase tol"
     )

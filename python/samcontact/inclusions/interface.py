@@ -171,8 +171,8 @@ def interfaces(
     Raises
     ------
     ValueError
-        The fields of the body are offset from the cells of the grid, or an inclusion in `numbers`
-        is not entirely inside the fields.
+        The body has moved by a distance that is not a whole number of cells, or an inclusion in
+        `numbers` is not entirely inside the fields.
     TypeError
         The body is not heterogeneous.
     """
@@ -197,7 +197,10 @@ def interfaces(
         if not means.contains(at):
             if numbers is None:
                 continue
-            raise ValueError(f"numbers must be inclusions inside the fields, got {at}")
+            raise ValueError(
+                f"numbers must be indices of inclusions inside the fields of the state, got {at}: "
+                "omit it, or enlarge the grid"
+            )
         around = material_around(described, at)
         found.append(interface_of(at, described.inclusions[at], *means.of(at), around))
     return found

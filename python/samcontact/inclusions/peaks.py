@@ -38,7 +38,8 @@ class Peak(HtmlTable):
     number : int
         Number of the nearest inclusion; -1 if none is near.
     distance : float
-        Distance from the centre of the nearest inclusion in radii; infinite if none is near.
+        Distance from the centre of the nearest inclusion, in radii of the inclusion; infinite if
+        none is near.
     angle : float
         Direction from this centre in the plane x-z [rad]: 0 along x, pi/2 towards the surface; NaN
         if no inclusion is near.
@@ -109,7 +110,8 @@ def statistics(
     body : {1, 2}, optional
         Heterogeneous body. Default: 2. Not used for a cycle, which refers to one body.
     within : float, optional
-        Distance from the centre of an inclusion up to which a cell is near, in radii. Default: 1.5.
+        Distance from the centre up to which a cell counts as near an inclusion, in radii. Default:
+        1.5.
     slope : float, optional
         Weight of the mean normal stress in `samcontact.fatigue.dang_van`. Default: without this
         criterion.
@@ -168,7 +170,8 @@ def peaks(field: FatigueField, body: Heterogeneous, within: float = 1.5) -> list
     body : Heterogeneous
         Body for which the field was computed.
     within : float, optional
-        Distance from the centre of an inclusion up to which a cell is near, in radii. Default: 1.5.
+        Distance from the centre up to which a cell counts as near an inclusion, in radii. Default:
+        1.5.
 
     Returns
     -------
@@ -219,7 +222,7 @@ def _peak(
     around: Surroundings,
     body: Heterogeneous,
 ) -> Peak:
-    """Largest value among the points that `where` selects."""
+    """Return the largest value among the points that `where` selects."""
     flat = int(np.where(where, values, -np.inf).argmax())
     index = np.unravel_index(flat, values.shape)
     x, y, z = (float(axis[i]) for axis, i in zip(axes, index, strict=True))

@@ -41,8 +41,9 @@ class StressAtPoints:
         share = self._at_layers(int(z[-1]) + 1).share(self._which)
         if share[np.ix_(x, y, z)].any():
             raise ValueError(
-                f"inclusions {list(numbers)} must lie in the matrix of the state, got an inclusion "
-                "of its body in their box"
+                f"inclusions {list(numbers)} must lie in the matrix of the state, but their box of "
+                "fine cells contains an inclusion of the body: use a smaller value of within, or "
+                "omit these inclusions"
             )
 
     def at(self, x: FloatArray, y: FloatArray, z: FloatArray) -> tuple[FloatArray, float]:

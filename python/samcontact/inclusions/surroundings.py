@@ -24,7 +24,7 @@ MAX_WITHIN = 10.0
 
 
 def checked_within(within: float) -> float:
-    """Check a distance from the centre of an inclusion in radii; its surface is at 1."""
+    """Check a distance from the centre of an inclusion, in radii: its surface is at 1."""
     ratio = number("within", within)
     if not 1.0 < ratio <= MAX_WITHIN:
         raise ValueError(
@@ -127,7 +127,7 @@ def _exclude_voxels(
 def matrix_field(
     field: FatigueField, body: Heterogeneous, within: float | None = None
 ) -> FatigueField:
-    """Field of a criterion in the matrix only: 0 in cells that an inclusion fills or cuts.
+    """Restrict the field of a criterion to the matrix: 0 in cells with any part of an inclusion.
 
     Pass the result to `samcontact.fatigue.life`, whose integral then extends over the matrix only.
     The ratio of this life to the life of the same body without inclusions shows how clean a steel

@@ -49,7 +49,7 @@ class WeibullFit(ShortRepr, HtmlTable):
 
     @cached_property
     def median_ranks(self) -> FloatArray:
-        """Fractions failed at each of `lives`, by Benard's formula (i - 0.3)/(n + 0.4)."""
+        """Fraction that has failed at each of `lives`, by Benard's formula (i - 0.3)/(n + 0.4)."""
         n = len(self.lives)
         return np.asarray((np.arange(1, n + 1) - 0.3) / (n + 0.4))
 
@@ -103,7 +103,7 @@ def weibull_fit(lives: ArrayLike) -> WeibullFit:
     ----------
     lives : array_like, shape (n,)
         At least three lives in any unit, > 0 and not all equal. Each life must end with a failure.
-        Example: lives under one load of random microstructures with different seeds.
+        Example: the lives of random microstructures with different seeds, all under the same load.
 
     Returns
     -------

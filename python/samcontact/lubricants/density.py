@@ -21,7 +21,7 @@ class DensityLaw(ABC):
     """Density as a function of pressure, relative to the density at zero pressure."""
 
     def ratio(self, p: ArrayLike) -> FloatArray:
-        """Return the relative density [-] at pressures p >= 0 [Pa], in their shape."""
+        """Return the relative density [-] at pressures p >= 0 [Pa], in the shape of p."""
         return self._ratio(pressures(p))
 
     def slope(self, p: ArrayLike) -> FloatArray:

@@ -90,18 +90,18 @@ class Oil(HtmlTable):
         return cold + slope * math.log10(COLD), slope
 
     def kinematic_viscosity(self, T: ArrayLike) -> FloatArray:
-        """Return the kinematic viscosity [m^2/s] at temperatures T of 253 to 423 K, in their shape.
+        """Return the kinematic viscosity [m^2/s] at temperatures T of 253 to 423 K.
 
-        Raises ValueError for other temperatures.
+        The result has the shape of T. Raises ValueError for other temperatures.
         """
         A, B = self._walther()
         nu: FloatArray = 10.0**10.0 ** (A - B * np.log10(_temperatures(T))) - 0.7
         return 1e-6 * nu
 
     def viscosity(self, T: ArrayLike) -> FloatArray:
-        """Return the viscosity [Pa s] at temperatures T of 253 to 423 K, in their shape.
+        """Return the viscosity [Pa s] at temperatures T of 253 to 423 K.
 
-        Raises ValueError for other temperatures.
+        The result has the shape of T. Raises ValueError for other temperatures.
         """
         return self.density * self.kinematic_viscosity(T)
 

@@ -21,8 +21,8 @@ WEIGHTS = 1.5, 2.0, 0.5
 def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> FloatArray:
     """Return the net volume flow of lubricant out of each cell [m^3/s], shape (nx, ny).
 
-    Volumes are those at zero pressure. order, supply: as given to `steady`. In a steady film the
-    net outflow of every cell is zero.
+    A volume of lubricant is the volume that it would have at zero pressure. order, supply: as given
+    to `steady`. In a steady film the net outflow of every cell is zero.
     """
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     fields = (film.fluid_pressure, film.film, 1.0 - film.filling)
@@ -47,7 +47,7 @@ def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = No
 def swept(film: FilmSolution) -> float:
     """Return the reference volume flow into the grid [m^3/s].
 
-    The film is taken to have its central thickness everywhere.
+    It is the flow that would enter if the film had its central thickness everywhere.
     """
     grid, mean = film.grid, np.abs(film.velocities.mean(axis=0))
     length, width = grid.nx * grid.dx, grid.ny * grid.dy
@@ -59,9 +59,9 @@ def storage_imbalance(films: Sequence[FilmSolution]) -> FloatArray:
     """Return the relative imbalance of the oil on the grid at each time [-].
 
     The imbalance is the net outflow from the grid plus the rate of change of the oil volume on it.
-    Its reference is the largest flow through the central film or, if larger, the largest rate of
-    change. films: start and steps of a history, equally spaced in time. The film is assumed to be
-    steady before the start.
+    It is divided by the largest flow through the central film or, if larger, by the largest rate of
+    change. films: films at the start and after each step of a history, equally spaced in time. The
+    film is assumed to be steady before the start.
     """
     stored = np.array([float(film.content.sum()) for film in films]) * films[0].grid.cell_area
     before = np.concatenate([stored[:1], stored[:-1]])
@@ -92,9 +92,10 @@ def outlet_pressure(film: FilmSolution) -> float:
 
 
 def _edge_pressure(film: FilmSolution, sign: float) -> float:
-    """Return the largest pressure in the edge cells where sign times inward velocity is > 0 [-].
+    """Return the largest pressure at the edges through which lubricant enters or leaves [-].
 
-    It is relative to the maximum pressure.
+    sign: 1 for the edges through which lubricant enters, -1 for those through which it leaves. The
+    result is relative to the maximum pressure.
     """
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     p = film.fluid_pressure
@@ -106,10 +107,11 @@ def _edge_pressure(film: FilmSolution, sign: float) -> float:
 
 
 def cells_per_radius(pressure: FloatArray, grid: Grid) -> float:
-    """Return the number of cells per semi-axis of a contact; the smaller of both axes [-].
+    """Return the number of cells per semi-axis of a contact, along the axis with fewer cells [-].
 
     The semi-axes are those of the Hertz contact whose pressure has the same second moments.
-    pressure: values on any number of cells that together cover the area of the grid.
+    pressure: pressure on cells that cover the area of the grid; their number may differ from that
+    of the grid.
     """
     total = float(pressure.sum())
     is_line = grid.ny == 1 or "y" in grid.periodic

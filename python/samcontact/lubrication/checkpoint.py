@@ -39,7 +39,7 @@ class Kept:
     ----------
     folder : Path
     run : Identity
-        Identity of the run; files of another run are refused.
+        Identity of the run. Files that were written by another run raise CheckpointError.
     """
 
     def __init__(self, folder: Path, run: Identity) -> None:
@@ -68,9 +68,9 @@ class Kept:
     def film(self, index: int, like: FilmSolution) -> FilmSolution | None:
         """Film of the step with this index; None if it has not been written.
 
-        like: any film of the same run, from which the data common to all its films are taken. A
-        damaged file is ignored with a warning. Raises CheckpointError if the file was written by
-        another run.
+        like: any film of the same run; the data that are common to all films of the run are taken
+        from it. A damaged file is ignored with a warning. Raises CheckpointError if the file was
+        written by another run.
         """
         file = self._file(index)
         require_marked(file)

@@ -131,9 +131,10 @@ def grid_errors(values: FloatArray) -> FloatArray:
     """Return the estimated relative errors of the values on the finest of several grids [-].
 
     values: results on grids refined by `RATIO` each time, the finest last. The last three
-    differences between successive grids are scaled to the finest grid with `ORDER`. The largest of
-    these three is extrapolated: the differences between all still finer grids are assumed to
-    decrease with `ORDER`, and the error is `SAFETY` times their sum.
+    differences between successive grids are converted to the cell size of the finest grid, with the
+    order of convergence `ORDER`. The largest of the three is taken as the difference between the
+    two finest grids. The differences between all still finer grids are assumed to decrease with the
+    same order; the error is `SAFETY` times their sum.
     """
     steps = np.abs(np.diff(values, axis=0))[::-1][:3]
     ages = np.arange(len(steps))[:, None]
@@ -144,10 +145,10 @@ def grid_errors(values: FloatArray) -> FloatArray:
 
 
 def _large_enough(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) -> _Window:
-    """Return the given grid or a larger one whose edges change the films little enough.
+    """Return the given grid, or a larger grid whose edges affect the films little enough.
 
-    The limit is `WINDOW_SHARE` of the accuracy. After `MAX_ENLARGEMENTS`, the last grid is
-    returned.
+    The relative errors due to the edges must not exceed `WINDOW_SHARE` times the accuracy. After
+    `MAX_ENLARGEMENTS`, the last grid is returned.
     """
     here, less = solve(task, grid), ENLARGEMENT**-WINDOW_ORDER
     for _ in range(MAX_ENLARGEMENTS):

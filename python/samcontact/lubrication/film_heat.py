@@ -113,7 +113,7 @@ class Conduction:
 
     @property
     def _resistance(self) -> FloatArray:
-        """Mid-plane temperature rise per heat flux of a uniformly heated film [K m^2/W]."""
+        """Temperature rise in the mid-plane of a uniformly heated film, per heat flux [K m^2/W]."""
         return self.film / (8.0 * self.constants.conductivity)
 
     def _power(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:

@@ -54,7 +54,7 @@ def require_thin_layer(task: FilmTask, dry: DryContact) -> None:
 
 
 def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
-    """Return the text of a remedy for a solution that did not converge."""
+    """Return advice for the error message of a solution that did not converge."""
     if task.max_iterations < FEW_ITERATIONS:
         return f"increase max_iterations, now {task.max_iterations}"
     film = min(dry.film, task.supply)

@@ -91,7 +91,7 @@ class FilmSolution(HtmlTable):
         Larger of two relative errors [-]: the imbalance of the flow of a cell, relative to the flow
         through the central film, and the imbalance of the load.
     levels : tuple of FilmLevel
-        Summaries of the nested grids, from the coarsest to the given grid.
+        Summaries of the solutions on the nested grids, from the coarsest to the given grid.
     boundary : Boundary, or None
     spin : float
         Mean angular velocity of the surfaces about z [rad/s].

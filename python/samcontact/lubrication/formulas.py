@@ -78,7 +78,7 @@ def nijenbanning(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float
 
 
 class FilmParts(NamedTuple):
-    """Central film divided by Moes' scale, and its isoviscous and piezoviscous parts [-]."""
+    """Central film and its isoviscous and piezoviscous parts, divided by `FilmGroups.scale` [-]."""
 
     film: float
     isoviscous: float
@@ -103,7 +103,7 @@ def film_parts(M: float, L: float, D: float) -> FilmParts:
 
 
 def _nijenbanning_limits(M: float, L: float, D: float) -> Limits:
-    """Return the central films of the four regimes, divided by Moes' scale [-].
+    """Return the central films of the four regimes, divided by `FilmGroups.scale` [-].
 
     Source: Nijenbanning, Venner & Moes (1994).
     """
@@ -138,9 +138,10 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
     film by `nijenbanning`. It is piezoviscous if the piezoviscous part of this film is larger than
     the isoviscous part.
 
-    A line contact is classified by the films of the four regimes instead. It is elastic if
-    b^2/(2 R), with the half-width b, is larger than these films. Raises ValueError for other
-    contacts.
+    A line contact is classified by the film thicknesses that the formulas of the four regimes give.
+    It is elastic if b^2/(2 R) exceeds both the isoviscous and the piezoviscous film, where b is the
+    half-width. It is piezoviscous if the piezoviscous film is thicker than the isoviscous film.
+    Raises ValueError for other contacts.
     """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:
@@ -152,7 +153,7 @@ def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
 def regime_of(M: float, L: float, D: float, approach: float) -> str:
     """Return the regime of an elliptic contact with Moes' numbers M, L and D = Rx/Ry.
 
-    approach: Hertz approach divided by Moes' scale [-].
+    approach: Hertz approach divided by `FilmGroups.scale` [-].
     """
     parts = film_parts(M, L, D)
     solid = "elastic" if approach > parts.film else "rigid"
@@ -186,7 +187,7 @@ def dowson_higginson_of(groups: FilmGroups) -> float:
 
 
 def _line(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
-    """Return the groups of a line contact; raise ValueError for other contacts."""
+    """Return the dimensionless groups of a line contact; raise ValueError for other contacts."""
     found = film_groups(contact, speed, lubricant)
     if found.D > 0.0:
         raise ValueError(
@@ -262,9 +263,10 @@ def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
 
 
 def _wide_ellipse(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
-    """Return the groups of a point or elliptic contact; raise ValueError for other contacts.
+    """Return the dimensionless groups of a point or elliptic contact.
 
-    The ellipse must not be longer along the motion than across it.
+    Raises ValueError for a line contact, or for an ellipse that is longer along the motion than
+    across it.
     """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:

@@ -27,8 +27,8 @@ class MoesNumbers(NamedTuple):
 class FilmGroups:
     """Dimensionless groups of a lubricated contact.
 
-    They contain the modulus E' = 2 E*, the mean speed u of the surfaces, the viscosity eta0 and the
-    pressure-viscosity coefficient alpha.
+    The groups contain the modulus E' = 2 E*, the mean speed u of the surfaces, the viscosity eta0
+    and the pressure-viscosity coefficient alpha.
 
     Attributes
     ----------
@@ -116,7 +116,7 @@ def sum_of_speeds(speed: Any) -> float:
 
 
 def film_groups(contact: Contact, speed: tuple[float, float], lubricant: Lubricant) -> FilmGroups:
-    """Return the groups U, G, W and the shape of a lubricated contact.
+    """Return the dimensionless groups and the shape of a lubricated contact.
 
     Raises TypeError or ValueError unless the contact is a Hertz contact under load and u1 + u2 is
     not zero.

@@ -49,12 +49,12 @@ def press_loads(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> tuple[FilmSolution, ...]:
-    """Advance a simulation by one increment for each load, which a steady film carries.
+    """Advance a simulation by one increment for each load, carried by a steady film.
 
     Parameters
     ----------
     simulation : Simulation
-        As for `press`, but with a grid that has depth (dz).
+        As for `press`, but the grid must have cells over depth (dz).
     loads : sequence of float
         Normal load of each increment [N], > 0.
     speed, lubricant, boundary, order, shear_thinning, thermal, tol, max_iterations
@@ -74,7 +74,7 @@ def press_loads(
     Raises
     ------
     ValueError, TypeError
-        As for `press`, or if loads is not a list of positive numbers, or if the grid has no depth.
+        As for `press`, or if loads is not a list of positive numbers, or if the grid has no dz.
         CheckpointError if `checkpoint` contains files of another run.
     ConvergenceError
         As for `press`; the attribute `result` contains the films under the preceding loads.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mixed lubrication: films with a boundary layer at increasing speeds, from the dry contact."""
+"""Mixed lubrication: films with a boundary layer, solved from the dry contact to higher speeds."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ class MixedFilm:
         return replace(self._task, velocities=velocities, spin=spin)
 
     def solver_of(self, task: FilmTask) -> LevelSolver:
-        """Return the solver, set to a task."""
+        """Return the solver, after giving it this task to solve."""
         self._solver.task = task
         return self._solver
 

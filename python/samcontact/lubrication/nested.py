@@ -212,7 +212,7 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
 
 
 def start_of(task: FilmTask, grid: Grid, gap: FloatArray, dry: DryContact) -> dict[str, Any]:
-    """Return the initial pressures, voids and approach of a film, based on the dry contact.
+    """Return initial pressures, void fractions and approach of a film, based on the dry contact.
 
     Under a light load, the initial pressure extends farther than that of the dry contact.
     """

@@ -24,7 +24,7 @@ NEWTONIAN = 1.0, 0.0, 0.0, 0.0
 
 
 class PressureFlow(NamedTuple):
-    """Coefficients of the pressure flow at the faces, defined in `film/reynolds.hpp` (core)."""
+    """Coefficients of the pressure flow at the cell faces, as defined in `film/reynolds.hpp`."""
 
     factor_x: FloatArray
     fluidity_x: FloatArray
@@ -73,8 +73,8 @@ def pressure_flow(film: Sheared) -> PressureFlow:
 def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
     """Return the power per area that the pressure flow of a solution dissipates [W/m^2].
 
-    flow: the coefficients with which the pressure was computed. With these, the power belongs to
-    the flow that conserves mass. None: isothermal Newtonian film.
+    flow: the coefficients with which the pressure was computed, so that the power is that of the
+    same flow; None for an isothermal Newtonian film.
     """
     power = np.zeros_like(film.pressure)
     for axis in (0, 1):
@@ -164,9 +164,10 @@ class _Faces:
         return share * main / self._fluidity.sum(axis=0), (1.0 - share) * main, slope, added
 
     def _tensor(self) -> tuple[FlowTensor, FloatArray, FloatArray]:
-        """Return the flow tensor, and the fluidity ratios over the film height and of the walls.
+        """Return the flow tensor, and the fluidity ratios across the film and of the walls.
 
-        The tensor is given at all Gauss points between the pressures of two cells.
+        The tensor is evaluated at the Gauss points `NODES` between two cells. See `warm_fluidity`
+        for the ratios across the film, and `wall_fluidity` for those of the walls.
         """
         film, h = self._film, self._h
         hot, warm = np.ones_like(h), np.ones((HEIGHTS.size, *h.shape))

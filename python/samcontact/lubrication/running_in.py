@@ -66,10 +66,10 @@ def running_in(
 ) -> RunningIn:
     """Simulate running-in: wear of a surface in proportion to the pressure of its boundary layer.
 
-    The depth grows by ``archard`` times the pressure of the boundary layer times the sliding
-    distance (Archard's law); the fluid causes no wear. The worn surface is at rest in the contact,
-    like the surface of a pin on a rotating disc, so each of its points wears continuously. After
-    each step, a steady film is solved on the worn gap.
+    The worn depth increases by ``archard`` times the pressure of the boundary layer times the
+    sliding distance (Archard's law); the fluid causes no wear. The worn surface is at rest in the
+    contact, like the surface of a pin on a rotating disc, so each of its points wears continuously.
+    After each step, a steady film is solved on the worn gap.
 
     Parameters
     ----------
@@ -80,8 +80,8 @@ def running_in(
     duration : float
         Duration [s], > 0.
     steps : int
-        Number of steps of equal duration, >= 1. A step must not wear off more than 10 thicknesses
-        of the layer.
+        Number of steps of equal duration, >= 1. A step must not wear off more than 10 times the
+        thickness of the boundary layer.
     worn : {1, 2}, optional
         Body that wears; its velocity must be 0.
     tol, max_iterations
@@ -133,7 +133,7 @@ def _sliding_speed(film: FilmSolution, worn: int) -> float:
     if film.boundary is None:
         raise ValueError("film must have a boundary layer, got none: solve it with a Boundary")
     if film.past is not None:
-        raise ValueError("film must be steady, got one of a history: use that of `steady`")
+        raise ValueError("film must be steady, got one of a history: use a film from `steady`")
     if film.velocities[worn - 1].any() or film.spin:
         raise ValueError(
             f"film must have a worn body {worn} at rest and no spin, got the velocity "
@@ -150,14 +150,14 @@ def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
     if largest > limit:
         needed = int(np.ceil(steps * largest / limit))
         raise ValueError(
-            f"steps must be large enough to wear off at most {MAX_STEP:g} thicknesses of the "
-            f"boundary layer in each, got {steps} with {quantity(largest, 'm')}: use {needed} or "
-            "more"
+            f"steps must be large enough for each to wear off at most {MAX_STEP:g} times the "
+            f"thickness of the boundary layer, got {steps}, of which one wears off "
+            f"{quantity(largest, 'm')}: use {needed} or more"
         )
 
 
 class _Course:
-    """Steady films on a gap that grows by wear.
+    """Steady films on a gap that wear increases.
 
     Each solution starts from the preceding film. If this fails, it starts from the dry contact.
     """

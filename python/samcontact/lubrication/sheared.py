@@ -56,8 +56,8 @@ class ShearedLevel:
     def solve(self, found: Any, layer: tuple[float, float]) -> Any:
         """Solve for flow and heat, starting from a state of the film.
 
-        Flow and heat are consistent when the flow needs no further iteration after an update of its
-        coefficients.
+        The coefficients of the flow and its solution are updated in turn, until the solution with
+        new coefficients needs no iteration.
         """
         task, counts = self._solver.task, dict.fromkeys(COUNTS, 0)
         for _ in range(MAX_OUTER):
@@ -184,9 +184,9 @@ def check_heated(film: FilmSolution, radius: float) -> None:
     carried = speed * constants.capacity * film.central_film**2 / (constants.conductivity * radius)
     if carried > MAX_CARRIED_HEAT:
         warnings.warn(
-            f"the flow should carry little heat along, got {carried:.2g} of the heat that is "
-            f"conducted across the film (at most {MAX_CARRIED_HEAT:g} expected): the computed "
-            "temperature of the film is too high, because it includes only this conduction",
+            f"the flow along the film carries {carried:.2g} times the heat that is conducted "
+            f"across the film (at most {MAX_CARRIED_HEAT:g} expected): the computed temperature "
+            "of the film is too high, because it includes the conduction only",
             UserWarning,
             stacklevel=3,
         )

@@ -182,7 +182,7 @@ def steady(
 
 
 def _checked(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
-    """Return the solution and its dry contact; check the solution if the film is heated."""
+    """Return the solution and the dry contact, after checking the solution of a heated film."""
     solution, dry, _ = solved_from_dry(task, grid)
     if task.thermal:
         check_heated(solution, dry.radius)
@@ -301,7 +301,7 @@ def velocities_of(speed: Any) -> FloatArray:
 
 
 def _solved(solver: LevelSolver, start: dict[str, Any], layer: tuple[float, float]) -> Any:
-    """Return the solution on a grid; if the iteration fails, retry from a solution of order 1."""
+    """Return the solution on a grid; if it fails, retry from a solution with `order` 1."""
     found = solver.solve(start, layer, solver.task.order)
     if found["converged"] or solver.task.order == 1:
         return found

@@ -104,7 +104,8 @@ class HeatedSurfaces:
     def _crossing(self, difference: FloatArray, resistance: FloatArray) -> FloatArray:
         """Return the heat per area that crosses the film from body 1 to body 2 [W/m^2].
 
-        difference: temperature of surface 1 minus that of surface 2 without this heat [K].
+        difference: temperature of surface 1 minus temperature of surface 2 [K], both computed
+        without this heat.
         """
         shape = difference.shape
         own = sum(float(s.rise(_unit(shape)).max()) for s in self._surfaces)

@@ -88,7 +88,7 @@ def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatA
 def _tangent(
     stress: FloatArray, ratio: FloatArray, change: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the derivative of the flow along x to the gradient along x, and likewise along y.
+    """Return the derivative of the flow along x with respect to the gradient along x, and for y.
 
     The mid-plane stress changes with the gradient so that the mean shear rate stays constant.
     """

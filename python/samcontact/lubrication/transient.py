@@ -94,9 +94,9 @@ def transient(
     steps : int
         Number of time steps, >= 1. Moving topography should advance by at most one cell per step.
     relief1, relief2 : callable, optional
-        Topography of bodies 1 and 2 that moves with the velocity of the body: function that returns
-        heights [m] at the coordinates x and y that its points have at time 0. The heights are
-        subtracted from the gap of the start. A wave needs 32 cells per wavelength.
+        Topography that moves with body 1 or 2: function f(x, y) that returns the height [m] of the
+        points of the body that are at x and y at time 0. The heights are subtracted from the gap of
+        the start. A wave needs 32 cells per wavelength.
     load : callable, optional
         Function that returns the load [N] at a time since the beginning of the history [s].
         Default: the load of the start.
@@ -126,9 +126,8 @@ def transient(
     require_type("start", start, FilmSolution)
     if start.heat is not None:
         raise ValueError(
-            "start must be a film without heat, got a heated one: the temperatures of the surfaces "
-            "are those of steady heat, which transient films do not have; solve it with thermal = "
-            "False"
+            "start must be a film without heat, got a heated one: transient films do not include "
+            "heat; solve the start with thermal = False"
         )
     duration, steps = positive("duration", duration), integer("steps", steps, 1)
     functions = {"relief1": relief1, "relief2": relief2, "load": load, "speed": speed}

@@ -67,8 +67,8 @@ def press(
 
     The film replaces the dry contact. The pressure of the film causes plastic flow, and the
     residual displacement of the surfaces changes the gap of the film. Film and plastic flow are
-    solved in turn until they are consistent. The simulation then is in the new state; a step
-    without load gives the residual imprint.
+    solved in turn until they are consistent. Afterwards the simulation is in the new state; a step
+    with zero load then gives the residual imprint.
 
     Parameters
     ----------
@@ -80,8 +80,9 @@ def press(
         As in `steady`. The heat of the film changes its viscosity only: it causes no stress in the
         bodies and does not soften them.
     tol : float, optional
-        Largest change of the residual displacement in the last evaluation, relative to the approach
-        of a Hertz contact with the same load and maximum pressure [-]. Default: 1e-4.
+        Largest change of the residual displacement in the last evaluation [-], divided by the
+        approach of a Hertz contact with the load and the maximum pressure of the film. Default:
+        1e-4.
 
     Returns
     -------
@@ -145,7 +146,7 @@ def _require_film_alone(simulation: Simulation) -> None:
 
 
 class _Coupling:
-    """Iteration between film and plastic flow in an increment, for the residual displacement."""
+    """Iteration for the residual displacement, between film and plastic flow, in one increment."""
 
     def __init__(self, simulation: Simulation, task: FilmTask) -> None:
         self._simulation, self._task = simulation, task

@@ -86,7 +86,7 @@ class MaterialData(HtmlTable):
     def value(self, constant: str) -> float:
         """Return a constant in its SI unit, e.g. ``value("conductivity")``.
 
-        Raises ValueError if the library has no such constant of this material.
+        Raises ValueError if the library has no such constant for this material.
         """
         return self._known(constant).value
 

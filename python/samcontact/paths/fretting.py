@@ -79,7 +79,8 @@ def fretting_loop(
 ) -> Path:
     """Cycle a tangential force or displacement under constant load or approach.
 
-    The path goes from 0 to the amplitude. Each cycle then goes to the opposite amplitude and back.
+    The path first increases from 0 to the amplitude. Each cycle then goes to the opposite amplitude
+    and back.
 
     Parameters
     ----------

@@ -303,7 +303,7 @@ def sliding(
     step, passes, increments, unload_increments, back_and_forth, heat_factor, return_time : optional
         As in `rolling`.
     slider : {1, 2}
-        The body on which the contact stays.
+        Body on which the contact stays in place.
     speed : float, optional
         Sliding speed [m/s], > 0, as in `rolling`. Set `velocity` of the heat to 0 for the slider
         and, for distance > 0, to -speed for the other body, or set `track` of the heat.

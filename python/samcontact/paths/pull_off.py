@@ -27,16 +27,17 @@ class Retraction:
     """Retraction of two adhesive bodies until they separate, as a part of a path.
 
     An entry ``{"pull_off": Retraction()}`` of the path of `Simulation.run` stands for as many
-    increments as the separation requires. In each increment, the approach decreases by `step`,
-    starting from the preceding state. If a machine of finite stiffness prescribes the approach, its
-    approach decreases by `step`. The function `pull_off` performs a retraction outside a path.
+    increments as the separation requires. The approach decreases by `step` in each of them,
+    starting from the preceding state; with a machine of finite stiffness, it is the prescribed
+    approach of the machine that decreases. The function `pull_off` retracts a simulation
+    immediately instead.
 
     Attributes
     ----------
     step : float or None
         Decrease of the approach in an increment [m], > 0. None: a quarter of the length w/a_max,
-        with the work of adhesion w and the largest attraction a_max of the adhesion law on the
-        grid; for the exponential law, a quarter of the range.
+        where w is the work of adhesion and a_max the largest attraction of the law of adhesion on
+        the grid; for the exponential law, a quarter of its range.
     until : {"apart", "maximum"}
         End of the retraction, as in `pull_off`.
     max_steps : int
@@ -100,11 +101,11 @@ def pull_off(
 ) -> PullOff:
     """Retract a simulation with adhesion, until its surfaces separate.
 
-    The approach decreases by `step` in each increment; with a machine of finite stiffness, this is
-    the approach of the machine. The contact passes through states of equilibrium until it becomes
-    unstable and jumps apart: past the largest tension with a rigid machine, at the largest tension
-    with a soft machine. The surfaces count as separated if no cell is in contact and the tension
-    has fallen to a hundredth of its maximum.
+    The approach decreases by `step` in each increment; with a machine of finite stiffness, it is
+    the prescribed approach of the machine that decreases. The contact follows its branch of
+    equilibrium and jumps apart where the branch ends: past the largest tension with a rigid
+    machine, at the largest tension with a soft one. The surfaces count as separated if no cell is
+    in contact and the tension has fallen to a hundredth of its maximum.
 
     Parameters
     ----------
@@ -136,7 +137,7 @@ def pull_off(
     -----
     IncrementWarning
         The tension rises by more than 5 % of its maximum in the increment that ends at the maximum,
-        or the tension is largest at the start.
+        or it is largest at the start.
     """
     step = positive("step", step)
     retraction = Retraction(step, until, max_steps, speed)
@@ -174,7 +175,7 @@ def require_speed(retraction: Retraction, needed: bool) -> None:
 def retraction_increments(
     retraction: Retraction, current: Callable[[], Any], step: float, stiffness: float | None
 ) -> Iterator[dict[str, float]]:
-    """Iterate over the arguments of the increments; the caller solves each before the next.
+    """Iterate over the arguments of the increments; solve each before requesting the next.
 
     current: function that returns the present state. step: decrease of the approach in an
     increment [m]. stiffness: stiffness of the machine [N/m], None: rigid. Raises ValueError if

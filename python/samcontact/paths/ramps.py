@@ -37,7 +37,7 @@ def fractions(increments: int, spacing: str, exponent: float) -> FloatArray:
 
 
 def start_unit(targets: Container[str]) -> str:
-    """Return the unit of the start value of a ramp: N if `targets` contain a load, else m."""
+    """Return the unit of `start` of a ramp: N if the target is a load, m if it is an approach."""
     return "N" if "load" in targets else "m"
 
 
@@ -74,8 +74,8 @@ def _growing(name: str, first: float, total: float, count: int) -> list[float]:
     start = positive(name, first)
     if not (start < total and count > 1):
         raise ValueError(
-            f"{name} must be < duration ({total!r} s) in at least 2 increments, got {start!r} s in "
-            f"{count}"
+            f"{name} must be < duration ({total!r} s), with increments >= 2, got {start!r} s and "
+            f"{count} increments"
         )
     durations: list[float] = growing_durations(total, start, count).tolist()
     return durations
@@ -115,7 +115,7 @@ def hold(
         Heat flux per unit pressure from the first step on [m/s]; 0 switches the source off.
     first_duration : float, optional
         Duration of the first step [s]; the times since the start of the path then form a geometric
-        sequence, as creep over several decades requires. Default: equal durations.
+        sequence, which suits creep over several decades of time. Default: equal durations.
 
     Returns
     -------

@@ -74,12 +74,12 @@ def oscillation(
     frequency : float
         Frequency [Hz], > 0.
     periods : int
-        Number of periods. The loop becomes steady after about the longest relaxation time. It is
-        steady earlier if the path starts from the relaxed state:
-        ``sim.step(load=mean, duration=0.0)``, then ``sim.relax()``.
+        Number of periods. The loop becomes steady after about the longest relaxation time, or from
+        the beginning if the bodies are relaxed at the mean load first: ``sim.step(load=mean,
+        duration=0.0)``, then ``sim.relax()``.
     increments : int
-        Number of steps per period, >= 4. The loss angle has an error proportional to the square of
-        the step.
+        Number of steps per period, >= 4. The error of the loss angle is of second order in the
+        duration of a step.
     quantity : {"load", "approach"}
 
     Returns

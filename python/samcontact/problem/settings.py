@@ -135,8 +135,8 @@ class ContactSettings:
         if self.adhesion.rubs_by_compression and (self.law.prevents_slip or self.law.hardens):
             raise ValueError(
                 f'friction_on must be "repulsion" with friction = {self.friction!r}, got '
-                f"adhesion = {self.adhesion!r}: without a bound of the shear, or "
-                "with a layer that hardens, friction by compression is not defined"
+                f'adhesion = {self.adhesion!r}: "compression" is not defined for friction that '
+                "prevents slip or hardens"
             )
 
     @classmethod

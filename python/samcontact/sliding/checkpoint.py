@@ -33,7 +33,7 @@ class Kept:
     ----------
     folder : Path
     run : Identity
-        Identity of the run; files of another run are refused.
+        Identity of the run. Files that were written by another run raise CheckpointError.
     grid : Grid
         Grid of the run.
     """
@@ -90,7 +90,7 @@ class Kept:
 def kept_in(
     folder: str | os.PathLike[str] | None, grid: Grid, **arguments: Any
 ) -> Iterator[Kept | None]:
-    """Context manager that locks a folder and gives its solutions, or None without a folder."""
+    """Context manager that locks a folder and provides its solutions; None without a folder."""
     if folder is None:
         yield None
         return

@@ -50,13 +50,14 @@ class FrictionCurve:
         return np.array([float(s.pressure.max()) for s in self.solutions])
 
     def to_dataset(self, *, fields: bool = True) -> xr.Dataset:
-        """Convert to a labelled dataset with units, with one `point` for each velocity.
+        """Convert to a labelled dataset with units; its dimension `point` counts the velocities.
 
         Parameters
         ----------
         fields : bool, optional
-            Whether to include the pressure of all cells; it is 0 outside the grid of a solution.
-            The contact share is included on grids that are periodic along x and y.
+            Whether to include the pressure of all cells; it is 0 outside the grid of a solution. On
+            grids that are periodic along x and y, the dataset also contains the share of the area
+            that is in contact.
 
         Returns
         -------

@@ -45,8 +45,8 @@ def steady(
 
     The gap is fixed to body 1, whose roughness slides over the smooth surface of body 2. The
     material of a viscoelastic body 2 moves through the contact; a viscoelastic body 1 rests in the
-    contact and has its long-time modulus (a warning is issued). The energy lost in body 2 gives the
-    hysteretic part of friction. Friction due to shear of the interface is not included.
+    contact and has its long-time modulus (a warning is issued). The energy lost in body 2 causes
+    the hysteretic part of friction. A shear stress at the interface would add to this friction.
 
     Parameters
     ----------
@@ -88,7 +88,7 @@ def steady(
     The steady displacement is the elastic displacement due to an equivalent pressure, which depends
     on the pressure that each material point has passed through since it entered the contact. The
     whole track behind the contact is included. Persson (2001), J. Chem. Phys. 115, 3840, estimates
-    the hysteretic friction of randomly rough surfaces.
+    this friction for randomly rough surfaces.
     """
     require_type("grid", grid, Grid)
     bodies = require_moving(body1, body2)

@@ -360,11 +360,11 @@ def test_heat(write, tmp_path, undrawn):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("duration = 4e-3\n", "", r"path\[0\]: duration must be given if, and only if, heat\.hist"),
+        ("duration = 4e-3\n", "", r"path\[0\]: duration is required with heat\.history, .* add"),
         (
             "history = [1e-3, 1.0]",
             "",
-            r"path\[0\]: duration must be given if, and only if, heat\.hist",
+            r"path\[0\]: duration has no effect without heat\.history, .* omit dur",
         ),
         ("history = [1e-3, 1.0]", "history = [1e-3]", "heat.history"),
         (

@@ -213,7 +213,7 @@ PRESSED = KINDS["pressed film"]
                             "transient": {"duration": 1e-4}}}, "velocity of body 2 along y"),
         (IN_TIME, {"film": IN_TIME["film"] | {"transient": {
             "duration": 1e-4, "times": [0.0, 1.0]}}},
-         "times and load_factors or speed_factors must be given together"),
+         "times must be given with load_factors, speed_factors or both"),
         (IN_TIME, {"film": IN_TIME["film"] | {"transient": {
             "duration": 1e-4, "times": [0.0, 1.0], "load_factors": [1.0, 2.0, 3.0]}}},
          "load_factors must have as many values as times"),

@@ -96,7 +96,7 @@ def test_a_moving_case_runs_and_tracks_the_bodies(write):
         ("passes = 2", "passes = 0", r"path\[0\]\.roll\.passes: must be a whole number >= 1"),
         ("passes = 2", "slider = 2", r"path\[0\]\.roll\.slider: unknown field; allowed here: dist"),
         ("passes = 2", "slide_to_roll = 3", r"roll\.slide_to_roll: must be a number in \[-2, 2\]"),
-        ("passes = 2", "speed = 1.0", r"path\[0\]: speed must be given if"),
+        ("passes = 2", "speed = 1.0", r"path\[0\]: speed has no effect without heat\.history"),
         ("load = 600.0", "load = 0.0", r"path\[0\]: load must be > 0, got 0\.0"),
         (ROLL, ROLL + "\nstart = 1.0", r"path\[0\]: roll cannot be combined with start"),
         (
@@ -183,7 +183,7 @@ def test_heat_moves_with_the_body(write):
     partly = r"path\[0\]\.roll\.step: advance of body 1 must be a multiple of the cell size"
     with pytest.raises(CaseError, match=partly):
         load_case(write(*heated, roll, follows, ("step = 60e-6", "step = 45e-6")))
-    with pytest.raises(CaseError, match=r"path\[0\]: speed must be given if"):
+    with pytest.raises(CaseError, match=r"path\[0\]: speed is required with heat\.history"):
         load_case(write(*heated))
     slip = THERMAL.replace("factor = 0.02", "partition = 1.0").replace("history", "# history")
     by_slip = [("n = 0.121\n", slip), ("friction = 0.0", "friction = {coulomb = 0.1}")]

@@ -309,7 +309,7 @@ def test_slip_heats_for_the_duration_of_the_increment():
     warm = [state.surface_temperature(body).max() for body in (1, 2)]
     assert warm[0] > 0
     assert warm[1] / warm[0] == pytest.approx(0.4 / 0.6, rel=1e-9)
-    stated = {"duration = 1e-2\n": "duration must be given", "partition = 0.4\n": "exactly one of"}
+    stated = {"duration = 1e-2\n": "duration is required", "partition = 0.4\n": "exactly one of"}
     for old, message in stated.items():
         with pytest.raises(CaseError, match=message):
             parse_case(text.replace(old, "") + "fret = {shift_x = 2e-6}\n")
