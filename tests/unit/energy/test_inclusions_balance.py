@@ -68,7 +68,7 @@ def yielding(*inclusions, matrix=HARDENING, unload=False):
 )
 @pytest.mark.parametrize("unload", [False, True])
 def test_the_work_of_the_load_is_stored_and_dissipated(inclusion, unload):
-    """As well as in the body without inclusion, whose error is 0.4 % with these cells.
+    """The error of the body without inclusion is 0.4 % with these cells.
 
     The strain next to voids has a tolerance ten times as large.
     """
