@@ -187,6 +187,11 @@ void bind_fields(py::class_<State>& bound) {
   bind("eigenstrain", volume_method<Rank::tensor>(&simulation::eigenstrain));
   bind("plastic_strain", volume_method<Rank::tensor>(&simulation::plastic_strain));
   bind("temperature", volume_method<Rank::scalar>(&simulation::temperature));
+  bind("matrix_plastic_strain", volume_method<Rank::tensor>(&simulation::matrix_plastic_strain));
+  bind("inclusion_plastic_strain",
+       volume_method<Rank::tensor>(&simulation::inclusion_plastic_strain));
+  bind("inclusion_equivalent_strain",
+       volume_method<Rank::scalar>(&simulation::inclusion_equivalent_strain));
   bind("equivalent_plastic_strain",
        volume_method<Rank::scalar>(&simulation::equivalent_plastic_strain));
   const auto bind_surface = [&](const char* name, Field (*method)(const State&, int)) {

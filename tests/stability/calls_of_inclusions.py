@@ -88,6 +88,7 @@ CALLS = [
     ("Heterogeneous.yield_stress_at", BODY.yield_stress_at, {"z": [1e-5, 2e-5]}),
     ("Heterogeneous.residual_stress_at", BODY.residual_stress_at, {"z": [1e-5, 2e-5]}),
     ("State.share", STATE.share, {"body": 2}),
+    ("State.phase_strains", STATE.phase_strains, {"body": 2}),
     ("State.phase", STATE.phase, {"body": 2}),
     ("State.disturbance", STATE.disturbance, {"body": 2}),
     (

@@ -83,7 +83,9 @@ def errors(name, per_radius, key, state):
     ]
     matrix = cells["material"] == 0
     found = state.equivalent_plastic_strain(2)[i + middle, j + middle, k]
-    return rms, found[matrix].max(), cells["g"][matrix].max()
+    # Where elements are fine enough, the mean over a cell, which the strain of a cell represents.
+    means = inclusions.case(name)["summary"].get("max_cell_mean_of_g", {})
+    return rms, found[matrix].max(), means.get(str(per_radius), cells["g"][matrix].max())
 
 
 # Cells per radius; bounds of the error of the matrix, the sphere and the maximum pressure, and
@@ -113,10 +115,10 @@ def test_elastic(name, per_radius, matrix, inside, pressure, steps):
 # Bounds of the error of the matrix, loaded and unloaded, the sphere, the maximum pressure and the
 # maximum plastic strain of the matrix.
 PLASTIC = [
-    ("e2_05p", 4, 0.020, 0.031, 0.014, 0.14),
+    ("e2_05p", 4, 0.020, 0.031, 0.014, 0.105),
     pytest.param("e03_05p", 4, 0.024, 0.0125, 0.003, 0.06, marks=pytest.mark.slow),
     pytest.param("v_05p", 4, 0.037, 0.004, 0.006, 0.18, marks=pytest.mark.slow),
-    pytest.param("e2_05p", 8, 0.0125, 0.020, 0.004, 0.09, marks=pytest.mark.slow),
+    pytest.param("e2_05p", 8, 0.0125, 0.020, 0.004, 0.08, marks=pytest.mark.slow),
     pytest.param("e03_05p", 8, 0.0125, 0.006, 0.001, 0.03, marks=pytest.mark.slow),
 ]
 
@@ -133,6 +135,22 @@ def test_elastic_plastic(name, per_radius, matrix, inside, pressure, strain):
     assert loaded.pressure.max() / P0 == pytest.approx(
         case["summary"]["max_pressure_over_p0"], rel=pressure
     )
+
+
+@pytest.mark.slow
+def test_the_largest_plastic_strain_converges():
+    """7.4 % below the largest mean over a cell with 8 cells per radius, and 10 % with 4.
+
+    With 8 cells it is 8.2 % below the largest value at the centre of a cell.
+    """
+    low = []
+    for per_radius in (4, 8):
+        _, loaded, _, _ = states("e2_05p", per_radius)
+        _, largest, expected = errors("e2_05p", per_radius, "loaded", loaded)
+        low.append(1 - largest / expected)
+    assert 0 < low[1] < 0.8 * low[0]
+    cells = inclusions.cells("e2_05p", "loaded", 8)
+    assert largest == pytest.approx(cells["g"][cells["material"] == 0].max(), rel=0.085)
 
 
 PAGE = Path(__file__).parents[2] / "docs" / "theory" / "inclusions.md"

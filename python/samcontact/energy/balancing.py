@@ -12,12 +12,13 @@ import numpy as np
 
 from .._util.checks import FloatArray, require_list, require_type
 from .._util.display import HtmlTable, Rows, percent, quantity
+from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import Body, backstresses_of, matrix_of
 from ..bodies.viscoelastic import instantaneous, relaxation_of
 from ..contact.solver import ContactSolver
 from ..problem.friction import friction_law
 from ..solutions.state import State, on_common_grid
-from .mismatch import mismatch_energy, not_balanced
+from .mismatch import mismatch_energy, not_balanced, work_with_inclusions
 from .motion import Motion, have_equal_eigenstrain, over_grid
 from .sliding import correction_of_sliding
 from .work import (
@@ -46,9 +47,9 @@ class EnergyBalance(HtmlTable):
         Net external work: work input minus the work recovered in increments with negative work [J].
     elastic_energy : float
         Elastic energy due to the current tractions [J], including that stored in viscoelastic
-        bodies.
+        bodies. For a body with inclusions, its whole elastic energy.
     residual_energy : float
-        Elastic energy of the residual stress [J].
+        Elastic energy of the residual stress of bodies without inclusions [J].
     friction_work, plastic_work : float
         Energy dissipated by friction, and by plastic flow [J].
     eigenstrain_energy : float
@@ -149,7 +150,9 @@ def _energies(simulation: Simulation, states: Sequence[State]) -> dict[str, floa
             given += eigenstrain_energy(states[-1].track(number, margin=0))
         if not body.is_plastic:
             continue
-        if states[-1].max_plastic_strain_magnitude(number) > 0:
+        if isinstance(body, Heterogeneous):
+            plastic += work_with_inclusions(body, number, states)
+        elif states[-1].max_plastic_strain_magnitude(number) > 0:
             residual += residual_energy(states[-1].track(number, margin=0))
             plastic += _plastic_work_of(body, number, states)
     return {

@@ -9,6 +9,7 @@ import numpy as np
 
 from .._util.checks import BoolArray, FloatArray
 from ..bodies.heterogeneous import Heterogeneous, material_around
+from ..bodies.inclusion import Inclusion
 from ..bodies.inclusion_cells import InclusionCells
 from ..bodies.layered import backstresses_of
 from ..bodies.phase_mixing import relative_phase
@@ -47,7 +48,7 @@ def set_two_phases(
     )
     if not moderate.any():
         return
-    normal = normals(cells, grid)
+    normal = normals(cells, grid, body.inclusions)
     own = moderate[of_cell] & np.asarray(normal.any(axis=0))[cut]
     places = tuple(index[own] for index in cut)
     of_phase = (*fields[:2], *fields[3:9], fields[13])
@@ -57,12 +58,37 @@ def set_two_phases(
         field[places] = component[places]
 
 
-def normals(cells: InclusionCells, grid: Grid) -> FloatArray:
+def normals(cells: InclusionCells, grid: Grid, inclusions: Sequence[Inclusion] = ()) -> FloatArray:
     """Return unit normals of the inclusion surfaces in the cells of a box, shape (3, n, m, l).
 
-    The normal of a cell follows from the gradient of the filled share of the neighbouring cells
-    (Youngs 1982), and is 0 where this gradient is 0.
+    In a cut cell of an ellipsoid, the normal is that of the ellipsoid of the same shape through the
+    middle of the cell. In any other cell, it follows from the gradient of the filled share of the
+    neighbouring cells (Youngs 1982), and is 0 where this gradient is 0.
     """
+    found = _from_shares(cells, grid)
+    cut = np.nonzero(cells.is_cut & (cells.phase >= 0) & (cells.phase < len(inclusions)))
+    if not cut[0].size:
+        return found
+    assert grid.dz is not None
+    number = cells.phase[cut]
+    at = []
+    for axis, (name, step, count) in enumerate(
+        (("x", grid.dx, grid.nx), ("y", grid.dy, grid.ny), ("z", grid.dz, 0))
+    ):
+        centers = np.array([one.center[axis] for one in inclusions])[number]
+        middle = (count - 1) / 2  # exactly opposite in mirrored cells
+        distance = step * (cut[axis] + cells.first[axis] - middle) - centers
+        if name in grid.periodic:
+            distance -= step * count * np.round(distance / (step * count))
+        at.append(distance)
+    metrics = np.array([one.metric() for one in inclusions])[number]
+    gradient = np.einsum("nij,jn->in", metrics, np.array(at))
+    found[:, cut[0], cut[1], cut[2]] = gradient / np.linalg.norm(gradient, axis=0)
+    return found
+
+
+def _from_shares(cells: InclusionCells, grid: Grid) -> FloatArray:
+    """Return the unit normals from the gradient of the share."""
     share = np.pad(cells.share, ((1, 1), (1, 1), (0, 1)))
     # Beyond the surface of the body the share continues.
     top = share[:, :, :1] if cells.first[2] == 0 else np.zeros_like(share[:, :, :1])

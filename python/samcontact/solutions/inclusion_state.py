@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -18,6 +18,17 @@ if TYPE_CHECKING:
 
     from ..problem.grid import Grid
     from ..problem.setup import SimulationSetup
+
+
+class PhaseStrains(NamedTuple):
+    """Plastic strain of both phases of a body with inclusions, see `State.phase_strains`."""
+
+    matrix: FloatArray
+    """Plastic strain of the matrix [-], shape (6, nx, ny, nz)."""
+    inclusion: FloatArray
+    """Plastic strain of the inclusions [-], shape (6, nx, ny, nz)."""
+    inclusion_equivalent: FloatArray
+    """Accumulated equivalent plastic strain of the inclusions [-], shape (nx, ny, nz)."""
 
 
 class InclusionState:
@@ -54,6 +65,16 @@ class InclusionState:
         unloading.
         """
         return self._field("disturbance", body)
+
+    def phase_strains(self, body: int = 2) -> PhaseStrains:
+        """Plastic strain of the matrix and of the inclusions.
+
+        They differ in partly filled cells in which both phases flow by their own laws, where
+        `equivalent_plastic_strain` is that of the matrix. In all other cells, both are that of the
+        cell.
+        """
+        names = "matrix_plastic_strain", "inclusion_plastic_strain", "inclusion_equivalent_strain"
+        return PhaseStrains(*(self._field(name, body) for name in names))
 
     def _of_cells(self, name: str, outside: float, body: int) -> FloatArray:
         index = choice("body", body, (1, 2)) - 1

@@ -28,8 +28,8 @@ from .zone import Zone, ZoneStress
 
 _VOLUME_FIELDS = (
     "stress", "residual_stress", "initial_stress", "eigenstress", "eigenstrain", "plastic_strain",
-    "disturbance",
-    "equivalent_plastic_strain", "backstress", "temperature",
+    "disturbance", "equivalent_plastic_strain", "backstress", "temperature",
+    "matrix_plastic_strain", "inclusion_plastic_strain", "inclusion_equivalent_strain",
 )  # fmt: skip
 
 

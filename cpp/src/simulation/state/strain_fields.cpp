@@ -37,9 +37,11 @@ double largest_magnitude(const Field& strain) {
   return std::sqrt(2.0 / 3 * largest);
 }
 
-/// Plastic strain in zones of the stored part of a history, six components.
+/// Plastic strain in zones of the stored part of a history, six components. share_of: weight of
+/// the inclusion in a cell of two phases.
+template <class ShareOf>
 Field plastic_strain_of(const State& state, int body, const PlasticState& history,
-                        const Zones& zones) {
+                        const Zones& zones, const ShareOf& share_of) {
   Field strain = six_components(history.strain(zones), history.tensor());
   const std::size_t cells = zones.cells();
   const auto field = [&](const std::shared_ptr<const PlasticState>& flow) {
@@ -48,12 +50,23 @@ Field plastic_strain_of(const State& state, int body, const PlasticState& histor
   };
   const Field flow = field(state.inclusions_flow[body]), rest = field(state.matrix_flow[body]);
   for_mixed_cells(state, body, zones, [&](std::size_t n, const plasticity::MixedCell& mixed) {
-    const double share = mixed.has_two_phases() ? mixed.share : 1.0;
+    const double share = mixed.has_two_phases() ? share_of(mixed) : 1.0;
     for (std::size_t at = n; at < 6 * cells; at += cells) {
       strain[at] = share * flow[at] + (1 - share) * rest[at];
     }
   });
   return strain;
+}
+
+double mean_share(const plasticity::MixedCell& mixed) { return mixed.share; }
+
+/// Plastic strain over a region.
+template <class ShareOf>
+Field plastic_strain_in(const State& state, int body, const Box& region, const ShareOf& share_of) {
+  state.setup().require_volume(body);
+  if (!state.plastic[body]) return Field(6 * region.volume_size(), 0.0);
+  const auto history = unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none);
+  return plastic_strain_of(state, body, *history, Zones({region}), share_of);
 }
 
 }  // namespace
@@ -63,10 +76,26 @@ Field plastic_strain(const State& state, int body, Layers layers) {
 }
 
 Field plastic_strain(const State& state, int body, const Box& region) {
-  state.setup().require_volume(body);
-  if (!state.plastic[body]) return Field(6 * region.volume_size(), 0.0);
-  const auto history = unfolded(state.plastic[body], state.setup().grid, fft::Symmetry::none);
-  return plastic_strain_of(state, body, *history, Zones({region}));
+  return plastic_strain_in(state, body, region, mean_share);
+}
+
+Field matrix_plastic_strain(const State& state, int body, Layers layers) {
+  return plastic_strain_in(state, body, state.below(layers), [](const auto&) { return 0.0; });
+}
+
+Field inclusion_plastic_strain(const State& state, int body, Layers layers) {
+  return plastic_strain_in(state, body, state.below(layers), [](const auto&) { return 1.0; });
+}
+
+Field inclusion_equivalent_strain(const State& state, int body, Layers layers) {
+  const Box region = state.below(layers);
+  Field equivalent = equivalent_plastic_strain(state, body, region);
+  const auto own = unfolded(state.matrix_flow[body], state.setup().grid, fft::Symmetry::none);
+  const Field known = own ? own->equivalent(region) : Field(equivalent.size(), 0.0);
+  for_mixed_cells(state, body, Zones({region}), [&](std::size_t n, const auto& mixed) {
+    if (mixed.has_two_phases()) equivalent[n] = known[n];
+  });
+  return equivalent;
 }
 
 Field equivalent_plastic_strain(const State& state, int body, Layers layers) {
@@ -136,7 +165,7 @@ double max_plastic_strain_magnitude(const State& state, int body) {
   const PlasticState& history = *state.plastic[body];
   if (!state.setup().inclusions[body]) return history.tiles().max_strain();
   const Zones zones = history.zones();
-  return largest_magnitude(plastic_strain_of(state, body, history, zones));
+  return largest_magnitude(plastic_strain_of(state, body, history, zones, mean_share));
 }
 
 Field backstress(const State& state, int body, Layers layers) {

@@ -12,6 +12,12 @@ namespace samcontact::simulation {
 
 Field plastic_strain(const State& state, int body, Layers layers = {});
 Field plastic_strain(const State& state, int body, const Box& region);
+/// Plastic strain of the matrix and of the inclusion in cells of two phases; elsewhere that of the
+/// cell.
+Field matrix_plastic_strain(const State& state, int body, Layers layers = {});
+Field inclusion_plastic_strain(const State& state, int body, Layers layers = {});
+/// Likewise the accumulated equivalent strain of the inclusion.
+Field inclusion_equivalent_strain(const State& state, int body, Layers layers = {});
 Field equivalent_plastic_strain(const State& state, int body, Layers layers = {});
 Field equivalent_plastic_strain(const State& state, int body, const Box& region);
 /// Prescribed eigenstrain [-]; of a body with inclusions in addition the strain that its matrix,
