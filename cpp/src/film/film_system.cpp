@@ -12,7 +12,8 @@ namespace samcontact::film {
 namespace {
 
 /// Accuracy of the pressure that belongs to a film, in the preconditioner; where the boundary layer
-/// is stiff, the pressure of the fluid is a small difference of this pressure and that of the layer.
+/// is stiff, the pressure of the fluid is a small difference of this pressure and that of the
+/// layer.
 constexpr double pressure_accuracy = 0.05, accuracy_with_layer = 1e-3;
 /// Stiffness of the boundary layer in a cavitated cell, relative to that of the cell, from which on
 /// the preconditioner couples its pressure to the others.
