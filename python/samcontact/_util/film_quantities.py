@@ -30,7 +30,7 @@ FILMS = {
         "1", "share of the load that the boundary layer bears", "%", "share of boundary layer",
         "boundary\nlayer",
     ),
-    "share_error": Q(
+    "share_uncertainty": Q(
         "1", "estimated error of the share of the boundary layer due to the grid; NaN for shares "
         "above 0.1 or below 0.001", "%", "error of the share of boundary layer",
     ),

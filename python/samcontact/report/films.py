@@ -35,9 +35,9 @@ MAX_GAP_MISMATCH = 0.02
 """Limit of the difference between the gap of the film and that of the bodies that have yielded."""
 _VALUES = (
     "time", "speed", "load", "approach", "max_pressure", "central_film", "minimum_film",
-    "lambda_ratio", "boundary_share", "share_error", "friction_coefficient", "rolling_resistance",
-    "power", "max_film_rise", "max_surface_rise", "max_von_mises", "max_plastic_strain",
-    "max_residual_stress", "imprint",
+    "lambda_ratio", "boundary_share", "share_uncertainty", "friction_coefficient",
+    "rolling_resistance", "power", "max_film_rise", "max_surface_rise", "max_von_mises",
+    "max_plastic_strain", "max_residual_stress", "imprint",
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "residual", "flow_imbalance", "inlet_pressure", "outlet_pressure",
@@ -97,9 +97,9 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     if "gap_mismatch" in dataset:
         name = "plastic flow: mismatch of the gaps of film and bodies, relative to the central film"
         yield Check(name, float(dataset["gap_mismatch"].max()), MAX_GAP_MISMATCH)
-    if "share_error" in dataset:
+    if "share_uncertainty" in dataset:
         name = "small share of the boundary layer: estimated error due to the grid, relative"
-        errors = (dataset["share_error"] / dataset["boundary_share"]).values
+        errors = (dataset["share_uncertainty"] / dataset["boundary_share"]).values
         yield Check(name, float(np.nanmax(errors)), MAX_ERROR)
     if "heat" in dataset:
         name = "heat balance: difference of heat and dissipated power, relative to the power"
