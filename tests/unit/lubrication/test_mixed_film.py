@@ -90,13 +90,6 @@ def test_a_self_affine_surface_becomes_dry_as_the_speed_falls(rms):
     assert np.any((found.boundary_share > 0.01) & (found.boundary_share < 0.3))
 
 
-@pytest.mark.slow
-def test_a_self_affine_surface_on_fine_cells_becomes_dry_as_the_speed_falls():
-    """Shares from 30 % down to 1 % on the way."""
-    found = dry_limit(64, 1e-7, [4.5e-7, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2])
-    assert found.boundary_share[-1] < 0.03
-
-
 def line(cells, waves=0.0):
     """Return grid, gap and load of a line contact of 0.97 GPa; waves: amplitude [m]."""
     p0 = 0.97e9
