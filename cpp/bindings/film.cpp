@@ -58,13 +58,16 @@ Content solve_film(FilmSolver& solver, const LubricantTable& lubricant, const Ar
                    int order, double supply, double thinnest,
                    const std::pair<double, double>& layer, const Content& start, double tol,
                    int max_iterations, const std::pair<double, double>& time,
-                   const MaybeArray& content, const std::vector<Array>& pressure_flow) {
+                   const MaybeArray& content, const std::vector<Array>& pressure_flow,
+                   const std::pair<double, double>& order_change) {
   const Field undeformed = to_field(gap);
   const film::FaceVelocities velocities{to_field(along_x), to_field(along_y)};
   film::FlowSettings flow;
   flow.order = order;
   flow.supply = supply;
   flow.thinnest = thinnest;
+  flow.first_order_below = order_change.first;
+  flow.higher_order_above = order_change.second;
   flow.pressure_flow = to_pressure_flow(pressure_flow);
   film::FilmState state = to_state(start);
   Field earlier = to_field_or_empty(content);
@@ -126,7 +129,8 @@ void bind_film(py::module_& m) {
            py::arg("target"), py::arg("along_x"), py::arg("along_y"), py::arg("order"),
            py::arg("supply"), py::arg("thinnest"), py::arg("layer"), py::arg("start"),
            py::arg("tol"), py::arg("max_iterations"), py::arg("time") = std::pair{0.0, 1.0},
-           py::arg("content") = py::none(), py::arg("pressure_flow") = std::vector<Array>{});
+           py::arg("content") = py::none(), py::arg("pressure_flow") = std::vector<Array>{},
+           py::arg("order_change") = std::pair{4.0, 20.0});
 
   m.def("film_outflow", &film_outflow, py::arg("grid"), py::arg("lubricant"), py::arg("along_x"),
         py::arg("along_y"), py::arg("order"), py::arg("supply"), py::arg("layer"),

@@ -9,7 +9,7 @@
 namespace samcontact::film {
 namespace {
 
-constexpr int max_steps = 12;
+constexpr int max_steps = 60;
 /// Neighbours of a cell on each side: of a plane, and of a line contact.
 constexpr int reach_of_plane = 1, reach_of_line = 2;
 /// Share of the pressure due to a uniform displacement that is taken from the nearest coefficients:

@@ -11,8 +11,10 @@
 namespace samcontact::film {
 namespace {
 
-/// Accuracy of the pressure that belongs to a film, in the preconditioner.
-constexpr double pressure_accuracy = 0.05;
+/// Accuracy of the pressure that belongs to a film, in the preconditioner; where the boundary layer
+/// is stiff, the pressure of the fluid is a small difference of this pressure and that of the
+/// layer.
+constexpr double pressure_accuracy = 0.05, accuracy_with_layer = 1e-3;
 /// Stiffness of the boundary layer in a cavitated cell, relative to that of the cell, from which on
 /// the preconditioner couples its pressure to the others.
 constexpr double least_contact = 1e-3;
@@ -42,6 +44,7 @@ void FilmSystem::classify(const Linearised& system) {
   touched_ = stiff_ = pressed_ = full_;
   damping_.assign(n, 0.0);
   column_.assign(n, 1.0);
+  accuracy_ = pressure_accuracy;
   contact_weight_ = column_;
   for (std::size_t i = 0; i < n; ++i) {
     const double k = system.stiffness[i];
@@ -53,6 +56,7 @@ void FilmSystem::classify(const Linearised& system) {
                                    std::fabs(system.slopes.film.diagonal(i))
                     ? 1
                     : 0;
+    if (stiff_[i]) accuracy_ = accuracy_with_layer;
     if (stiff_[i] || touched_[i]) damping_[i] = 1 / std::max(k, least_scale);
     column_[i] = contact_weight_[i] = 1 / (1 + k * own);
   }
@@ -157,7 +161,7 @@ void FilmSystem::find_response(const Linearised& system) {
   Field negative = flow_response_;
   for (double& value : negative) value = -value;
   pressure_response_ =
-      elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_, pressure_accuracy);
+      elastic_.press(target(system, negative, 1.0, zero), pressed_, damping_, accuracy_);
   load_response_ =
       cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure_response_[i]; });
 }
@@ -170,7 +174,7 @@ void FilmSystem::precondition(const Linearised& system, const Field& residual, F
   for (std::size_t i = 0; i < n; ++i) contact[i] = residual[n + i] / contact_weight_[i];
   Field flow = flow_solution(residual);
   Field pressure =
-      elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_, pressure_accuracy);
+      elastic_.press(target(system, flow, 0.0, contact), pressed_, damping_, accuracy_);
   double approach = residual[2 * n];
   if (system.has_load) {
     const double load = cell_area_ * ordered_sum(n, [&](std::size_t i) { return pressure[i]; });

@@ -15,9 +15,6 @@ namespace {
 
 /// Smallest film of third order at a face, relative to the smaller film of its two cells.
 constexpr double least_share = 0.9;
-/// Range of films, in thicknesses of the boundary layer, in which the film at a face changes from
-/// first to higher order.
-constexpr double first_order_below = 4.0, higher_order_above = 20.0;
 
 /// Cells on each side of a face that its flux depends on.
 constexpr int stencil = 2;
@@ -243,9 +240,9 @@ Reynolds::Entrained Reynolds::entrained(const Line& line, int number, int sign,
 }
 
 void Reynolds::blend(double first, Entrained& found) const {
-  const double range = (higher_order_above - first_order_below) * settings_.boundary_thickness;
-  const double s =
-      std::clamp((first - first_order_below * settings_.boundary_thickness) / range, 0.0, 1.0);
+  const double layer = settings_.boundary_thickness, below = settings_.first_order_below * layer;
+  const double range = settings_.higher_order_above * layer - below;
+  const double s = std::clamp((first - below) / range, 0.0, 1.0);
   const double share = s * s * (3 - 2 * s), difference = found.content - first;
   for (Part& part : found.parts) part.share *= share;
   found.own = (1 - share) + 6 * s * (1 - s) / range * difference;

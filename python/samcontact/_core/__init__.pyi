@@ -716,6 +716,7 @@ class FilmSolver:
         time: tuple[float, float] = (0.0, 1.0),
         content: numpy.typing.NDArray[numpy.float64] | None = None,
         pressure_flow: collections.abc.Sequence[numpy.typing.NDArray[numpy.float64]] = [],
+        order_change: tuple[float, float] = (4.0, 20.0),
     ) -> dict[str, typing.Any]: ...
 
 def contact_outline(

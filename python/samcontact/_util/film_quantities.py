@@ -30,6 +30,10 @@ FILMS = {
         "1", "share of the load that the boundary layer bears", "%", "share of boundary layer",
         "boundary\nlayer",
     ),
+    "share_uncertainty": Q(
+        "1", "estimated error of the share of the boundary layer due to the grid; NaN for shares "
+        "above 0.1 or below 0.001", "%", "error of the share of boundary layer",
+    ),
     "friction_coefficient": Q(
         "1", "friction coefficient; NaN if a Newtonian lubricant exceeds 0.15", "",
         "friction coefficient", "friction",

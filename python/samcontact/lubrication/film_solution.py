@@ -109,6 +109,9 @@ class FilmSolution(HtmlTable):
         Temperatures of a heated film.
     errors : FilmErrors, or None
         Estimated errors of central and minimum film, if an accuracy was prescribed.
+    share_error : float, or None
+        Estimated absolute error of `boundary_share` due to the grid, for shares from 0.001 to 0.1
+        in `steady` and `stribeck` [-]; infinite if it could not be found.
     plasticity : FilmPlasticity, or None
         Stress and plastic strain of elastic-plastic bodies, from `press_loads`.
     """
@@ -134,6 +137,7 @@ class FilmSolution(HtmlTable):
     shear_thinning: bool = False
     heat: FilmHeat | None = None
     errors: FilmErrors | None = None
+    share_error: float | None = None
     plasticity: FilmPlasticity | None = None
 
     @cached_property
@@ -197,7 +201,10 @@ class FilmSolution(HtmlTable):
             ("minimum film", self._with_error(self.minimum_film, 1)),
         ]
         if self.boundary is not None:
-            rows.append(("share of the boundary layer", quantity(self.boundary_share)))
+            share = quantity(self.boundary_share)
+            if self.share_error is not None:
+                share += f" ± {quantity(self.share_error)}"
+            rows.append(("share of the boundary layer", share))
         if self.heat is not None:
             rows.append(("largest temperature rise", quantity(self.heat.max_rise, "K")))
         return [*rows, ("residual", quantity(self.residual)), ("cells", str(self.film.shape))]

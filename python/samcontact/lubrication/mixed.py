@@ -14,6 +14,8 @@ from ..problem.grid import Grid
 from .film_limits import require_thin_layer
 from .film_solution import FilmLevel
 from .nested import DryContact, FilmTask, LevelSolver, dry_contact, state_of, table_of
+from .share_error import of_sheared, share_error
+from .sheared import ShearedLevel
 
 FILM_OF_DRY = 0.06
 """Film that a formula predicts at the first speed, relative to the layer thickness."""
@@ -112,8 +114,18 @@ class MixedFilm:
         """Return the summary of a solution on this grid."""
         return self._solver.level(found)
 
+    def solved(self, factor: float, states_error: bool) -> tuple[Any, float | None]:
+        """Return the solution with shear and heat at a speed, and the error of its share."""
+        found = self.at(factor)
+        solver = self.solver_of(self.task_at(factor))
+        error = share_error(solver, found, self.layer) if states_error else None
+        if not solver.task.is_sheared or not found["converged"]:
+            return found, error
+        sheared = ShearedLevel(solver).solve(found, self.layer)
+        return sheared, of_sheared(error, found, sheared)
+
     def at(self, factor: float) -> Any:
-        """Return the solution at `factor` times the speed of the task.
+        """Return the solution without shear and heat at `factor` times the speed of the task.
 
         The factors of successive calls must not decrease. If even the smallest step in speed fails,
         the returned solution has not converged.

@@ -49,6 +49,7 @@ from .nested import (
     state_of,
     table_of,
 )
+from .share_error import warn_of_share
 from .sheared import ShearedLevel, check_heated, sheared_from, with_shear
 
 CELLS_PER_RADIUS = 12.0
@@ -154,8 +155,9 @@ def steady(
     Warns
     -----
     ResolutionWarning
-        Less than 12 cells per contact radius, or a central film that changes by more than 5 %
-        between the last two grids.
+        Less than 12 cells per contact radius, a central film that changes by more than 5 % between
+        the last two grids, or a share of the boundary layer below 0.1 with an estimated error of
+        more than 10 % of it.
     GridTooSmallWarning
         Noticeable pressure at an edge of the grid through which lubricant enters.
     AccuracyWarning
@@ -176,14 +178,17 @@ def steady(
     if accuracy is not None:
         targets = checked_accuracy(accuracy, task)
         return to_accuracy(task, grid, targets, lambda task, grid: _checked(task, grid)[0])
-    solution, dry = _checked(task, grid)
+    solution, dry = _checked(task, grid, states_error=True)
     _warn_of_grid(solution, dry)
+    warn_of_share(solution, task)
     return solution
 
 
-def _checked(task: FilmTask, grid: Grid) -> tuple[FilmSolution, DryContact]:
+def _checked(
+    task: FilmTask, grid: Grid, states_error: bool = False
+) -> tuple[FilmSolution, DryContact]:
     """Return the solution and the dry contact, after checking the solution of a heated film."""
-    solution, dry, _ = solved_from_dry(task, grid)
+    solution, dry, _ = solved_from_dry(task, grid, states_error)
     if task.thermal:
         check_heated(solution, dry.radius)
     return solution, dry
@@ -193,9 +198,14 @@ Found = tuple[FilmSolution, DryContact, Any]
 """Solution, the dry contact from which it started, and the fields of the core."""
 
 
-def solved_from_dry(task: FilmTask, grid: Grid) -> Found:
-    """Return the solution with or without a boundary layer, starting from the dry contact."""
-    return _full_film(task, grid) if task.boundary is None else _mixed_film(task, grid)
+def solved_from_dry(task: FilmTask, grid: Grid, states_error: bool = False) -> Found:
+    """Return the solution with or without a boundary layer, starting from the dry contact.
+
+    states_error: whether to estimate the error of a small share of the boundary layer.
+    """
+    if task.boundary is None:
+        return _full_film(task, grid)
+    return _mixed_film(task, grid, states_error)
 
 
 def _full_film(task: FilmTask, grid: Grid) -> Found:
@@ -227,7 +237,7 @@ def _full_film(task: FilmTask, grid: Grid) -> Found:
     return solution_of(grid, gap, task, found, levels), dry, found
 
 
-def _mixed_film(task: FilmTask, grid: Grid) -> Found:
+def _mixed_film(task: FilmTask, grid: Grid, states_error: bool) -> Found:
     """Return the solution with a boundary layer, starting from a full film or the dry contact."""
     assert task.boundary is not None
     mixed = MixedFilm(task, grid)
@@ -240,11 +250,10 @@ def _mixed_film(task: FilmTask, grid: Grid) -> Found:
         else:
             if thick[0].boundary_share < MAX_SHARE:
                 return thick
-    found = mixed.at(1.0)
-    if task.is_sheared and found["converged"]:
-        found = ShearedLevel(mixed.solver_of(task)).solve(found, mixed.layer)
+    found, error = mixed.solved(1.0, states_error)
     require_converged(found, task, remedy(task, mixed.dry, grid))
-    return solution_of(grid, mixed.gap, task, found, [mixed.level(found)]), mixed.dry, found
+    solution = solution_of(grid, mixed.gap, task, found, [mixed.level(found)])
+    return replace(solution, share_error=error), mixed.dry, found
 
 
 def checked_task(

@@ -3,8 +3,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,7 +19,7 @@ from ..problem.grid import Grid
 from .boundary import Boundary
 from .film_solution import FilmSolution
 from .mixed import MixedFilm
-from .sheared import ShearedLevel, check_heated, with_shear
+from .sheared import check_heated, with_shear
 from .steady import checked_task, require_converged, solution_of
 
 
@@ -46,6 +47,15 @@ class StribeckCurve(ShortRepr):
     def boundary_share(self) -> FloatArray:
         """Share of the load that the boundary layer carries [-], shape (n,)."""
         return np.array([s.boundary_share for s in self.solutions])
+
+    @property
+    def share_error(self) -> FloatArray:
+        """Estimated errors of `boundary_share` due to the grid [-], shape (n,).
+
+        NaN for shares above 0.1 or below 0.001; see `FilmSolution`.
+        """
+        errors = (s.share_error for s in self.solutions)
+        return np.array([math.nan if error is None else error for error in errors])
 
     @property
     def central_film(self) -> FloatArray:
@@ -93,8 +103,8 @@ def stribeck(
         Boundary layer, which carries the load at low speeds.
     order : {1, 2, 3}, optional
         Order of the interpolation of the film thickness to the faces of the cells. If the boundary
-        layer carries less than 0.1 of the load, its share depends on the order: compare orders 1
-        and 3, or halve the cell size. Default: 3.
+        layer carries less than 0.1 of the load, its share depends on the order;
+        `StribeckCurve.share_error` is the estimated error. Default: 3.
 
     Returns
     -------
@@ -125,13 +135,12 @@ def stribeck(
     solutions: list[FilmSolution] = []
     try:
         for speed in map(float, given):
-            found = mixed.at(speed)
             moving = mixed.task_at(speed)
-            if moving.is_sheared and found["converged"]:
-                found = ShearedLevel(mixed.solver_of(moving)).solve(found, mixed.layer)
+            found, error = mixed.solved(speed, states_error=True)
             level = mixed.level(found)
             require_converged(found, moving)
-            solutions.append(solution_of(grid, mixed.gap, moving, found, [level]))
+            solution = solution_of(grid, mixed.gap, moving, found, [level])
+            solutions.append(replace(solution, share_error=error))
             if thermal:
                 check_heated(solutions[-1], mixed.dry.radius)
     except BaseException as error:  # Ctrl-C too

@@ -10,6 +10,7 @@ import numpy as np
 
 from .._util.check import Check
 from .._util.film_quantities import FILMS
+from ..lubrication.share_error import MAX_ERROR
 from ..lubrication.steady import CELLS_PER_RADIUS, MAX_CHANGE, MAX_EDGE_PRESSURE
 from ..plotting.film_summary import film_figures
 from ..results.reading import cell_size
@@ -36,9 +37,9 @@ MAX_GAP_MISMATCH = 0.02
 plastically deformed bodies, relative to the central film thickness."""
 _VALUES = (
     "time", "speed", "load", "approach", "max_pressure", "central_film", "minimum_film",
-    "lambda_ratio", "boundary_share", "friction_coefficient", "rolling_resistance", "power",
-    "max_film_rise", "max_surface_rise", "max_von_mises", "max_plastic_strain",
-    "max_residual_stress", "imprint",
+    "lambda_ratio", "boundary_share", "share_uncertainty", "friction_coefficient",
+    "rolling_resistance", "power", "max_film_rise", "max_surface_rise", "max_von_mises",
+    "max_plastic_strain", "max_residual_stress", "imprint",
 )  # fmt: skip
 _CONVERGENCE = (
     "iterations", "residual", "flow_imbalance", "inlet_pressure", "outlet_pressure",
@@ -98,6 +99,10 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     if "gap_mismatch" in dataset:
         name = "plastic flow: mismatch of the gaps of film and bodies, relative to the central film"
         yield Check(name, float(dataset["gap_mismatch"].max()), MAX_GAP_MISMATCH)
+    if "share_uncertainty" in dataset:
+        name = "small share of the boundary layer: estimated error due to the grid, relative"
+        errors = (dataset["share_uncertainty"] / dataset["boundary_share"]).values
+        yield Check(name, float(np.nanmax(errors)), MAX_ERROR)
     if "heat" in dataset:
         name = "heat balance: difference of heat and dissipated power, relative to the power"
         lost = float(np.nanmax(np.abs(dataset["heat"] / dataset["power"] - 1.0)))

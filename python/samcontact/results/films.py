@@ -167,6 +167,8 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
     }
     if film.boundary is not None:
         found["boundary_share"] = film.boundary_share
+        if film.share_error is not None:
+            found["share_uncertainty"] = film.share_error
     if film.past is not None:
         found["time"] = film.time
     found |= _plastic_scalars(film)
@@ -307,6 +309,8 @@ def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
                 shear_thinning=bool(attributes["shear_thinning"]), order=int(attributes["order"]),
                 supply=float(attributes["supply"]), **fields,
             )  # fmt: skip
+            if "share_uncertainty" in one and not np.isnan(one["share_uncertainty"]):
+                solution = replace(solution, share_error=float(one["share_uncertainty"]))
             if "time" in one:
                 solution = replace(solution, past=_past(dataset, n, made[-1] if n else solution))
             made.append(solution)

@@ -103,6 +103,12 @@ def test_curve_over_the_speed(tmp_path):
         assert films[0].boundary == sc.lubrication.Boundary(2e-9)
         np.testing.assert_allclose([film.boundary_share for film in films], share, rtol=1e-12)
         np.testing.assert_allclose(data["speed"], [1e-4, 1e-2])
+        # the small share is uncertain on these cells
+        uncertainty = data["share_uncertainty"].values
+        assert np.isnan(uncertainty[0])
+        assert films[1].share_error == uncertainty[1] > 0.1 * share[1]
+        failed = [check.name for check in report.checks(data) if not check.passed]
+        assert any(name.startswith("small share of the boundary layer") for name in failed)
 
 
 def test_films_before_an_error_are_written(tmp_path, monkeypatch):

@@ -72,7 +72,7 @@ class FilmSystem {
   std::vector<char> full_, touched_, stiff_, pressed_;
   Field damping_, column_, contact_weight_, row_scale_;
   Field flow_response_, pressure_response_;
-  double load_response_ = 1.0;
+  double load_response_ = 1.0, accuracy_ = 1.0;
   NearMatrix matrix_;
   BlockLu factors_;
 };

@@ -36,6 +36,9 @@ struct FlowSettings {
   int order = 3;
   /// Thickness of a boundary layer [m], near which the film at a face is of first order; 0: none.
   double boundary_thickness = 0.0;
+  /// Range of films, in thicknesses of this layer, in which the film at a face changes from first
+  /// to third order.
+  double first_order_below = 4.0, higher_order_above = 20.0;
   /// Film of lubricant that arrives at the inlet [m]; infinite: fully flooded.
   double supply = std::numeric_limits<double>::infinity();
   /// Smallest film in the flow [m]: thinner films conduct as much.
