@@ -100,8 +100,7 @@ class FilmSection(Section):
                 raise ValueError(f"{name} cannot be combined with approach: omit one of them")
         if self.load is not None and changed(self, ("load_factor",)):
             raise ValueError(
-                "load_factor cannot be combined with load, because it multiplies the load of the "
-                "part: omit one of them"
+                "load_factor cannot be combined with load: it multiplies the load of the part"
             )
 
     def _require_stribeck(self) -> None:

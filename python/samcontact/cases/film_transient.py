@@ -41,8 +41,7 @@ class TransientSection(Section):
         given = [n for n in ("load_factors", "speed_factors") if getattr(self, n) is not None]
         if (self.times is None) != (not given):
             raise ValueError(
-                "times must be given with load_factors, speed_factors or both, which multiply load "
-                "and speeds of [film] at these times, and not alone: "
+                "times must be given with load_factors, speed_factors or both, and vice versa: "
                 + ("add times" if given else "add factors, or omit times")
             )
         times = self.times or []

@@ -151,9 +151,7 @@ class Segment(TiltingSection):
     def _one_movement(self) -> Segment:
         kinds = [kind for kind in ("roll", "slide", "fret") if getattr(self, kind) is not None]
         if len(kinds) > 1:
-            raise ValueError(
-                f"{' and '.join(kinds)} cannot be combined: use a [[path]] for each of them"
-            )
+            raise ValueError(f"{' and '.join(kinds)} cannot be combined: use one [[path]] each")
         if self.spacing == "linear" and changed(self, ["exponent"]):
             raise ValueError('exponent requires spacing = "power": set spacing, or omit exponent')
         if kinds:
