@@ -25,7 +25,7 @@ from .parts import (
     nearest,
     surface_line,
 )
-from .shown import require_possible
+from .shown import require_possible, shown_on
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 HertzContact = PointContact | EllipticContact
+_MAX_MARKERS = 150
+"""Cells of a profile up to which each has a marker."""
 
 
 def pressure_profile(
@@ -86,13 +88,13 @@ def draw_pressure(
     hertz: HertzContact | None,
     axis: str,
     position: float,
-    label: str = "computed",
+    label: str | None = "computed",
 ) -> Axes:
     """Draw a `pressure_profile`; prescribed tractions, which may be tensile, are also accepted."""
-    style: dict[str, Any] = {"marker": "o", "markersize": 3}
-    ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
-    scale = CONTACT["pressure"].factor
+    style: dict[str, Any] = {"marker": "o", "markersize": 3} if s.size <= _MAX_MARKERS else {}
+    ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
+    scale = shown_on(ax, "pressure", np.asarray(field)).factor
     if hertz is not None:
         fine = np.linspace(s[0], s[-1], 801)
         if axis == "x":
@@ -100,7 +102,7 @@ def draw_pressure(
         else:
             curve = hertz.pressure(grid.x[nearest(grid.x, position)], fine)
         ax.plot(fine * 1e6, curve * scale, "k--", linewidth=1.0, label="Hertz")
-    ax.legend(frameon=False)
+        ax.legend(frameon=False)
     return ax
 
 
@@ -121,9 +123,9 @@ def _profile(
     **style: Any,
 ) -> Axes:
     """Draw a surface field along an axis."""
-    shown = CONTACT[quantity]
-    s, values = surface_line(field, shown.heading, grid, axis, position)
+    s, values = surface_line(field, CONTACT[quantity].heading, grid, axis, position)
     ax = axes_or_new(ax)
+    shown = shown_on(ax, quantity, np.asarray(field))
     ax.plot(s * 1e6, values * shown.factor, "-", linewidth=1.2, label=label, **style)
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel(shown.label)
@@ -177,6 +179,11 @@ def load_approach(
     ax.set_xlabel(CONTACT["approach"].label)
     ax.set_ylabel(CONTACT["load"].label)
     return finish(ax)
+
+
+def has_curve(dataset: xr.Dataset) -> bool:
+    """Whether results have a `load_approach` curve: several increments with an approach."""
+    return dataset.sizes["increment"] > 1 and bool(np.any(np.isfinite(dataset["approach"])))
 
 
 def _between(points: FloatArray) -> FloatArray:

@@ -98,6 +98,11 @@ class ContactResults:
         return float(centres[row_of_interest(np.abs(field).max(axis=others), centres)])
 
     @property
+    def pressure_label(self) -> str | None:
+        """Label of the computed pressure; None without a Hertz contact to compare it with."""
+        return None if self.hertz is None else "computed"
+
+    @property
     def interfaces(self) -> FloatArray:
         """Depths of the interfaces between layers of the body [m]."""
         return np.cumsum(self.dataset.attrs.get(f"body{self.body}_thickness", ()))

@@ -233,6 +233,7 @@ def _show(
     If the field is zero everywhere, a text is shown instead of a colour bar.
     """
     boolean("cells", cells)
+    quantity = quantity.scaled(float(np.nanmax(np.abs(values))))
     shown, label = values * quantity.factor, quantity.label + note
     if quantity.from_zero:
         shown = np.maximum(shown, 0.0)  # negative values are rounding errors

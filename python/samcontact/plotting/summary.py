@@ -17,6 +17,7 @@ from .contact import (
     HertzContact,
     axis_profile,
     draw_pressure,
+    has_curve,
     imprint_profile,
     load_approach,
     temperature_profile,
@@ -25,7 +26,7 @@ from .contact_results import ContactResults
 from .inclusions import outline_in_section
 from .interface import interface_figure
 from .maps import peak_map, surface_map, track_map
-from .over_time import time_figure
+from .over_time import has_times, time_figure
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .section import section
 from .slip_summary import slip_figures
@@ -72,11 +73,11 @@ def summary_figures(
     list of Path
         Files written, with the suffix of the format:
 
-        - pressure, pressure_map, gap_map, load_approach;
+        - pressure, pressure_map, gap_map and, with several increments, load_approach;
         - with layers of the grid: axis_stress, sections and, for a layered body, interface;
         - with partial slip: partial_slip (increment of maximum force), and fretting_loop or, for
           rolling, rolling_force and, with varying creepage, creep_curve;
-        - of viscoelastic bodies: over_time;
+        - of viscoelastic bodies, with several increments: over_time;
         - with a law of adhesion: cohesive_zone and, for a sphere under tension, pull_off;
         - with heating: flash_temperature and, with layers of the grid, temperature (hottest
           increment);
@@ -96,9 +97,10 @@ def summary_figures(
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
     figures = _peak_figures(results)
-    figures["load_approach"] = _panel()
-    load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
-    if any(f"viscous_work_body{number}" in dataset for number in (1, 2)):
+    if has_curve(dataset):
+        figures["load_approach"] = _panel()
+        load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
+    if has_times(dataset):
         figures["over_time"] = time_figure(dataset)
     figures |= adhesion_figures(dataset)
     figures |= slip_figures(results)
@@ -148,7 +150,7 @@ def _peak_figures(results: ContactResults) -> dict[str, Figure]:
     # adhering bodies pull along the edge, where the traction may be larger than in the middle
     y = results.row(np.maximum(pressure, 0.0))
     ax = figures["pressure"].axes[0]
-    draw_pressure(pressure, grid, ax, results.hertz, "x", y)
+    draw_pressure(pressure, grid, ax, results.hertz, "x", y, results.pressure_label)
     add_to_title(ax, _load_text(results, results.peak), elsewhere("y", y, grid.dy))
     for name in ("pressure", "gap"):
         peak_map(results, name, figures[f"{name}_map"].axes[0])

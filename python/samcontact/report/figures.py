@@ -17,11 +17,11 @@ from .._util.display import quantity
 from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
 from ..plotting.adhesion import adhesion_figures
-from ..plotting.contact import HertzContact, draw_pressure
+from ..plotting.contact import HertzContact, draw_pressure, has_curve
 from ..plotting.contact_results import ContactResults
 from ..plotting.interface import interface_figure
 from ..plotting.maps import peak_map
-from ..plotting.over_time import time_figure
+from ..plotting.over_time import has_times, time_figure
 from ..plotting.parts import (
     add_to_title,
     counted,
@@ -103,9 +103,11 @@ def _contact(results: ContactResults) -> Iterator[Made]:
     pressure = results.surface("pressure", results.peak)
     hertz_text = ", with the Hertz contact as a dashed line" if results.hertz is not None else ""
     for axis, across in (("x", "y"), ("y", "x")):
-        row = results.row(pressure, across)
+        # adhering bodies pull along the edge, where the traction may be larger than in the middle
+        row = results.row(np.maximum(pressure, 0.0), across)
         figure, cell = new_figure(), getattr(results.grid, f"d{across}")
-        ax = draw_pressure(pressure, results.grid, figure.subplots(), results.hertz, axis, row)
+        ax, label = figure.subplots(), results.pressure_label
+        draw_pressure(pressure, results.grid, ax, results.hertz, axis, row, label)
         add_to_title(ax, elsewhere(across, row, cell))
         text = f"Pressure along {axis} at {place(across, row)}{hertz_text}; the maximum in the "
         text += f"grid is {pressure.max() * 1e-9:.4g} GPa."
@@ -115,7 +117,7 @@ def _contact(results: ContactResults) -> Iterator[Made]:
         peak_map(results, name, figure.subplots())
         text = f"Map of the {name} on the whole grid."
         yield f"Map of the {name}, {_increment_text(results, number)}", text, figure
-    if not np.any(np.isfinite(results.dataset["approach"])):
+    if not has_curve(results.dataset):
         return
     figure = new_figure()
     plotting.load_approach(results.dataset, figure.subplots(), hertz=results.hertz)
@@ -210,7 +212,7 @@ def _adhesion(results: ContactResults) -> Iterator[Made]:
 
 def _over_time(results: ContactResults) -> Iterator[Made]:
     data = results.dataset
-    if not any(f"viscous_work_body{body}" in data for body in (1, 2)):
+    if not has_times(data):
         return
     last = float(data["time"].values[-1]) if "time" in data else 0.0
     text = f"Approach, contact radius and maximum pressure over the time, up to {last:.4g} s."
@@ -287,6 +289,8 @@ def _track(results: ContactResults) -> Iterator[Made]:
 def _convergence(results: ContactResults) -> Iterator[Made]:
     data = results.dataset
     number = data["increment"].values
+    if number.size == 1:  # the table of convergence shows the same numbers
+        return
     figure = new_figure(5.6, 5.2 if "plastic_strain_residual" in data else 2.7)
     if "plastic_strain_residual" in data:
         upper, lower = figure.subplots(2, 1, sharex=True)
@@ -304,8 +308,10 @@ def _convergence(results: ContactResults) -> Iterator[Made]:
     else:
         lower = figure.subplots()
     for name, marker in (("contact_iterations", "s"), ("iterations", "o"), ("substeps", "^")):
-        label = CONTACT[name].heading
-        lower.plot(number, data[name].values, marker, markersize=3, label=label)
+        counts = data[name].values
+        if name == "iterations" and not np.any(counts):  # elastic bodies
+            continue
+        lower.plot(number, counts, marker, markersize=3, label=CONTACT[name].heading)
     lower.set_xlabel("increment")
     lower.set_ylabel("number per increment")
     lower.legend(**_LEGEND_ABOVE)
