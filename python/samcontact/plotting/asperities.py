@@ -8,7 +8,7 @@ values are divided by the values at first yield, as in Boucly (2008), figures 4.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -126,7 +126,7 @@ def over_passes(
     for index in shown:
         number = int(series["pass"].values[index])
         one = _one_pass(series, number)
-        style = {"label": f"pass {number}", "markersize": 3, "linewidth": 1.0}
+        style: dict[str, Any] = {"label": f"pass {number}", "markersize": 3, "linewidth": 1.0}
         ax.plot(_offset(one), one[quantity].values * factor, ".-", **style)
     ax.set_ylabel(label)
     ax = _against_offset(ax, None)

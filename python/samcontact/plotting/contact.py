@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 HertzContact = PointContact | EllipticContact
+_MIN_CHANGE = 1e-3
+"""Change of load or approach, relative to the maximum, above which increments form a curve."""
 _MAX_MARKERS = 150
 """Cells of a profile up to which each has a marker."""
 
@@ -182,8 +184,15 @@ def load_approach(
 
 
 def has_curve(dataset: xr.Dataset) -> bool:
-    """Whether results have a `load_approach` curve: several increments with an approach."""
-    return dataset.sizes["increment"] > 1 and bool(np.any(np.isfinite(dataset["approach"])))
+    """Whether results have a `load_approach` curve: increments that differ in load or approach."""
+    for name in ("load", "approach"):
+        values = dataset[name].values
+        values = values[np.isfinite(values)]
+        if values.size < 2:
+            return False
+        if np.ptp(values) > _MIN_CHANGE * np.abs(values).max():
+            return True
+    return False
 
 
 def _between(points: FloatArray) -> FloatArray:

@@ -103,6 +103,8 @@ def _contact(results: ContactResults) -> Iterator[Made]:
     pressure = results.surface("pressure", results.peak)
     hertz_text = ", with the Hertz contact as a dashed line" if results.hertz is not None else ""
     for axis, across in (("x", "y"), ("y", "x")):
+        if pressure.shape["xy".index(axis)] == 1:  # a line contact
+            continue
         # adhering bodies pull along the edge, where the traction may be larger than in the middle
         row = results.row(np.maximum(pressure, 0.0), across)
         figure, cell = new_figure(), getattr(results.grid, f"d{across}")
@@ -112,7 +114,7 @@ def _contact(results: ContactResults) -> Iterator[Made]:
         text = f"Pressure along {axis} at {place(across, row)}{hertz_text}; the maximum in the "
         text += f"grid is {pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {_increment_text(results, number)}", text, figure
-    for name in ("pressure", "gap"):
+    for name in ("pressure", "gap") if results.has_map else ():
         figure = new_figure(*results.map_look[1])
         peak_map(results, name, figure.subplots())
         text = f"Map of the {name} on the whole grid."
@@ -249,7 +251,7 @@ def _imprint(results: ContactResults) -> Iterator[Made]:
         ax.legend(frameon=False)  # again, with the line styles
         text = f"Residual displacement of the surface along x, at most {', '.join(deepest)}."
         yield f"Residual imprint, {_increment_text(results, number)}", text, figure
-    if f"residual_displacement_body{results.body}" in data:
+    if f"residual_displacement_body{results.body}" in data and results.has_map:
         values = results.surface("residual_displacement", -1)
         across, size = results.map_look
         pressed, figure = results.surface("repulsion", results.peak), new_figure(*size)
@@ -272,10 +274,11 @@ def _track(results: ContactResults) -> Iterator[Made]:
     text = f"Residual displacement along the track, at most {depth.max() * 1e9:.4g} nm."
     yield f"Residual imprint of the track, {when}", text, figure
     length, y = float(np.ptp(track["x"].values)), track["y"].values
-    figure = new_figure(5.0, map_height(5.0, length, float(np.ptp(y))))
-    plotting.track_map(track, figure.subplots())
-    text = "Map of the residual displacement of the track."
-    yield f"Map of the residual imprint of the track, {when}", text, figure
+    if results.has_map:
+        figure = new_figure(5.0, map_height(5.0, length, float(np.ptp(y))))
+        plotting.track_map(track, figure.subplots())
+        text = "Map of the residual displacement of the track."
+        yield f"Map of the residual imprint of the track, {when}", text, figure
     if "residual_von_mises" not in track:
         return
     text = f"Section along the track, up to {track['residual_von_mises'].max() * 1e-6:.4g} MPa."

@@ -122,4 +122,4 @@ def test_prescribed_tension_is_shown(tmp_path):
     dataset["gap"][:] -= 2e-8
     ax = peak_map(problem, "gap", new_figure().subplots())
     assert shows(ax, grid.x, grid.y, dataset["gap"].values[0] * 1e9)
-    assert len(plotting.summary_figures(dataset, tmp_path)) == 4
+    assert len(plotting.summary_figures(dataset, tmp_path)) == 3
