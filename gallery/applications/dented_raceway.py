@@ -86,11 +86,11 @@ APPLICATION = Application(
     picture=picture,
     caption="Maximum pressure while the ball passes the dent, and the residual stress below it.",
     coarser=(
-        ("nx = 61", "nx = 31"),
+        ("nx = 69", "nx = 35"),
         ("ny = 45", "ny = 23"),
         ("dx = 8e-6", "dx = 16e-6"),
         ("dy = 8e-6", "dy = 16e-6"),
-        ("nz = 20", "nz = 10"),
-        ("dz = 8e-6", "dz = 16e-6"),
+        ("nz = 40", "nz = 20"),
+        ("dz = 4e-6", "dz = 8e-6"),
     ),
 )

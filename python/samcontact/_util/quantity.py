@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -10,10 +11,13 @@ if TYPE_CHECKING:
 
 _DISPLAY_FACTORS = {
     "µm": 1e6, "µm²": 1e12, "mm²": 1e6, "µm³": 1e18, "MPa": 1e-6, "GPa": 1e-9, "%": 1e2, "µJ": 1e6,
-    "mrad": 1e3, "ms": 1e3,
+    "mrad": 1e3, "ms": 1e3, "nm": 1e9, "kPa": 1e-3,
 }  # fmt: skip
 """Factors from SI units to the units shown."""
 _MAX_AREA_IN_SQUARE_MICRONS = 1e-8  # area [m^2] below which µm² are shown
+_SMALLER_UNITS = {"GPa": "MPa", "MPa": "kPa", "µm": "nm"}
+_MIN_SHOWN = 0.1
+"""Maximum of a figure, in the unit shown, below which a smaller unit is used."""
 _COLOURS = {
     "magnitude": "viridis",
     "criterion": "viridis",
@@ -87,6 +91,20 @@ class Quantity(NamedTuple):
         """Return the quantity, in µm² if it is an area whose maximum `largest` [m^2] is small."""
         small = self.unit == "m2" and largest < _MAX_AREA_IN_SQUARE_MICRONS
         return self._replace(shown="µm²") if small else self
+
+    def scaled(self, largest: float) -> Quantity:
+        """Return the quantity in a unit that suits a figure with the maximum `largest` (SI)."""
+        small = 0 < largest * self.factor < _MIN_SHOWN
+        if small and self.shown in _SMALLER_UNITS:
+            return self._replace(shown=_SMALLER_UNITS[self.shown]).scaled(largest)
+        return self
+
+    def smaller(self) -> Iterator[Quantity]:
+        """Iterate over the quantity in smaller units."""
+        shown = self.shown
+        while shown in _SMALLER_UNITS:
+            shown = _SMALLER_UNITS[shown]
+            yield self._replace(shown=shown)
 
     def variable(self, dims: Any, data: Any, body: int | None = None) -> xr.Variable:
         """Return a dataset variable (dimensions, values, attributes) with unit and name."""

@@ -9,7 +9,7 @@ figures 4.7 to 4.11.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -112,6 +112,31 @@ def load_ratio(
         ax.plot(x, ratio, ".-", markersize=3, linewidth=1.0, label=_label(result, critical))
     ax.set_ylabel("tangential force / normal force [-]")
     return _against_offset(ax, critical)
+
+
+def over_passes(
+    series: xr.Dataset, ax: Axes | None = None, *, quantity: str, max_lines: int = 6
+) -> Axes:
+    """Draw force_x, force_z or load_ratio versus the offset of the centres / R, for each pass.
+
+    If there are more than `max_lines` passes, passes at equal distances are drawn.
+    """
+    ax, count = axes_or_new(ax), series.sizes["pass"]
+    values, factor, label = series[quantity].values, 1.0, "tangential force / normal force [-]"
+    if quantity != "load_ratio":
+        factor, unit = prefixed(float(np.abs(np.nan_to_num(values)).max()), "N")
+        label = f"{ASPERITIES[quantity].heading} [{unit}]"
+    shown = np.unique(np.linspace(0, count - 1, min(count, max_lines)).round().astype(int))
+    for index in shown:
+        number = int(series["pass"].values[index])
+        one = _one_pass(series, number)
+        style: dict[str, Any] = {"label": f"pass {number}", "markersize": 3, "linewidth": 1.0}
+        ax.plot(_offset(one), one[quantity].values * factor, ".-", **style)
+    ax.set_ylabel(label)
+    ax = _against_offset(ax, None)
+    legend = ax.legend(fontsize="small", frameon=False)
+    legend.set_visible(count > 1)
+    return ax
 
 
 def net_energy(

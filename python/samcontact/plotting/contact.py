@@ -25,7 +25,7 @@ from .parts import (
     nearest,
     surface_line,
 )
-from .shown import require_possible
+from .shown import require_possible, shown_on
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 HertzContact = PointContact | EllipticContact
+_MIN_CHANGE = 1e-3
+"""Change of load or approach, relative to the maximum, above which increments form a curve."""
+_MAX_MARKERS = 150
+"""Cells of a profile up to which each has a marker."""
 
 
 def pressure_profile(
@@ -86,13 +90,13 @@ def draw_pressure(
     hertz: HertzContact | None,
     axis: str,
     position: float,
-    label: str = "computed",
+    label: str | None = "computed",
 ) -> Axes:
     """Draw a profile like `pressure_profile`; values may be negative, e.g. prescribed tractions."""
-    style: dict[str, Any] = {"marker": "o", "markersize": 3}
-    ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
     s = np.asarray(grid.x if axis == "x" else grid.y)
-    scale = CONTACT["pressure"].factor
+    style: dict[str, Any] = {"marker": "o", "markersize": 3} if s.size <= _MAX_MARKERS else {}
+    ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
+    scale = shown_on(ax, "pressure", np.asarray(field)).factor
     if hertz is not None:
         fine = np.linspace(s[0], s[-1], 801)
         if axis == "x":
@@ -100,7 +104,7 @@ def draw_pressure(
         else:
             curve = hertz.pressure(grid.x[nearest(grid.x, position)], fine)
         ax.plot(fine * 1e6, curve * scale, "k--", linewidth=1.0, label="Hertz")
-    ax.legend(frameon=False)
+        ax.legend(frameon=False)
     return ax
 
 
@@ -121,9 +125,9 @@ def _profile(
     **style: Any,
 ) -> Axes:
     """Draw a surface field along an axis."""
-    shown = CONTACT[quantity]
-    s, values = surface_line(field, shown.heading, grid, axis, position)
+    s, values = surface_line(field, CONTACT[quantity].heading, grid, axis, position)
     ax = axes_or_new(ax)
+    shown = shown_on(ax, quantity, np.asarray(field))
     ax.plot(s * 1e6, values * shown.factor, "-", linewidth=1.2, label=label, **style)
     ax.set_xlabel(f"{axis} [µm]")
     ax.set_ylabel(shown.label)
@@ -179,6 +183,18 @@ def load_approach(
     ax.set_xlabel(CONTACT["approach"].label)
     ax.set_ylabel(CONTACT["load"].label)
     return finish(ax)
+
+
+def has_curve(dataset: xr.Dataset) -> bool:
+    """Whether results have a `load_approach` curve: increments that differ in load or approach."""
+    for name in ("load", "approach"):
+        values = dataset[name].values
+        values = values[np.isfinite(values)]
+        if values.size < 2:
+            return False
+        if np.ptp(values) > _MIN_CHANGE * np.abs(values).max():
+            return True
+    return False
 
 
 def _between(points: FloatArray) -> FloatArray:

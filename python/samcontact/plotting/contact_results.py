@@ -107,6 +107,16 @@ class ContactResults:
         return float(centres[row_of_interest(np.abs(field).max(axis=others), centres)])
 
     @property
+    def pressure_label(self) -> str | None:
+        """Label of the computed pressure; None without a Hertz contact to compare it with."""
+        return None if self.hertz is None else "computed"
+
+    @property
+    def has_map(self) -> bool:
+        """Whether maps show more than profiles: not if a line contact has one row of cells."""
+        return min(self.grid.nx, self.grid.ny) > 1
+
+    @property
     def interfaces(self) -> FloatArray:
         """Depths of the interfaces between layers of the body [m]."""
         return np.cumsum(self.dataset.attrs.get(f"body{self.body}_thickness", ()))

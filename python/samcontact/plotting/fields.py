@@ -241,6 +241,7 @@ def _show(
     If the field is zero everywhere, the text "identically zero" is shown instead.
     """
     boolean("cells", cells)
+    quantity = quantity.scaled(float(np.nanmax(np.abs(values))))
     shown, label = values * quantity.factor, quantity.label + note
     if quantity.from_zero:
         shown = np.maximum(shown, 0.0)  # negative values are rounding errors

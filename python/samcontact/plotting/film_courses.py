@@ -35,9 +35,11 @@ def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     time = dataset["time"].values * factor
     thickness, unit = prefixed(float(dataset["central_film"].max()), "m")
     for name, style in (("central_film", "C3-"), ("minimum_film", "C3--")):
-        ax.plot(time, dataset[name].values * thickness, style)
+        label = name.replace("_", " ")
+        ax.plot(time, dataset[name].values * thickness, style, label=label)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, frameon=False)
     ax.set_xlabel(f"time [{seconds}]")
-    ax.set_ylabel(f"central film, minimum film (dashed) [{unit}]", color="C3")
+    ax.set_ylabel(f"film thickness [{unit}]", color="C3")
     ax.set_ylim(bottom=0.0)
     right = ax.twinx()
     largest, pascals = prefixed(float(dataset["max_pressure"].max()), "Pa")
@@ -87,5 +89,5 @@ def film_imprint(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
         ax.plot(dataset["x"].values * factor, profile * height, label=f"{load:.4g} N")
     ax.set_xlabel(f"x [{metres}]")
     ax.set_ylabel(f"residual height [{unit}]")
-    ax.legend(fontsize="small")
+    ax.legend(title="load", fontsize="small", title_fontsize="small")
     return finish(ax)

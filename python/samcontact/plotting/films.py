@@ -25,6 +25,7 @@ MAX_SHOWN_FILM = 3.0
 _POINTS_PER_CELL = 6
 _PIXELS = 250.0  # of an interferogram, along its longer side
 _LABEL_WIDTH, _LABEL_HEIGHT = 1.2, 0.5  # of a label in the chart of regimes, decades
+_MIN_EDGE_RATIO = 2.0  # of the ends of the axis and the middle of a label
 _REGIMES = (
     "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous", "elastic-piezoviscous",
 )  # fmt: skip
@@ -281,6 +282,7 @@ def regime_chart(
             ax.contourf(loads, oils, inside.T.astype(float), levels=[0.5, 1.5], colors=[colour])
             i, j = inside.nonzero()
             m, n = _label_place(loads[i], oils[j], (M, max(L, float(oils[0]))))
+            n = float(np.clip(n, oils[0] * _MIN_EDGE_RATIO, oils[-1] / _MIN_EDGE_RATIO))
             ax.text(m, n, name.replace("-", "\n"), ha="center", va="center", fontsize="small")
     ax.plot([M], [max(L, oils[0])], "ko", markersize=5)
     ax.set_xscale("log")

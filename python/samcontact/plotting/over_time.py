@@ -74,6 +74,12 @@ def is_logarithmic(time: FloatArray) -> bool:
     return later.size > 1 and bool(np.log10(later.max() / later.min()) >= _MIN_DECADES)
 
 
+def has_times(dataset: xr.Dataset) -> bool:
+    """Whether results have a figure over time: several increments of viscoelastic bodies."""
+    viscous = any(f"viscous_work_body{body}" in dataset for body in (1, 2))
+    return viscous and dataset.sizes["increment"] > 1
+
+
 def time_figure(dataset: xr.Dataset) -> Figure:
     """Return a figure of approach, contact radius and maximum pressure over time."""
     figure = new_figure(9.0, 3.0)

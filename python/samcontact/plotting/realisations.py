@@ -50,6 +50,6 @@ def _panel(ax: Axes, quantity: Quantity, sample: FloatArray) -> None:
     heading = (quantity.heading or quantity.short).replace("\n", " ")
     ax.set(xlabel=f"{heading} [{quantity.shown}]" if quantity.shown else heading,
            ylabel="realisations")  # fmt: skip
-    ax.set_title(f"{mean:.4g} ± {deviation:.3g}", fontsize="small")
+    ax.set_title(f"mean {mean:.4g}, deviation {deviation:.3g}", fontsize="small")
     ax.xaxis.label.set_fontsize("small")
     finish(ax)

@@ -8,7 +8,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -132,7 +132,12 @@ def strain_per_cycle(
 def draw_cycles(numbers: ArrayLike, net: ArrayLike, flow: ArrayLike, label: str, ax: Axes) -> Axes:
     """Draw the curves of `strain_per_cycle`; `net` and `flow` are divided by the yield strain."""
     (line,) = ax.plot(numbers, net, "o-", markersize=3, label=label)
-    ax.plot(numbers, flow, "--", color=line.get_color(), linewidth=1)
+    dashed: dict[str, Any] = {
+        "color": line.get_color(),
+        "linewidth": 1,
+        "label": "flow in the cycle",
+    }
+    ax.plot(numbers, flow, "--", **dashed)
     ax.set_yscale("log")
     ax.xaxis.set_major_locator(FittedLocator(integer=True))
     ax.set(xlabel="cycle", ylabel="plastic strain per cycle / yield strain [-]")

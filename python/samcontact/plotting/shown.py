@@ -6,6 +6,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from .._util.checks import FloatArray
 from .._util.quantities import CONTACT, Quantity
@@ -56,6 +57,13 @@ def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
     """
     shown = CONTACT[name]
     return signed(shown) if _is_negative(values, _rounding(values, shown, grid)) else shown
+
+
+def shown_on(ax: Axes, quantity: str, field: FloatArray) -> Quantity:
+    """Return the quantity in the unit of the first curve on the axes."""
+    shown, named = CONTACT[quantity], ax.get_ylabel()
+    units = (shown.scaled(float(np.nanmax(np.abs(field)))), shown, *shown.smaller())
+    return next((unit for unit in units if unit.label == named), units[0])
 
 
 def signed(quantity: Quantity) -> Quantity:

@@ -15,7 +15,6 @@ from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from .._util.checks import finite_array
-from .._util.display import quantity
 from .parts import axes_or_new, edges, new_figure
 
 if TYPE_CHECKING:
@@ -134,7 +133,8 @@ def pressure_panels(dataset: xr.Dataset) -> Figure:
         values = np.where(values > 0, values, np.nan)  # white: no contact
         shown = ax.pcolormesh(*sides, values.T, cmap="viridis", vmin=0.0, vmax=highest or 1.0)
         ax.set_aspect("equal")
-        ax.set_title(quantity(float(dataset["velocity"].values[index]), "m/s", digits=3))
+        velocity = float(f"{dataset['velocity'].values[index]:.3g}")
+        ax.set_title(f"{velocity:g} m/s", fontsize="medium")  # as the axis of the friction curve
         ax.set_xlabel("x [µm]")
     panels[0].set_ylabel("y [µm]")
     figure.colorbar(shown, ax=list(panels), label="pressure [MPa]")

@@ -118,7 +118,8 @@ def _arrows(ax: Axes, slip: FloatArray, touching: np.ndarray[Any, Any], plane: P
     cells = np.argwhere(touching)
     size_of_cell = np.array([side[1] - side[0] for side in plane])
     sides = (np.ptp(cells, axis=0) + 1) * size_of_cell
-    spacing = max(float(sides.max()) / _ARROWS_PER_SIDE, *size_of_cell)
+    several = np.array(touching.shape) > 1  # not along the period of a line contact
+    spacing = max(float(sides[several].max()) / _ARROWS_PER_SIDE, *size_of_cell[several])
     every = [max(round(spacing / d), 1) for d in size_of_cell]
     middle = cells.mean(axis=0).round().astype(int)
     shown = np.zeros(touching.shape, dtype=bool)

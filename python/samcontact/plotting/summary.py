@@ -17,6 +17,7 @@ from .contact import (
     HertzContact,
     axis_profile,
     draw_pressure,
+    has_curve,
     imprint_profile,
     load_approach,
     temperature_profile,
@@ -25,7 +26,7 @@ from .contact_results import ContactResults
 from .inclusions import outline_in_section
 from .interface import interface_figure
 from .maps import peak_map, surface_map, track_map
-from .over_time import time_figure
+from .over_time import has_times, time_figure
 from .parts import add_to_title, elsewhere, map_height, new_figure, save
 from .section import section
 from .slip_summary import slip_figures
@@ -72,11 +73,12 @@ def summary_figures(
     list of Path
         Files written, with the suffix of the format:
 
-        - pressure, pressure_map, gap_map, load_approach;
+        - pressure and, with several rows of cells, pressure_map and gap_map;
+        - load_approach if load or approach differs between increments;
         - with layers of the grid: axis_stress, sections and, for a layered body, interface;
         - with partial slip: partial_slip (increment of maximum force), and fretting_loop or, for
           rolling, rolling_force and, with varying creepage, creep_curve;
-        - of viscoelastic bodies: over_time;
+        - of viscoelastic bodies, with several increments: over_time;
         - with a law of adhesion: cohesive_zone and, for a sphere under tension, pull_off;
         - with heating: flash_temperature and, with layers of the grid, temperature (hottest
           increment);
@@ -96,9 +98,10 @@ def summary_figures(
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
     figures = _peak_figures(results)
-    figures["load_approach"] = _panel()
-    load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
-    if any(f"viscous_work_body{number}" in dataset for number in (1, 2)):
+    if has_curve(dataset):
+        figures["load_approach"] = _panel()
+        load_approach(dataset, figures["load_approach"].axes[0], hertz=hertz)
+    if has_times(dataset):
         figures["over_time"] = time_figure(dataset)
     figures |= adhesion_figures(dataset)
     figures |= slip_figures(results)
@@ -143,14 +146,15 @@ def _peak_figures(results: ContactResults) -> dict[str, Figure]:
     """Return figures of pressure, gap and stresses at the increment with the maximum stress."""
     grid, number = results.grid, results.number(results.peak)
     _, size = results.map_look
-    figures = {"pressure": _panel(), "pressure_map": _panel(*size), "gap_map": _panel(*size)}
+    figures = {"pressure": _panel()}
     pressure = results.surface("pressure", results.peak)
     # adhering bodies pull along the edge, where the traction may be larger than in the middle
     y = results.row(np.maximum(pressure, 0.0))
     ax = figures["pressure"].axes[0]
-    draw_pressure(pressure, grid, ax, results.hertz, "x", y)
+    draw_pressure(pressure, grid, ax, results.hertz, "x", y, results.pressure_label)
     add_to_title(ax, _load_text(results, results.peak), elsewhere("y", y, grid.dy))
-    for name in ("pressure", "gap"):
+    for name in ("pressure", "gap") if results.has_map else ():
+        figures[f"{name}_map"] = _panel(*size)
         peak_map(results, name, figures[f"{name}_map"].axes[0])
     if results.has("stress", number):
         figures["axis_stress"] = _panel(4.6, 4.2)
@@ -201,13 +205,15 @@ def _imprint_figures(results: ContactResults) -> dict[str, Figure]:
     """Return figures of residual imprint and residual stress of a stationary contact."""
     grid, depth = results.grid, results.surface("residual_displacement", -1)
     across, size = results.map_look
-    figures = {"imprint": _panel(), "imprint_map": _panel(*size)}
+    figures = {"imprint": _panel()}
     y = results.row(depth)
     ax = imprint_profile(depth, grid, figures["imprint"].axes[0], position=y)
     add_to_title(ax, _load_text(results, -1), elsewhere("y", y, grid.dy))
-    pressed = results.surface("repulsion", results.peak)
-    below: Any = {"quantity": "imprint", "contact": pressed, "across": across}
-    surface_map(depth, grid, figures["imprint_map"].axes[0], **below)
+    if results.has_map:
+        pressed = results.surface("repulsion", results.peak)
+        below: Any = {"quantity": "imprint", "contact": pressed, "across": across}
+        figures["imprint_map"] = _panel(*size)
+        surface_map(depth, grid, figures["imprint_map"].axes[0], **below)
     if results.has("residual_stress", number := results.number(-1)):
         residual = results.field("residual_von_mises", number)
         y = results.row(residual)
@@ -231,8 +237,9 @@ def _track_figures(track: xr.Dataset) -> dict[str, Figure]:
     grid, length = grid_of(track), float(np.ptp(track["x"].values))
     figures = {"imprint": _panel()}
     imprint_along(track, figures["imprint"].axes[0])
-    figures["imprint_map"] = _panel(_WIDTH, map_height(_WIDTH, length, grid.ny * grid.dy))
-    track_map(track, figures["imprint_map"].axes[0])
+    if grid.ny > 1:
+        figures["imprint_map"] = _panel(_WIDTH, map_height(_WIDTH, length, grid.ny * grid.dy))
+        track_map(track, figures["imprint_map"].axes[0])
     if grid.nz == 0:  # only the residual imprint is stored
         return figures
     figures["residual"] = residual_along(track, _WIDTH)

@@ -33,6 +33,7 @@ from .parts import (
     row_of_interest,
     section_height,
 )
+from .shown import shown_on
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -86,15 +87,16 @@ def track_imprint(
     field, other = track["residual_displacement"].values, "y" if axis == "x" else "x"
     along, others = track[axis].values, track[other].values
     ax = axes_or_new(ax)
+    shown = shown_on(ax, "residual_displacement", field)
     for position in positions:
         index = nearest(others, finite("positions", position))
         profile = field[:, index] if axis == "x" else field[index, :]
         label = place(other, float(others[index]))
-        ax.plot(along * 1e6, profile * 1e6, "-", linewidth=1.2, label=label)
+        ax.plot(along * 1e6, profile * shown.factor, "-", linewidth=1.2, label=label)
     if not ax.yaxis_inverted():
         ax.invert_yaxis()
     ax.set_xlabel(f"{axis} on body {track.attrs['body']} [µm]")
-    ax.set_ylabel(CONTACT["residual_displacement"].label)
+    ax.set_ylabel(shown.label)
     if len(positions) == 1:
         ax.set_title(label, fontsize="medium")
     else:

@@ -204,7 +204,8 @@ def wear_rate(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     ax = axes_or_new(ax)
     shown, rate = WEAR["wear_rate"], dataset["wear_rate"].values
     ax.plot(dataset["cycle"].values, rate * shown.factor, "o-", markersize=3, linewidth=1.2)
-    ax.set_ylim(bottom=0)
+    largest = float(np.nanmax(rate)) * shown.factor
+    ax.set_ylim(0.0, 1.08 * largest if largest > 0 else None)
     ax.set_xlabel("cycle")
     ax.set_ylabel(shown.label)
     return finish(counted(ax))

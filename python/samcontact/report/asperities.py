@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .. import plotting
 from .._util.check import Check
+from .._util.display import quantity
 from .._util.quantities import ASPERITIES
 from ..asperities.series import cells_under_load, pass_results
+from ..plotting.asperities import over_passes
 from ..plotting.parts import counted, finish, new_figure
 from .figures import ReportFigure, embedded
 from .quality_checks import cells_across_contact, layers_across_plastic_zone
@@ -77,20 +78,22 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
 
 
 def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
-    for number in dataset["pass"].values.tolist():
-        for component, name in (("x", "Tangential force"), ("z", "Normal force")):
-            figure = new_figure()
-            plotting.asperities.force(
-                [dataset], figure.subplots(), component=component, number=number
-            )
-            values = dataset[f"force_{component}"].sel({"pass": number})
-            text = f"{name} versus offset of the spheres, from {float(values.min()):.4g} to "
-            text += f"{float(values.max()):.4g} N."
-            yield embedded(f"{name}, pass {number}", text, figure)
+    names = {
+        "force_x": "Tangential force",
+        "force_z": "Normal force",
+        "load_ratio": "Ratio of tangential to normal force",
+    }
+    for name, heading in names.items():
         figure = new_figure()
-        plotting.asperities.load_ratio([dataset], figure.subplots(), number=number)
-        text = "Ratio of tangential to normal force versus offset of the spheres."
-        yield embedded(f"Load ratio, pass {number}", text, figure)
+        over_passes(dataset, figure.subplots(), quantity=name)
+        unit = "" if name == "load_ratio" else "N"
+        ends = dataset[name].min(), dataset[name].max()
+        low, high = (quantity(float(value), unit) for value in ends)
+        yield embedded(
+            f"{heading} versus offset of the spheres",
+            f"{heading} versus offset of the spheres in each pass, from {low} to {high}.",
+            figure,
+        )
     if dataset.sizes["pass"] > 1:
         figure = new_figure()
         ax = figure.subplots()

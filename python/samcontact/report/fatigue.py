@@ -138,7 +138,9 @@ def _criteria_figure(dataset: xr.Dataset, names: list[str]) -> ReportFigure:
         over_depth = field.max([dim for dim in field.dims if dim != "z"])
         ax.plot(over_depth * 1e-6, dataset["z"] * 1e6, label=str(field.attrs["long_name"]))
     ax.set_ylim(float(dataset["z"].values[-1]) * 1e6, 0.0)
-    ax.set(xlabel="maximum at this depth [MPa]", ylabel="depth z [µm]")
-    ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
+    label = f"maximum of {ax.lines[0].get_label()}" if len(names) == 1 else "maximum"
+    ax.set(xlabel=f"{label} at this depth [MPa]", ylabel="depth z [µm]")
+    if len(names) > 1:
+        ax.legend(frameon=False, loc="upper left", bbox_to_anchor=(1.0, 1.0))
     finish(ax)
     return embedded("Fatigue over depth", "Maximum of each fatigue criterion over depth.", drawn)

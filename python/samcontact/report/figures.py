@@ -17,11 +17,11 @@ from .._util.display import quantity
 from .._util.quantities import CONTACT
 from .._util.tensors import von_mises
 from ..plotting.adhesion import adhesion_figures
-from ..plotting.contact import HertzContact, draw_pressure
+from ..plotting.contact import HertzContact, draw_pressure, has_curve
 from ..plotting.contact_results import ContactResults
 from ..plotting.interface import interface_figure
 from ..plotting.maps import peak_map
-from ..plotting.over_time import time_figure
+from ..plotting.over_time import has_times, time_figure
 from ..plotting.parts import (
     add_to_title,
     counted,
@@ -103,19 +103,23 @@ def _contact(results: ContactResults) -> Iterator[Made]:
     pressure = results.surface("pressure", results.peak)
     hertz_text = ", with the Hertz contact as a dashed line" if results.hertz is not None else ""
     for axis, across in (("x", "y"), ("y", "x")):
-        row = results.row(pressure, across)
+        if pressure.shape["xy".index(axis)] == 1:  # a line contact
+            continue
+        # adhering bodies pull along the edge, where the traction may be larger than in the middle
+        row = results.row(np.maximum(pressure, 0.0), across)
         figure, cell = new_figure(), getattr(results.grid, f"d{across}")
-        ax = draw_pressure(pressure, results.grid, figure.subplots(), results.hertz, axis, row)
+        ax, label = figure.subplots(), results.pressure_label
+        draw_pressure(pressure, results.grid, ax, results.hertz, axis, row, label)
         add_to_title(ax, elsewhere(across, row, cell))
         text = f"Pressure along {axis} at {place(across, row)}{hertz_text}; the maximum in the "
         text += f"grid is {pressure.max() * 1e-9:.4g} GPa."
         yield f"Pressure along {axis}, {_increment_text(results, number)}", text, figure
-    for name in ("pressure", "gap"):
+    for name in ("pressure", "gap") if results.has_map else ():
         figure = new_figure(*results.map_look[1])
         peak_map(results, name, figure.subplots())
         text = f"Map of the {name} on the whole grid."
         yield f"Map of the {name}, {_increment_text(results, number)}", text, figure
-    if not np.any(np.isfinite(results.dataset["approach"])):
+    if not has_curve(results.dataset):
         return
     figure = new_figure()
     plotting.load_approach(results.dataset, figure.subplots(), hertz=results.hertz)
@@ -211,7 +215,7 @@ def _adhesion(results: ContactResults) -> Iterator[Made]:
 
 def _over_time(results: ContactResults) -> Iterator[Made]:
     data = results.dataset
-    if not any(f"viscous_work_body{body}" in data for body in (1, 2)):
+    if not has_times(data):
         return
     last = float(data["time"].values[-1]) if "time" in data else 0.0
     text = f"Approach, contact radius and maximum pressure over the time, up to {last:.4g} s."
@@ -251,7 +255,7 @@ def _imprint(results: ContactResults) -> Iterator[Made]:
         ax.legend(frameon=False)  # again, with the line styles
         text = f"Residual displacement of the surface along x, at most {', '.join(deepest)}."
         yield f"Residual imprint, {_increment_text(results, number)}", text, figure
-    if f"residual_displacement_body{results.body}" in data:
+    if f"residual_displacement_body{results.body}" in data and results.has_map:
         values = results.surface("residual_displacement", -1)
         across, size = results.map_look
         pressed, figure = results.surface("repulsion", results.peak), new_figure(*size)
@@ -274,10 +278,11 @@ def _track(results: ContactResults) -> Iterator[Made]:
     text = f"Residual displacement along the track, at most {depth.max() * 1e9:.4g} nm."
     yield f"Residual imprint of the track, {when}", text, figure
     length, y = float(np.ptp(track["x"].values)), track["y"].values
-    figure = new_figure(5.0, map_height(5.0, length, float(np.ptp(y))))
-    plotting.track_map(track, figure.subplots())
-    text = "Map of the residual displacement of the track."
-    yield f"Map of the residual imprint of the track, {when}", text, figure
+    if results.has_map:
+        figure = new_figure(5.0, map_height(5.0, length, float(np.ptp(y))))
+        plotting.track_map(track, figure.subplots())
+        text = "Map of the residual displacement of the track."
+        yield f"Map of the residual imprint of the track, {when}", text, figure
     if "residual_von_mises" not in track:
         return
     text = f"Section along the track, up to {track['residual_von_mises'].max() * 1e-6:.4g} MPa."
@@ -291,6 +296,8 @@ def _track(results: ContactResults) -> Iterator[Made]:
 def _convergence(results: ContactResults) -> Iterator[Made]:
     data = results.dataset
     number = data["increment"].values
+    if number.size == 1:  # the table of convergence shows the same numbers
+        return
     figure = new_figure(5.6, 5.2 if "plastic_strain_residual" in data else 2.7)
     if "plastic_strain_residual" in data:
         upper, lower = figure.subplots(2, 1, sharex=True)
@@ -308,8 +315,10 @@ def _convergence(results: ContactResults) -> Iterator[Made]:
     else:
         lower = figure.subplots()
     for name, marker in (("contact_iterations", "s"), ("iterations", "o"), ("substeps", "^")):
-        label = CONTACT[name].heading
-        lower.plot(number, data[name].values, marker, markersize=3, label=label)
+        counts = data[name].values
+        if name == "iterations" and not np.any(counts):  # elastic bodies
+            continue
+        lower.plot(number, counts, marker, markersize=3, label=CONTACT[name].heading)
     lower.set_xlabel("increment")
     lower.set_ylabel("number per increment")
     lower.legend(**_LEGEND_ABOVE)

@@ -54,18 +54,21 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
     note = f"Maximum magnitude over the {of}, and the number of the {of[:-1]} at which it occurs."
     if text := str(dataset.attrs.get("friction_note", "")):
         note = f"{note} No {text}."
-    found = [("results", "Results", answers._replace(note=note))]
+    first = f"{of[:-1]} no."
+    answers = answers._replace(headings=[first, *answers.headings[1:]], note=note)
+    found = [("results", "Results", answers)]
     if "formula_minimum_film" in dataset:
-        found.append(("formula", "Comparison with the formula", _formula_table(dataset)))
+        found.append(("formula", "Comparison with the formula", _formula_table(dataset, first)))
+
+    def table(names: tuple[str, ...]) -> Table:
+        return values_table(dataset, "increment", FILMS, names)._replace(first=first)
+
     drawn = film_figures(dataset, stored_film_case(dataset))
     return {
         "file": "film.nc",
         "answers": found,
-        "values": [("speeds", of.capitalize(), values_table(dataset, "increment", FILMS, _VALUES))],
-        "convergence": [
-            ("convergence", "Convergence",
-             values_table(dataset, "increment", FILMS, _CONVERGENCE))
-        ],
+        "values": [("speeds", of.capitalize(), table(_VALUES))],
+        "convergence": [("convergence", "Convergence", table(_CONVERGENCE))],
         "figures": [embedded(one.caption, one.description, one.figure) for one in drawn],
     }  # fmt: skip
 
@@ -123,7 +126,7 @@ def stored_film_case(dataset: xr.Dataset) -> FilmCase | None:
     return case if isinstance(case, FilmCase) else None
 
 
-def _formula_table(dataset: xr.Dataset) -> Table:
+def _formula_table(dataset: xr.Dataset, first: str) -> Table:
     """Return the table that compares the film thickness by the formula with the solution."""
     names = [name for name in ("central_film", "minimum_film") if f"formula_{name}" in dataset]
     headings, columns = [], []
@@ -143,4 +146,4 @@ def _formula_table(dataset: xr.Dataset) -> Table:
     note = (
         f"Formula of {dataset.attrs.get('formula', '')}, regime {regime}, without a boundary layer."
     )
-    return Table(headings, rows, "increment", note)
+    return Table(headings, rows, first, note)

@@ -67,4 +67,4 @@ def _figures(dataset: xr.Dataset) -> Iterator[ReportFigure]:
     if "pressure_over_velocity" in made:
         text = "Pressure at the lowest velocity, at the largest friction and at the highest "
         text += "velocity. Body 1 slides towards +x if the velocity is positive."
-        yield embedded("Pressure", text, made["pressure_over_velocity"])
+        yield embedded("Pressure at three velocities", text, made["pressure_over_velocity"])

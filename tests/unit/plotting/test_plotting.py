@@ -123,7 +123,7 @@ def test_a_zero_field_is_labelled(simulation, ax):
 @pytest.mark.parametrize("layers", [2, 12])
 def test_the_label_of_a_section_fits(layers, ax):
     grid = make_grid(nz=layers, dz=1e-4)
-    plotting.section(np.ones((grid.nx, grid.ny, grid.nz)), grid, ax, quantity="von_mises")
+    plotting.section(1e6 * np.ones((grid.nx, grid.ny, grid.nz)), grid, ax, quantity="von_mises")
     bar_label = ax.figure.axes[1].get_ylabel()
     assert (ax.get_title(), bar_label)[layers > 5] == "von Mises stress [MPa]"
     assert (ax.get_title(), bar_label)[layers < 5] == ""

@@ -77,7 +77,7 @@ def test_figures_of_a_track_and_of_results_agree(states, shown):
 
 def test_imprint_along_the_track(track, shown, ax):
     assert plotting.track_imprint(shown, ax, positions=(0.0, 1.9 * STEP)) is ax
-    u = track.residual_displacement() * 1e6
+    u = track.residual_displacement() * 1e9  # small: in nm
     for line, row, label in zip(ax.get_lines(), (6, 8), ("y = 0 µm", "y = 120 µm"), strict=True):
         np.testing.assert_allclose(line.get_xdata(), track.x * 1e6)
         np.testing.assert_allclose(line.get_ydata(), u[:, row])
@@ -88,7 +88,7 @@ def test_imprint_along_the_track(track, shown, ax):
 
 def test_imprint_across_the_track(track, shown, ax):
     plotting.track_imprint(shown, ax, axis="y", positions=(0.0, DISTANCE * STEP))
-    u = track.residual_displacement() * 1e6
+    u = track.residual_displacement() * 1e9
     rows = [int(np.argmin(np.abs(track.x - x))) for x in (0.0, DISTANCE * STEP)]
     assert rows[1] - rows[0] == DISTANCE
     for line, row in zip(ax.get_lines(), rows, strict=True):

@@ -331,8 +331,6 @@ def test_elastic_surface_run_without_case(tmp_path, undrawn):
         "Pressure along y, increment 1, 300 N",
         "Map of the pressure, increment 1, 300 N",
         "Map of the gap, increment 1, 300 N",
-        "Load–approach curve",
-        "Convergence",
     ]
 
 

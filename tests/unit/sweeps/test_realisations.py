@@ -77,7 +77,7 @@ def test_the_figure_counts_all_realisations():
     (panel,) = (ax for ax in figure.axes if ax.get_visible())  # no panel for a constant
     assert sum(bar.get_height() for bar in panel.patches) == 29
     assert panel.get_xlabel() == "approach [µm]"
-    assert panel.get_title() == "15 ± 8.51"
+    assert panel.get_title() == "mean 15, deviation 8.51"
     deviation = statistics.stdev(range(1, 30))
     lines = [line.get_xdata()[0] for line in panel.lines]
     assert lines == pytest.approx([15.0, 15.0 - deviation, 15.0 + deviation])
