@@ -30,8 +30,9 @@ $ OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs
 The tables give the maximum error of five quantities and the processor time. The errors of each code
 are relative to its own limit on fine meshes, which is extrapolated with order two from the two
 finest meshes. The time for writing the input deck is not included. The lines below each table
-compare the times at equal errors. For the error of each mesh of CalculiX, the time that samcontact
-needs for this error is interpolated between the runs in the table.
+compare the times at equal errors: the time that samcontact needs to reach the error of a mesh of
+CalculiX is interpolated between its runs in the table. Meshes with an error that is larger than
+that of every run of samcontact are left out.
 
 {sections}"""
 

@@ -94,13 +94,13 @@ class Jkr:
     def radius(self, load: ArrayLike) -> FloatArray:
         """Return the stable contact radius [m] at loads [N], same shape.
 
-        Raises ValueError for a load below minus the pull-off force.
+        Raises ValueError for a tensile load that exceeds the pull-off force.
         """
         loads, most = finite_array("load", load), self.pull_off
         if np.any(loads < -most * (1 + 1e-12)):
             raise ValueError(
-                f"load must be at least -{most:.6g} N (minus the pull-off force), got "
-                f"{loads.min():.6g}"
+                f"load must be at least -{most:.6g} N, because the pull-off force is {most:.6g} N, "
+                f"got {loads.min():.6g}"
             )
         root = np.sqrt(np.maximum(4 * most * (loads + most), 0.0))
         found: FloatArray = np.cbrt(0.75 * self.R / self.E_star * (loads + 2 * most + root))

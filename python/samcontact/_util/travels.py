@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Displacements of both bodies through the contact: along x only, or along x and y."""
+"""Distances that both bodies travel through the contact: along x only, or along x and y."""
 
 from __future__ import annotations
 

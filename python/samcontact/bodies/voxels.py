@@ -83,7 +83,7 @@ class VoxelBlock:
 
     @property
     def depths(self) -> tuple[float, float]:
-        """Depths of the top and the bottom of the block [m], without any part above the surface."""
+        """Depths of the top and the bottom of the block [m]; at least 0 for the top."""
         top = self.origin[2]
         return max(top, 0.0), top + self.size[2] * self.labels.shape[2]
 

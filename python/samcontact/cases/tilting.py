@@ -20,7 +20,7 @@ Angle = Annotated[Finite, in_unit("rad")]
 
 
 class AboutAxis(NamedTuple):
-    """Moment and tilt about an axis at the end of a segment; None stands for an unknown value."""
+    """Moment and tilt about one axis, reached at the end of a path segment; None means unknown."""
 
     moment: float | None = 0.0
     tilt: float | None = 0.0

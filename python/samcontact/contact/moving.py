@@ -93,7 +93,7 @@ class MovingContactSolver(ContactSolver):
         return self._moving[2](self.grid, self._delayed(found["pressure"]), found), complaint
 
     def _from_above(self, contact: Pressing, settings: Sequence[Any]) -> FloatArray | None:
-        """Return the pressure at twice the given speeds [Pa]; None if it is not found.
+        """Return a pressure [Pa] to start from, found at twice the given speeds; None if not found.
 
         The speeds are halved repeatedly, beginning with speeds at which the bodies have nearly
         their instantaneous moduli. Each solution starts from the previous pressure.

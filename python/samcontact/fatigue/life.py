@@ -119,7 +119,7 @@ class Life(ShortRepr, HtmlTable):
         """
         if math.isinf(self.log_integral):
             raise ValueError(
-                "the stress exceeds the limit nowhere, so that no constant gives a finite life: "
+                "the stress does not exceed the limit anywhere, so that the life is infinite: "
                 "use a smaller limit"
             )
         size = positive("cycles", cycles)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Weibull distributions of lives in tests or random microstructures, with confidence limits.
 
-The confidence limits are exact. They follow from two quantities: the ratio of the estimated to the
-true shape, and the estimated shape times the logarithm of the ratio of an estimated to the true
-quantile. The distributions of both depend only on the number of lives (Thoman, Bain and Antle,
-1969, doi:10.1080/00401706.1969.10490706), and are simulated here.
+The confidence limits are exact. They follow from the quantities b*/b and b* ln(x*/x), where b is
+the shape, x a quantile, and * marks estimates. The distributions of both quantities depend only on
+the number of lives (Thoman, Bain and Antle, 1969, doi:10.1080/00401706.1969.10490706), and are
+simulated here.
 """
 
 from __future__ import annotations

@@ -136,7 +136,7 @@ def _sliding_speed(film: FilmSolution, worn: int) -> float:
         raise ValueError("film must be steady, got one of a history: use a film from `steady`")
     if film.velocities[worn - 1].any() or film.spin:
         raise ValueError(
-            f"film must have a worn body {worn} at rest and no spin, got the velocity "
+            f"film: body {worn}, which wears, must be at rest, without spin, got the velocity "
             f"{film.velocities[worn - 1].tolist()} m/s: the wear of a surface that moves is spread "
             "over its track; exchange the bodies, or set worn"
         )

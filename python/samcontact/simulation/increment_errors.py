@@ -134,7 +134,7 @@ def check_errors(
 
     No error is estimated if a warning filter ignores the warning.
 
-    states: after the latest increments. factor: an error is estimated only if the number of
+    states: states after the latest increments. factor: an error is estimated only if the number of
     increments has grown by this factor since the last estimate; this limits the computing time.
     """
     history = engine.history

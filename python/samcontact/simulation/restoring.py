@@ -57,7 +57,9 @@ def loaded(
     kept, tree = read_checkpoint(path, softening)
     if message := other_version(path, tree):
         warnings.warn(
-            f"{message}: further increments may differ in their last digits", stacklevel=3
+            f"{message}: the last digits of further increments may differ from those of an "
+            "uninterrupted run",
+            stacklevel=3,
         )
     with readable(path):
         return restored(cls, kept, gap=gap)

@@ -144,10 +144,10 @@ class Track(FixedAttributes):
         Returns
         -------
         xarray.Dataset
-            Dataset with the dimensions x, y and, with a volume, z and component. The variables are
-            the residual displacement and, with a volume, plastic strain and its equivalent, and
-            residual stress with its von Mises and mean normal stress. The attributes are the number
-            of the body and the cell sizes [m].
+            Dataset with the dimensions x and y. Its variable is the residual displacement. For a
+            body with a volume, it also has the dimensions z and component, plastic strain and its
+            equivalent, and residual stress with its von Mises and mean normal stress. The
+            attributes are the number of the body and the cell sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

@@ -66,7 +66,7 @@ def test_a_rough_surface_runs_in():
 def test_wrong_arguments_are_refused():
     film = mixed(gap(0.0), [2e-5])
     given = {"archard": 1e-15, "duration": 2e4, "steps": 12}
-    with pytest.raises(ValueError, match="worn body 1 at rest"):
+    with pytest.raises(ValueError, match="body 1, which wears, must be at rest"):
         sc.lubrication.running_in(film, worn=1, **given)
     with pytest.raises(ValueError, match=r"steps must be large enough .* use \d+ or more"):
         sc.lubrication.running_in(film, **given | {"archard": 1e-12})
