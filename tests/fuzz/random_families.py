@@ -15,7 +15,10 @@ from collections import Counter
 from pathlib import Path
 
 import drawn_adhesion
+import drawn_faces
 import drawn_films
+import drawn_friction
+import drawn_heat
 import drawn_histories
 import drawn_microstructures
 
@@ -32,6 +35,9 @@ FAMILIES = {
     "viscoelastic histories": drawn_histories.followed,
     "microstructures": drawn_microstructures.solved,
     "films": drawn_films.solved,
+    "friction laws": drawn_friction.run,
+    "free faces": drawn_faces.followed,
+    "heated layers": drawn_heat.followed,
 }
 """Functions that solve the case of a seed; they return its result, or an error, or False."""
 
