@@ -35,7 +35,7 @@ def setup(seed):
     matrix = MATRICES[random.integers(len(MATRICES))]
     material = inclusion_material(random, matrix)
     periodic = ("", "", "", "xy")[random.integers(4)]
-    count = int(random.integers(6, 9)) * 2
+    count = int(random.integers(9, 12)) * 2
     grid = sc.Grid(count, count, CELL, CELL, dz=CELL, periodic=periodic)
     side, radius = 0.5 * count * CELL, random.uniform(2.0, 4.0) * CELL
     limits = (2 * CELL, 5 * CELL)
