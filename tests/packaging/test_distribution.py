@@ -32,6 +32,20 @@ def test_the_conda_recipe_has_the_version_and_dependencies_of_the_project():
     assert found == expected
 
 
+def test_the_conda_recipe_builds_with_the_tools_of_the_project():
+    recipe = (ROOT / "packaging" / "conda" / "meta.yaml").read_text()
+    parts = dict(re.findall(r"^  (\w+):\n((?:    .*\n)+)", recipe, re.MULTILINE))
+    requires = PROJECT["build-system"]["requires"]
+    host = re.findall(r"- (.+)", parts["host"])
+    assert {name.replace(">=", " >=") for name in requires} < set(host)
+    assert {"python", "pip", "eigen", "fftw"} < set(host)
+    cmake = re.search(
+        r"cmake_minimum_required\(VERSION (.+)\)", (ROOT / "CMakeLists.txt").read_text()
+    )
+    assert f"cmake >={cmake[1]}" in re.findall(r"- (.+)", parts["build"])
+    assert "samcontact doctor" in re.findall(r"- (.+)", parts["commands"])
+
+
 def test_wheels_are_for_the_supported_versions():
     builds = PROJECT["tool"]["cibuildwheel"]["build"].split()
     lowest = PROJECT["project"]["requires-python"].removeprefix(">=").replace(".", "")

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """First steps of a new user: the case file of the tutorial, then another ball and load."""
 
-import contextlib
 import re
 import subprocess
 import sys
@@ -28,7 +27,8 @@ FIGURES = {
 
 
 def command(folder, *words):
-    with contextlib.chdir(folder):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
         return invoke(*words)
 
 

