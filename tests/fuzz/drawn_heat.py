@@ -10,7 +10,7 @@ import samcontact as sc
 
 NAMED = (sc.ConvergenceError, sc.GridTooSmallError)
 SIZE, RADIUS = 20e-6, 5e-3
-MOST_STRAIN = 0.3
+MAX_THERMAL_STRAIN = 0.3
 """Largest thermal strain relative to that of the pressure."""
 
 
@@ -46,7 +46,9 @@ def setup(seed):
     stiff = min(part.E for part in body.materials)
     load = 4 / 3 * stiff * a**3 / RADIUS
     worst = max(part.thermal[1] / part.thermal[0] for part in body.materials)
-    flux = MOST_STRAIN * draw.random() / (worst * a * E)  # per unit pressure: expansion below E a/R
+    flux = (
+        MAX_THERMAL_STRAIN * draw.random() / (worst * a * E)
+    )  # per unit pressure: expansion below E a/R
     heat = {"factor": (flux if isinstance(other, sc.Layered) else 0.0, flux)}
     slowest = min(part.thermal[2] for part in body.materials)
     moment, timed = a**2 / slowest, draw.integers(3)

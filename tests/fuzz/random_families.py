@@ -66,7 +66,7 @@ def solve(first, last, families):
                 print(f"{family}: {number} FAILED {cause} {place}", flush=True)
 
 
-def counted(lines, stored):
+def counted(lines, stored=None):
     """Return the numbers of outcomes by family; families not in the lines keep the stored ones."""
     found = {}
     for line in lines:
@@ -75,7 +75,7 @@ def counted(lines, stored):
         if family in FAMILIES and number.isdecimal():
             found[family, int(number)] = next(name for name in OUTCOMES if ended.startswith(name))
     new = {family for family, _ in found}
-    counts = {name: Counter({} if name in new else stored.get(name)) for name in FAMILIES}
+    counts = {name: Counter({} if name in new else (stored or {}).get(name)) for name in FAMILIES}
     for (family, _), ended in found.items():
         counts[family][ended] += 1
     counts = {"all": sum(counts.values(), Counter()), **counts}

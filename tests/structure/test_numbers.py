@@ -174,6 +174,9 @@ def test_counts_of_random_families_are_those_of_a_run(monkeypatch):
     )
     assert once["all"] == once["films"]
     assert {name: n for name, n in once["all"].items() if n} == {"refused": 1, "border": 1}
+    again = families.counted(["films: 0 solved"], counts)
+    assert again["films"]["solved"] == sum(again["films"].values()) == 1
+    assert again["microstructures"] == counts["microstructures"]
 
 
 def test_counts_of_random_problems_are_those_of_a_run(monkeypatch):
