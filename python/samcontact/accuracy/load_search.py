@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and load error [N], which is (`error` + |value - target|)/(d(value)/d(load)).
+        Load and load error [N], which is `(error + abs(value - target))/(d(value)/d(load))`.
     value, error : float
         Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State

@@ -19,7 +19,7 @@ def loaded(body, *steps):
 @pytest.mark.filterwarnings("ignore::samcontact.ElasticStrainWarning")
 def test_a_sudden_load_in_a_long_increment_warns_once():
     """Not if the load continues to rise, is applied at once, or the body hardly relaxes."""
-    with pytest.warns(sc.IncrementWarning, match="apply it with duration = 0") as found:
+    with pytest.warns(sc.IncrementWarning, match="a sudden change with duration = 0") as found:
         loaded(
             SLS,
             (0.2, DURATION),
