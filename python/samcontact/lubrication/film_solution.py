@@ -152,7 +152,7 @@ class FilmSolution(HtmlTable):
 
     @property
     def content(self) -> FloatArray:
-        """Content of the film [m]: filling times relative density times film thickness.
+        """Content of the film [m], which is filling times relative density times film thickness.
 
         This is the thickness that the lubricant would have at zero pressure.
         """

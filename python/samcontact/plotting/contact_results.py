@@ -113,7 +113,7 @@ class ContactResults:
 
     @property
     def has_map(self) -> bool:
-        """Whether maps show more than profiles: not if a line contact has one row of cells."""
+        """Whether maps show more than profiles, unlike for a line contact with one row of cells."""
         return min(self.grid.nx, self.grid.ny) > 1
 
     @property

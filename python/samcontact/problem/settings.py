@@ -151,7 +151,7 @@ class ContactSettings:
 
     @property
     def spring(self) -> float:
-        """Compliance of the machine that prescribes the approach [m/N]; 0: rigid."""
+        """Compliance of the machine that prescribes the approach [m/N]; 0 if rigid."""
         return 0.0 if self.stiffness is None else 1.0 / self.stiffness
 
     def arguments(self) -> dict[str, Any]:

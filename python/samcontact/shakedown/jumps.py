@@ -54,7 +54,7 @@ class Trend:
 
     @cached_property
     def steps(self) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Differences of successive changes: the earlier difference, then the latest one."""
+        """Differences of successive changes (first the earlier difference, then the latest one)."""
         pairs = (self.oldest, self.older), (self.older, self.last)
         then, now = ([b - a for a, b in zip(*pair, strict=True)] for pair in pairs)
         return then, now

@@ -212,7 +212,7 @@ class WearResult(BaseWearResult):
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """Two states of the last cycle: at maximum load, and unloaded, before material is removed."""
+    """States of the last cycle at maximum load, and unloaded, before material is removed."""
 
 
 @dataclass(eq=False, repr=False)
