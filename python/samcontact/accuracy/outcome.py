@@ -51,7 +51,7 @@ class AccuracyResult(HtmlTable):
     case: Case
     """Case with the finest grid and the increments used on this grid."""
     runs: tuple[tuple[int, int, int, float], ...]
-    """For each run: cells along x, cells along y, increments per segment, computing time [s]."""
+    """Cells along x and along y, increments per segment and computing time [s] of each run."""
     repeated: WearResult | FrettingResult | ShakedownResult | None = None
     """Result of repeated cycles on the finest grid, or None for a path that is solved once."""
     needs: str = ""
