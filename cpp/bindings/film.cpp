@@ -99,6 +99,7 @@ Values film_outflow(const Grid& grid, const LubricantTable& lubricant, const Arr
 }  // namespace
 
 void bind_film(py::module_& m) {
+  const film::FlowSettings defaults;
   py::class_<LubricantTable>(m, "LubricantTable")
       .def(py::init([](double scale, double step, const Array& reduced, const Array& fluidity,
                        const Array& density, const Array& density_slope) {
@@ -130,7 +131,8 @@ void bind_film(py::module_& m) {
            py::arg("supply"), py::arg("thinnest"), py::arg("layer"), py::arg("start"),
            py::arg("tol"), py::arg("max_iterations"), py::arg("time") = std::pair{0.0, 1.0},
            py::arg("content") = py::none(), py::arg("pressure_flow") = std::vector<Array>{},
-           py::arg("order_change") = std::pair{4.0, 20.0});
+           py::arg("order_change") =
+               std::pair{defaults.first_order_below, defaults.higher_order_above});
 
   m.def("film_outflow", &film_outflow, py::arg("grid"), py::arg("lubricant"), py::arg("along_x"),
         py::arg("along_y"), py::arg("order"), py::arg("supply"), py::arg("layer"),

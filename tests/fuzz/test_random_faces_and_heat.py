@@ -5,7 +5,7 @@ import pytest
 from drawn_faces import followed as followed_with_faces
 from drawn_heat import followed as followed_with_heat
 
-PATHS_IN_CI, PATHS_IN_ALL = 8, 300
+PATHS_IN_CI, PATHS_IN_ALL = 4, 300
 FAMILIES = {"free faces": followed_with_faces, "heated layers": followed_with_heat}
 
 

@@ -62,7 +62,10 @@ def work_with_inclusions(body: Heterogeneous, number: int, states: Sequence[Stat
 
 
 def _work_of_backstress(number: int, states: Sequence[State], share: FloatArray) -> float:
-    """Return the work of the backstress on the strain of shares of cells, summed [J/m^3]."""
+    """Return the work of the backstress on the plastic strain, summed over cells [J/m^3].
+
+    share: part of each cell to which the backstress belongs.
+    """
     deep = [state.at_layers(share.shape[2]) for state in states]
     back = [share * state.backstress(number).sum(axis=0) for state in deep]
     strain = [state.plastic_strain(number) for state in deep]
@@ -73,7 +76,7 @@ def _work_of_backstress(number: int, states: Sequence[State], share: FloatArray)
 
 
 def _whole(body: Heterogeneous, state: State) -> State:
-    """Return the state with all layers that inclusions fill."""
+    """Return the state with all layers that contain inclusions."""
     cells = body.cells_on(state.grid)
     return state.at_layers(max(state.layers, cells.first[2] + cells.share.shape[2]))
 

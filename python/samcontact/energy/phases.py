@@ -11,6 +11,7 @@ from .._util.checks import FloatArray
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.layered import materials_at
 from ..problem.mixed_cells import mixed_cells
+from ..problem.two_phase_cells import FILLED_SHARE, MISFIT, NORMAL
 from .work import product
 
 if TYPE_CHECKING:
@@ -41,10 +42,10 @@ class _Moduli(NamedTuple):
 
 
 def inelastic_product(body: Heterogeneous, number: int, state: State) -> float:
-    """Return the sum over all cells of s : e, with the stress s and inelastic strain e of phases.
+    """Return the sum of s : e over all cells [Pa], with stress s and inelastic strain e of phases.
 
-    e is the plastic strain plus the misfit. The stresses of the two phases of a cell follow from
-    its mean stress, because the phases form a laminate (theory: inclusions).
+    The inelastic strain is the plastic strain plus the misfit. The stresses of the two phases of a
+    cell follow from its mean stress, because the phases form a laminate (theory: inclusions).
     """
     stress, plastic = state.stress(number), state.plastic_strain(number)
     mixed = mixed_cells(number, body, state.grid)
@@ -57,10 +58,10 @@ def inelastic_product(body: Heterogeneous, number: int, state: State) -> float:
     inside = ((place >= 0) & (place < limits)).all(axis=0)
     row = rows[index[k, i, j][inside]].T
     at = (slice(None), *place[:, inside])
-    normal = row[10:13]
+    normal = row[NORMAL]
     two = normal.any(axis=0)
     inelastic = plastic.copy()
-    inelastic[at] += np.where(two, 0.0, row[3:9])
+    inelastic[at] += np.where(two, 0.0, row[MISFIT])
     total = product(stress, inelastic)
     if not two.any():
         return total
@@ -71,6 +72,7 @@ def inelastic_product(body: Heterogeneous, number: int, state: State) -> float:
 
 
 def _moduli_of_matrix(body: Heterogeneous, state: State, layer: FloatArray) -> _Moduli:
+    """Return the moduli of the matrix in cells, given by the indices of their layers."""
     E, nu = np.empty(state.layers), np.empty(state.layers)
     for material, there in materials_at(body, state.depths):
         E[there], nu[there] = material.E, material.nu
@@ -81,11 +83,14 @@ def _moduli_of_matrix(body: Heterogeneous, state: State, layer: FloatArray) -> _
 def _product_of_two(
     row: FloatArray, matrix: _Moduli, place: tuple[FloatArray, ...], number: int, state: State
 ) -> float:
-    """Return the sum over cells of two phases. row: constants, shape (values, cells)."""
-    share, normal = row[2], row[10:13]
+    """Return the sum of s : e over the cells of two phases [Pa].
+
+    row: constants of these cells as in `mixed_cells`, shape (constants, cells).
+    """
+    share, normal = row[FILLED_SHARE], row[NORMAL]
     inclusion = _Moduli(row[0] * matrix.bulk, row[1] * matrix.shear)
     strains = state.phase_strains(number)
-    inelastic = strains.matrix[place], strains.inclusion[place] + row[3:9]
+    inelastic = strains.matrix[place], strains.inclusion[place] + row[MISFIT]
     strain = matrix.strain(state.stress(number)[place]) + state.eigenstrain(number)[place]
     # The jump of the displacement gradient leaves no jump of the traction.
     traction = _on_plane(matrix.stress(strain - inelastic[0]), normal)
@@ -107,6 +112,6 @@ def _on_plane(stress: FloatArray, normal: FloatArray) -> FloatArray:
 
 
 def _symmetric(a: FloatArray, n: FloatArray) -> FloatArray:
-    """Return the symmetric part of the product of two vectors, six components."""
+    """Return the symmetric part of the dyadic product of two vectors, six components."""
     shear = [0.5 * (a[i] * n[j] + a[j] * n[i]) for i, j in ((1, 2), (0, 2), (0, 1))]
     return np.stack([*(a * n), *shear])

@@ -20,6 +20,8 @@ _MAX_MODULUS_RATIO = 20.0
 
 At larger ratios, mixed moduli are more accurate.
 """
+FILLED_SHARE, MISFIT, NORMAL, EXPANSION = 2, slice(3, 9), slice(10, 13), 13
+"""Positions in the constants of a cell that the compiled core receives, see `mixed_cells`."""
 
 
 def set_two_phases(
@@ -51,10 +53,10 @@ def set_two_phases(
     normal = normals(cells, grid, body.inclusions)
     own = moderate[of_cell] & np.asarray(normal.any(axis=0))[cut]
     places = tuple(index[own] for index in cut)
-    of_phase = (*fields[:2], *fields[3:9], fields[13])
+    of_phase = (*fields[:FILLED_SHARE], *fields[MISFIT], fields[EXPANSION])
     for field, value in zip(of_phase, constants[of_cell[own]].T, strict=True):
         field[places] = value
-    for field, component in zip(fields[10:13], normal, strict=True):
+    for field, component in zip(fields[NORMAL], normal, strict=True):
         field[places] = component[places]
 
 

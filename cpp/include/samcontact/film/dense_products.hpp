@@ -18,6 +18,7 @@ struct DenseView {
   }
 };
 
+/// Functions of one instruction set.
 struct DenseProducts {
   /// result -= left * right
   void (*subtract_product)(const DenseView& left, const DenseView& right, const DenseView& result);
@@ -34,7 +35,7 @@ struct DenseProducts {
 
 /// Products by the widest instructions of this processor.
 const DenseProducts& dense_products();
-/// For x86 processors with AVX2 and FMA; defined where the compiler supports several versions.
+/// Products for x86 processors with AVX2 and FMA; only if the compiler supports several versions.
 const DenseProducts& dense_products_by_avx();
 
 }  // namespace samcontact::film
