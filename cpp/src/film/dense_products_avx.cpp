@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The products for processors with AVX2 and FMA. Eigen has another name in this file, so that the
 // linker does not choose its functions for other processors.
-#include "samcontact/film/dense_products.hpp"
+#include "samcontact/film/dense_products.hpp"  // IWYU pragma: keep
 
 #include "samcontact/base/multiversion.hpp"
 
