@@ -3,16 +3,20 @@
 #include <pybind11/gil_safe_call_once.h>
 #include <pybind11/stl.h>
 
+#include <cstddef>
 #include <new>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "arrays.hpp"
 #include "rooms.hpp"
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/base/errors.hpp"
 #include "samcontact/base/grid.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/law_parameters.hpp"
+#include "samcontact/base/magnitude.hpp"
 #include "samcontact/base/memory.hpp"
 #include "samcontact/base/team.hpp"
 #include "samcontact/fft/plan.hpp"
@@ -118,6 +122,13 @@ void bind_base(py::module_& m) {
   set_memory_check(check_memory);
   prepare_for_forks();
   bind_errors(m);
+  m.def(
+      "magnitude_of",
+      [](const Array& numbers) {
+        const auto found = magnitude_of({numbers.data(), static_cast<std::size_t>(numbers.size())});
+        return std::pair{found.largest, found.is_finite};
+      },
+      py::arg("numbers"));
   py::class_<LawParameter>(m, "LawParameter")
       .def_readonly("name", &LawParameter::name)
       .def_readonly("many", &LawParameter::many)

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -164,14 +166,31 @@ std::optional<Values> shear(const ContactSolver& solver, const Array& pressure) 
   return surface_array(std::move(along_x), solver.grid());
 }
 
+contact::Cells cells_of(const Array& field, bool along_x, bool along_y) {
+  return {static_cast<int>(field.shape(0)), static_cast<int>(field.shape(1)), along_x, along_y};
+}
+
+std::span<const double> numbers_of(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
 /// Cells, sides, reach, whether the pressure rises to a side, and the largest pressure.
 std::tuple<std::size_t, std::size_t, int, bool, double> outline(const Array& pressure, bool along_x,
                                                                 bool along_y, double rise) {
-  const contact::Cells cells{static_cast<int>(pressure.shape(0)),
-                             static_cast<int>(pressure.shape(1)), along_x, along_y};
   const auto found =
-      contact::outline({pressure.data(), static_cast<std::size_t>(pressure.size())}, cells, rise);
+      contact::outline(numbers_of(pressure), cells_of(pressure, along_x, along_y), rise);
   return {found.cells, found.sides, found.reach, found.rises, found.largest};
+}
+
+bool may_have_steps(const Array& heights, bool along_x, bool along_y, double ratio) {
+  return contact::may_have_steps(numbers_of(heights), cells_of(heights, along_x, along_y), ratio);
+}
+
+void bind_outline(py::module_& m) {
+  m.def("contact_outline", &outline, py::arg("pressure"), py::arg("along_x"), py::arg("along_y"),
+        py::arg("rise"));
+  m.def("may_have_steps", &may_have_steps, py::arg("heights"), py::arg("along_x"),
+        py::arg("along_y"), py::arg("ratio"));
 }
 
 void bind_friction(py::module_& m) {
@@ -276,8 +295,7 @@ void bind_partial_slip(py::module_& m) {
 }  // namespace
 
 void bind_contact(py::module_& m) {
-  m.def("contact_outline", &outline, py::arg("pressure"), py::arg("along_x"), py::arg("along_y"),
-        py::arg("rise"));
+  bind_outline(m);
   bind_friction(m);
   py::class_<contact::ContactLaw, std::shared_ptr<contact::ContactLaw>>(m, "ContactLaw")
       .def(py::init([](const std::string& kind, const std::vector<double>& parameters,

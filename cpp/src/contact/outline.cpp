@@ -2,8 +2,12 @@
 #include "samcontact/contact/outline.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <tuple>
+#include <vector>
 
 #include "samcontact/contact/laws/contact_law.hpp"
 
@@ -44,6 +48,22 @@ int reach(const Line& p, int at) {
   return std::min(at - before, behind - at + 1);
 }
 
+/// Six consecutive cells, each the first of n cells of the other direction.
+using SixCells = std::array<const double*, 6>;
+
+/// Number of steps between the third and the fourth of six cells.
+int count_steps(const SixCells& h, int n, double ratio) {
+  int count = 0;  // without a branch, for vector instructions
+  for (int i = 0; i < n; ++i) {
+    const double before = h[1][i] - h[0][i], into = h[2][i] - h[1][i], rise = h[3][i] - h[2][i],
+                 out = h[4][i] - h[3][i], after = h[5][i] - h[4][i];
+    const double bends = std::max(std::fabs(into - before), std::fabs(after - out));
+    const double height = std::fabs(rise - 0.5 * (into + out));
+    count += static_cast<int>(height > std::max(std::fabs(out - into), ratio * bends));
+  }
+  return count;
+}
+
 }  // namespace
 
 Outline outline(std::span<const double> pressure, const Cells& cells, double rise) {
@@ -63,6 +83,32 @@ Outline outline(std::span<const double> pressure, const Cells& cells, double ris
   found.largest = *(pressure.begin() + peak);
   found.reach = std::min(reach(column(j), i), reach(row(i), j));
   return found;
+}
+
+bool may_have_steps(std::span<const double> heights, const Cells& cells, double ratio) {
+  const auto infinite = [](double height) { return !std::isfinite(height); };
+  if (std::ranges::any_of(heights, infinite)) return true;
+  constexpr int more = std::tuple_size_v<SixCells> - 1;
+  const auto row = [&](int i) {
+    return heights.data() + static_cast<std::ptrdiff_t>(i % cells.nx) * cells.ny;
+  };
+  for (int i = 0; i < cells.nx - (cells.along_x ? 0 : more); ++i) {
+    if (count_steps({row(i), row(i + 1), row(i + 2), row(i + 3), row(i + 4), row(i + 5)}, cells.ny,
+                    ratio) > 0)
+      return true;
+  }
+  std::vector<double> line;
+  for (int i = 0; i < cells.nx; ++i) {
+    const double* h = row(i);
+    if (cells.along_y) {  // few cells are repeated after the end of the period
+      line.assign(h, h + cells.ny);
+      for (int j = 0; j < more; ++j) line.push_back(line[j]);
+      h = line.data();
+    }
+    const int count = cells.ny - (cells.along_y ? 0 : more);
+    if (count_steps({h, h + 1, h + 2, h + 3, h + 4, h + 5}, count, ratio) > 0) return true;
+  }
+  return false;
 }
 
 }  // namespace samcontact::contact

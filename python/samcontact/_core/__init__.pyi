@@ -45,6 +45,8 @@ __all__: list[str] = [
     "friction_laws",
     "hardening_laws",
     "kernels",
+    "magnitude_of",
+    "may_have_steps",
     "operators",
     "self_influence",
     "spin_lead",
@@ -735,6 +737,10 @@ def film_outflow(
 ) -> numpy.typing.NDArray[numpy.float64]: ...
 def friction_laws() -> list[tuple[str, bool, list[LawParameter]]]: ...
 def hardening_laws() -> list[LawDescription]: ...
+def magnitude_of(numbers: numpy.typing.NDArray[numpy.float64]) -> tuple[float, bool]: ...
+def may_have_steps(
+    heights: numpy.typing.NDArray[numpy.float64], along_x: bool, along_y: bool, ratio: float
+) -> bool: ...
 def self_influence(grid: Grid, body1: Body, body2: Body) -> float: ...
 
 spin_lead: float

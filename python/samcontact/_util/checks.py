@@ -11,11 +11,12 @@ from collections.abc import Iterable, Mapping
 from itertools import islice
 from numbers import Integral, Real
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .. import _core
 from .array_contents import NON_REAL_TYPES, masked_values, not_numbers
 from .short_text import in_short
 
@@ -42,12 +43,14 @@ def _has_unit(value: Any) -> bool:
 
 def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
+    if type(value) is float and abs(value) <= MAX_NUMBER:
+        return value + 0.0  # never -0.0
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, NON_REAL_TYPES) or not isinstance(value, Real):
         raise TypeError(f"{name} must be a number, got {in_short(value)}{_remedy(value)}")
     try:
-        found = float(value) + 0.0  # never -0.0
+        found = float(value) + 0.0
     except OverflowError:  # an integer of more than 308 digits
         found = sys.float_info.max
     if MAX_NUMBER < abs(found) < math.inf or (math.isinf(found) and value != found):
@@ -227,8 +230,28 @@ def exactly_one(**given: Any) -> str:
 
 def real_array(name: str, value: ArrayLike) -> FloatArray:
     """Return `value` as a float64 array of any shape; refuse lossy conversions."""
-    if type(value) is np.ndarray and value.dtype == np.float64:  # nothing to convert
-        return _within_range(name, value, value)
+    return _measured_array(name, value)[0]
+
+
+def _measured_array(name: str, value: ArrayLike) -> tuple[FloatArray, bool]:
+    """Return `value` as `real_array` does, and whether all its numbers are finite."""
+    array = value if _is_float_array(value) else _converted(name, value)
+    largest, is_finite = _core.magnitude_of(array)
+    if largest > MAX_NUMBER:
+        raise ValueError(
+            f"{name} must be finite everywhere and of magnitude <= {MAX_NUMBER:g}, "
+            f"got {in_short(value)}"
+        )
+    return array, is_finite
+
+
+def _is_float_array(value: ArrayLike) -> TypeGuard[FloatArray]:
+    """Whether a value is a plain float64 array, so that it needs no conversion."""
+    return type(value) is np.ndarray and value.dtype == np.float64
+
+
+def _converted(name: str, value: ArrayLike) -> FloatArray:
+    """Convert a value to a float64 array; raise TypeError or ValueError if values would be lost."""
     if _has_unit(value):
         raise TypeError(f"{name} has a unit: convert it to SI units with samcontact.units.si")
     lost = masked_values(value)
@@ -255,33 +278,16 @@ def real_array(name: str, value: ArrayLike) -> FloatArray:
     if array is None:
         rows = "" if wrong else ", whose rows are equally long"
         raise TypeError(f"{name} must be an array of numbers{rows}, got {wrong or in_short(value)}")
-    return _within_range(name, array, value)
-
-
-def _within_range(name: str, array: FloatArray, value: ArrayLike) -> FloatArray:
-    """Return the array; raise ValueError for a finite number beyond `MAX_NUMBER`."""
-    if array.size and max(-_finite_end(np.fmin, array), _finite_end(np.fmax, array)) > MAX_NUMBER:
-        raise ValueError(
-            f"{name} must be finite everywhere and of magnitude <= {MAX_NUMBER:g}, "
-            f"got {in_short(value)}"
-        )
     return array
-
-
-def _finite_end(end: np.ufunc, array: FloatArray) -> float:
-    """Return the minimum or maximum (`end`) of an array without NaN; 0 if it is not finite."""
-    found = float(end.reduce(array, axis=None))
-    return found if math.isfinite(found) else 0.0
 
 
 def finite_array(name: str, value: ArrayLike, shape: tuple[int, ...] | None = None) -> FloatArray:
     """Return `value` as a float64 array with finite entries, of exactly this `shape` if given."""
-    array = real_array(name, value)
+    array, is_finite = _measured_array(name, value)
     if shape is not None and array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
-    finite = np.isfinite(array)
-    if not finite.all():
-        index = tuple(int(i) for i in np.argwhere(~finite)[0])
+    if not is_finite:
+        index = tuple(int(i) for i in np.argwhere(~np.isfinite(array))[0])
         where = f" at index {index}" if index else ""
         raise ValueError(f"{name} must be finite everywhere, got {array[index]}{where}")
     return array
@@ -305,9 +311,11 @@ def gap_array(
 
     nobody: infinite value of cells without a body: +inf for a gap, -inf for heights.
     """
-    array = real_array(name, value)
+    array, is_finite = _measured_array(name, value)
     if array.shape != shape:
         raise ValueError(f"{name} must have shape {shape}, got {array.shape}")
+    if is_finite and array.size:
+        return array
     wrong = ~np.isfinite(array) & (array != nobody)
     if wrong.any():
         index = tuple(int(i) for i in np.argwhere(wrong)[0])

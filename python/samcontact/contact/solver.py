@@ -32,7 +32,7 @@ from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
 from .normal_drive import NormalDrive
-from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
+from .tangential_drive import AT_REST, Pressing, TangentialDriver, at_pace, tangential_drive
 
 LOOSEST_ADHESIVE = 1e-7
 """Maximum tolerance with adhesion. Above it, repulsion cannot be distinguished from errors."""
@@ -169,7 +169,7 @@ class ContactSolver(ContactFields):
         twist: float | None = None,
         torque: float | None = None,
         previous: ShearedSolution | None = None,
-        advance: Sequence[float] = (0.0, 0.0),
+        advance: Sequence[float] = AT_REST,
         initial_pressure: ArrayLike | None = None,
         duration: float | None = None,
         slip_rate: float | None = None,

@@ -26,6 +26,8 @@ from ..solutions.contact_solution import (
 )
 
 _DIRECTIONS = ("x", "y")
+AT_REST = (0.0, 0.0)
+"""Default displacements of the surfaces through the contact [m]."""
 
 Pressing = tuple[FloatArray, _core.Drive]
 """Initial gap [m], and the normal drive: load or approach, and moments or tilts."""
@@ -241,7 +243,8 @@ def tangential_drive(
     grid: Grid,
 ) -> TangentialDrive:
     """Check the arguments and create a tangential drive, which is empty in full sliding."""
-    first, second = (float(distance) for distance in finite_array("advance", advance, (2,)))
+    pair = advance if advance is AT_REST else finite_array("advance", advance, (2,))
+    first, second = map(float, pair)
     moves = None if first == second == 0 else advance
     along = given_along(
         friction, shift, tangential_load, twist, torque, previous=previous, advance=moves

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from .. import hertz
-from .._core import ConvergenceError, GridTooSmallError
+from .._core import ConvergenceError, GridTooSmallError, magnitude_of
 from .._util.cached_property import cached_property
 from .._util.display import lengths
 from ..bodies.layered import materials_of, softest
@@ -63,8 +63,8 @@ class _Fit(NamedTuple):
     """Largest |x| and |y| of the cell centres [m]."""
     basis: FloatArray
     """Values of the six terms at the points, computed from x and y divided by the half-lengths."""
-    products: FloatArray
-    """Products of each two terms, summed over the points."""
+    fitting: FloatArray
+    """Matrix that gives the factors of the terms for heights at the points, by least squares."""
 
 
 @lru_cache(maxsize=8)
@@ -77,7 +77,9 @@ def _fit_on(grid: Grid) -> _Fit:
     grids = np.meshgrid(grid.x[rows] / a, grid.y[columns] / b, indexing="ij")
     x, y = (v.ravel() for v in grids)
     basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
-    return _Fit(np.ix_(rows, columns), (a, b), basis, basis @ basis.T)
+    # Well conditioned in x/a and y/b.
+    fitting = np.linalg.solve(basis @ basis.T, basis)
+    return _Fit(np.ix_(rows, columns), (a, b), basis, fitting)
 
 
 class Paraboloid(NamedTuple):
@@ -172,15 +174,15 @@ class ContactSetup:
         """Paraboloid of the gap; None if the gap is not a convex paraboloid."""
         if min(self.grid.surface_shape) < 3 or self.relieved:
             return None
-        chosen, (a, b), basis, products = _fit_on(self.grid)
-        heights = self.gap[chosen].ravel()
-        if np.isinf(self.gap).any():  # a finite body is no paraboloid
+        chosen, (a, b), basis, fitting = _fit_on(self.grid)
+        if not magnitude_of(self.gap)[1]:  # a finite body is no paraboloid
             return None
+        heights = self.gap[chosen].ravel()
         lowest, highest = float(heights.min()), float(heights.max())
         if not 0 < highest - lowest < math.inf:
             return None
         heights = (heights - lowest) / (highest - lowest)
-        found = np.linalg.solve(products, basis @ heights)  # well conditioned in x/a, y/b
+        found = fitting @ heights
         deviation = float(np.max(np.abs(found @ basis - heights)))
         if not deviation <= MAX_PARABOLOID_DEVIATION:
             return None

@@ -61,10 +61,10 @@ class SurfaceGeometry:
         for number, relief in enumerate(reliefs, 1):
             relief_rows(f"relief{number}", relief, grid)
         checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
-        for face in filter(math.isfinite, strip):
-            _require_possible(grid, face)
-        low, high = strip
-        checked[:, (grid.y < low) | (grid.y > high)] = np.inf
+        for face, beyond in zip(strip, (np.less, np.greater), strict=True):
+            if math.isfinite(face):
+                _require_possible(grid, face)
+                checked[:, beyond(grid.y, face)] = np.inf
         return Domain(grid, read_only(checked), *reliefs)
 
 

@@ -57,7 +57,10 @@ class FrictionLaw(HtmlTable):
         """Return the law as an object of the compiled core; ValueError for invalid parameters."""
         made: _core.FrictionLaw | None = self.__dict__.get("_made")
         if made is None:
-            values = {name: np.atleast_1d(value).tolist() for name, value in asdict(self).items()}
+            values = {}
+            for item in fields(self):
+                value = getattr(self, item.name)
+                values[item.name] = list(value) if isinstance(value, tuple) else [value]
             made = _core.FrictionLaw(self.law, values)
             object.__setattr__(self, "_made", made)  # each solve needs it several times
         return made
@@ -88,12 +91,12 @@ class FrictionLaw(HtmlTable):
     @cached_property
     def is_frictionless(self) -> bool:
         """Whether the shear traction is zero under any pressure."""
-        return float(self.bound(1.0)) == 0.0
+        return self.to_core().ratio(1.0) == 0.0
 
     @property
     def prevents_slip(self) -> bool:
         """Whether the shear traction is unbounded, so that no cell slips."""
-        return math.isinf(float(self.bound(1.0)))
+        return math.isinf(self.to_core().ratio(1.0))
 
     @property
     def needs_duration(self) -> bool:

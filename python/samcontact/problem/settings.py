@@ -14,6 +14,7 @@ from typing import Any
 
 from .. import _core
 from .._util import memory
+from .._util.cached_property import cached_property
 from .._util.checks import choice, in_cells, integer, number
 from .._util.frozen import FixedAttributes
 from ..bodies.layered import Body
@@ -144,7 +145,7 @@ class ContactSettings:
         """Check the value of the setting with this name, and return the checked value."""
         return allowed(cls)[name].check(name, value)
 
-    @property
+    @cached_property
     def law(self) -> FrictionLaw:
         """Friction law; if `friction` is a number, the contact slides fully."""
         return friction_law(self.friction)

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._core import contact_outline
+from .. import _core
 from .._util.checks import FloatArray
 from ..problem.contact_law import in_contact
 
@@ -19,8 +19,6 @@ MIN_STEP_RATIO = 8.0
 """Minimum height of a step of the gap, divided by the changes of slope next to the step."""
 
 Ints = NDArray[np.intp]
-_BLOCK_CELLS = 1 << 13
-"""Number of cells that are processed together: their arrays fit into the cache."""
 _MARGIN_CELLS = 5
 """Margin around a contact; the gap within this margin determines whether the contact edge is
 sharp."""
@@ -58,7 +56,7 @@ def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
     """Return the outline of the contact for a pressure >= 0 [Pa]; periodic: as for Grid."""
     field = np.asarray(pressure, dtype=np.float64)
     return Outline(
-        *contact_outline(field, "x" in periodic, "y" in periodic, MIN_EDGE_PRESSURE_RATIO)
+        *_core.contact_outline(field, "x" in periodic, "y" in periodic, MIN_EDGE_PRESSURE_RATIO)
     )
 
 
@@ -148,33 +146,7 @@ def may_have_steps(gap: FloatArray, periodic: str) -> bool:
 
     If False, `steps_next_to` finds no step at any side that is `away_from_border`.
     """
-    if not np.isfinite(gap).all():
-        return True
-    for axis, name in enumerate("xy"):
-        heights = gap if axis == 0 else gap.T
-        if name in periodic:  # also across the end of the period; few cells are repeated
-            heights = heights.take(range(len(heights) + 5), axis=0, mode="wrap")
-        columns = max(1, _BLOCK_CELLS // len(heights))
-        for first in range(0, heights.shape[1], columns):
-            if _bends_suddenly(heights[:, first : first + columns]):
-                return True
-    return False
-
-
-def _bends_suddenly(heights: FloatArray) -> bool:
-    """Whether heights may have a step between two neighbours along the first axis."""
-    rises = heights[1:] - heights[:-1]
-    count = max(len(rises) - 4, 0)
-    before, into, rise, out, after = [rises[n : n + count] for n in range(5)]
-    # In place, because new arrays take longer than the sums.
-    height = into + out
-    height *= 0.5
-    np.abs(np.subtract(rise, height, out=height), out=height)
-    bends, other = into - before, after - out
-    np.maximum(np.abs(bends, out=bends), np.abs(other, out=other), out=bends)
-    bends *= MIN_STEP_RATIO
-    np.abs(np.subtract(out, into, out=other), out=other)
-    return bool((height > np.maximum(other, bends, out=other)).any())
+    return _core.may_have_steps(gap, "x" in periodic, "y" in periodic, MIN_STEP_RATIO)
 
 
 def has_ridge(pressure: FloatArray, periodic: str = "") -> bool:

@@ -29,4 +29,9 @@ struct Outline {
 /// towards the edge.
 Outline outline(std::span<const double> pressure, const Cells& cells, double rise);
 
+/// Whether heights [i][j] may have a step between the third and the fourth of any six consecutive
+/// cells along x or y: the height of the step exceeds the change of slope across it, and `ratio`
+/// times the changes of slope next to it. Always true if a height is infinite.
+bool may_have_steps(std::span<const double> heights, const Cells& cells, double ratio);
+
 }  // namespace samcontact::contact
