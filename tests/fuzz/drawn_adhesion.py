@@ -55,7 +55,8 @@ def follow(seed):
     rms = float(np.std(gap))
     most = 0.7 * gap.mean() if solver.grid.periodic else 0.5 * min(rms, 10 * z)
     there = np.linspace(-6 * z, most, int(rng.integers(4, 9)))
-    path = [*there, *there[::-1]]
+    # Soft bodies may still adhere where the path begins: separate them, and come back.
+    path = [*there, *there[::-1], 16 * there[0], there[0]]
     solution, found = None, []
     for approach in path:
         start = None if solution is None else solution.pressure
@@ -122,9 +123,10 @@ def follow_simulated(seed):
     try:
         for step in steps:
             state = simulation.step(**step)
-            check(state, 1e-6 * steps[3]["approach"])
+            rounding = 1e-6 * steps[3]["approach"]
+            check(state, rounding)
             if state.shear.any():
-                assert not np.hypot(*state.shear)[state.repulsion == 0].any()
+                assert not np.hypot(*state.shear)[state.gap > rounding].any()
     except NAMED as error:
         return error
     return state
