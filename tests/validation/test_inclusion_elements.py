@@ -116,18 +116,22 @@ def test_elastic(name, per_radius, matrix, inside, pressure, steps):
 # maximum plastic strain of the matrix.
 PLASTIC = [
     ("e2_05p", 4, 0.020, 0.031, 0.014, 0.105),
-    pytest.param("e03_05p", 4, 0.024, 0.0125, 0.003, 0.06, marks=pytest.mark.slow),
-    pytest.param("v_05p", 4, 0.037, 0.004, 0.006, 0.18, marks=pytest.mark.slow),
+    ("e03_05p", 4, 0.024, 0.0125, 0.003, 0.06),
+    ("v_05p", 4, 0.037, 0.004, 0.006, 0.18),
     pytest.param("e2_05p", 8, 0.0125, 0.020, 0.004, 0.08, marks=pytest.mark.slow),
     pytest.param("e03_05p", 8, 0.0125, 0.006, 0.001, 0.03, marks=pytest.mark.slow),
 ]
+
+
+VOID_COUNTS = [20, 15, *[9] * 8, 11, 14]
+"""Maximum number of evaluations of each increment: the first is elastic, the last two unload."""
 
 
 @pytest.mark.parametrize(("name", "per_radius", "matrix", "inside", "pressure", "strain"), PLASTIC)
 def test_elastic_plastic(name, per_radius, matrix, inside, pressure, strain):
     """Loaded in ten increments and unloaded in two."""
     case, loaded, unloaded, counts = states(name, per_radius)
-    assert max(counts) <= (20 if name.startswith("v") else 9)
+    assert np.all(counts <= np.array(VOID_COUNTS if name.startswith("v") else 9))
     rms, largest, expected = errors(name, per_radius, "loaded", loaded)
     assert np.all(np.array(rms) < [matrix, inside][: len(rms)])
     assert errors(name, per_radius, "unloaded", unloaded)[0][0] < matrix
