@@ -11,7 +11,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .. import elastic_rough, heat, slip, viscous
+from .. import elastic_rough, heat, shared_cases, slip
 from ..harness import Meter
 from ..plastic_zones import HARDNESS
 from ..rolling import CERAMIC, CONTACT_RADIUS, LOAD, RADIUS
@@ -129,41 +129,16 @@ def heated(meter: Meter, n: int) -> Found:
 
 
 def adhesive(meter: Meter, n: int) -> Found:
-    """Press a rigid ball on a soft body that attracts it, and retract it, in four steps."""
-    grid = sc.Grid(n, n, 320e-9 / n, 320e-9 / n)
-    soft = sc.Material.elastic(1e9, 0.3)
-    law = sc.Adhesion.exponential(0.05, range=4e-9)
-    gap = sc.surfaces.paraboloid(grid, 1e-6)
-
-    def cycle() -> list[sc.ContactSolution]:
-        solver = sc.ContactSolver(grid, sc.Material.rigid(), soft, adhesion=law)
-        found: list[sc.ContactSolution] = []
-        for approach in (0.0, 2e-9, 0.0, -2e-9):
-            start = found[-1].pressure if found else None
-            found.append(solver.solve(gap, approach=approach, initial_pressure=start))
-        return found
-
-    found = meter(cycle)
-    work = sum(one.work for one in found)
+    """Press a rigid ball on a soft body that attracts it, and retract it."""
+    work = sum(one.work for one in shared_cases.adhesive(meter, n))
     one = needs.displacement(n, n, padded=True)
     need = needs.surface_setup(n, n, padded=True).plus(one.times(work))
     return Found(need, plane_bytes(n, n, padded=True), f"{work:.1f} displacements")
 
 
 def film(meter: Meter, n: int) -> Found:
-    """Solve a steady film of a ball at 0.5 GPa."""
-    R, load = 0.01, 20.0
-    steel = sc.Material.elastic(207e9, 0.3)
-    oil = sc.Lubricant.roelands(viscosity=0.04, pressure_viscosity=22e-9)
-    a = sc.hertz.point(R, sc.hertz.effective_modulus(steel, steel), load=load).a
-    grid = sc.Grid(n, n, 4.5 * a / n, 4.5 * a / n)
-    x, y = grid.x[:, None] - 0.75 * a, grid.y[None, :]
-    gap = 0.5 * (x**2 + y**2) / R
-    found = meter(
-        lambda: sc.lubrication.steady(
-            grid, steel, steel, gap, load=load, speed=(1.0, 1.0), lubricant=oil
-        )
-    )
+    """Solve a steady film of a ball."""
+    found = shared_cases.film(meter, n)
     need = needs.surface_setup(n, n, padded=True)
     for level in found.levels:
         cells = level.cells[0] * level.cells[1]
@@ -258,15 +233,7 @@ def layered(meter: Meter, n: int) -> Found:
 
 def included(meter: Meter, n: int) -> Found:
     """Press a ball on steel with a stiff sphere below its centre, of n cells radius."""
-    radius = 24e-6
-    d = radius / n
-    grid = sc.Grid(13 * n, 13 * n, d, d, dz=d)
-    alumina = sc.Material.elastic(E=390e9, nu=0.25)
-    oxide = sc.Inclusion.sphere(center=(0.0, 0.0, 60e-6), radius=radius, material=alumina)
-    body = sc.Heterogeneous(ELASTIC, [oxide])
-    gap = sc.surfaces.paraboloid(grid, 3e-3)
-    path = [{"load": part * 60.0} for part in (0.5, 1.0)]
-    steps = stepped(meter, lambda: sc.Simulation(grid, ELASTIC, body, gap), path)
+    steps = stepped(meter, *shared_cases.included(n))
     box = (2 * n, 2 * n, 2 * n)
     one = needs.volume(box, padded=True, components=needs.TENSOR)
     need = contacts(steps)
@@ -312,18 +279,16 @@ def of_zones(boxes: Sequence[tuple[int, int, int]], n: int) -> Need:
 
 
 def viscoelastic(meter: Meter, n: int) -> Found:
-    """Press a rigid ball on a viscoelastic body with eight terms, in eleven increments."""
-    terms = 8
-    body = viscous.relaxing(terms)
-    load = viscous.contact(viscous.CASES[0], n, body)[1] * viscous.RELAXED[terms]
-    path = [{"load": load * (0.35 + 0.05 * k), "duration": viscous.STEP} for k in range(11)]
-    steps = stepped(meter, lambda: viscous.contact(viscous.CASES[0], n, body)[0], path)
+    """Press a rigid ball on a viscoelastic body."""
+    steps = stepped(meter, *shared_cases.viscoelastic(n))
     need = contacts(steps)
     for state in steps.states:
-        values = terms * float(np.prod(box_around(state.pressure > 0)))  # of the memory
+        values = shared_cases.RELAXATION_TERMS * float(
+            np.prod(box_around(state.pressure > 0))
+        )  # of the memory
         need = need.plus(needs.displacement(n, n, padded=True), Need(4 * values, 16 * values))
     count = sum(state.contact_iterations for state in steps.states)
-    text = f"{count} iterations of the contact in {len(path)} increments"
+    text = f"{count} iterations of the contact in {len(steps.states)} increments"
     return Found(need, plane_bytes(n, n, padded=True), text, steps.first)
 
 

@@ -17,6 +17,7 @@ RATE = 10e9  # bytes/s sent and received by a process; a network of 100 Gbit/s p
 COMPLEX = 16  # bytes
 STRAINS, STRESSES = 5, 6  # numbers of components of plastic strain, and of the stress due to it
 PERIODIC = ("rough", "zones")  # jobs
+JOBS = ("finer", "slipping", "slipping_fine", *PERIODIC)
 # Size of the coarse fields by which zones act on each other across the whole surface, relative to
 # the number of surface cells: nodes of 2 x 2 cells, and nodes of 8 x 8 cells on a plane twice as
 # wide, of which the empty rows are not sent.

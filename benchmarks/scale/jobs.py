@@ -14,7 +14,7 @@ import numpy as np
 
 import samcontact as sc
 
-from .. import elastic_rough, slip
+from .. import elastic_rough, shared_cases, slip
 from ..harness import Meter, work_of
 from ..plastic_zones import HARDNESS, SLOPE
 from ..rolling import CERAMIC, CONTACT_RADIUS, LOAD, RADIUS
@@ -59,6 +59,10 @@ JOBS = (
     Job("elastic-plastic ball", "ball", "volume", RADII, 400),
     Job("rolling elastic-plastic ball", "rolling", "volume", (4, 6, 8, 12, 16, 24, 32, 40), 500),
     Job("elastic-plastic coated body", "coated", "volume", RADII, 300),
+    Job("viscoelastic increments", "viscoelastic", "surface", SURFACES, 1000),
+    Job("adhesive contact", "adhesive", "surface", SURFACES, 1000, 1.3),
+    Job("film", "film", "surface", (24, 48, 96, 192, 384, 768), 8000, 1.4),
+    Job("inclusion", "included", "volume", (3, 4, 6, 8, 12, 16, 24, 30), 10000),
 )
 
 
@@ -164,6 +168,33 @@ def coated(meter: Meter, n: int) -> dict[str, Any]:
 
     simulation, state = meter(press)
     return {"cells": across * across * len(state.depths), **work_of(simulation)}
+
+
+def viscoelastic(meter: Meter, n: int) -> dict[str, Any]:
+    """Press a rigid ball on a viscoelastic body with eight terms, in eleven increments."""
+    states = meter(shared_cases.viscoelastic(n).follow)
+    return {"cells": n * n, "contact_iterations": sum(one.contact_iterations for one in states)}
+
+
+def adhesive(meter: Meter, n: int) -> dict[str, Any]:
+    """Press a rigid ball on a soft body that attracts it, and retract it, in four steps."""
+    found = shared_cases.adhesive(meter, n)
+    return {"cells": n * n, "transforms": sum(one.work for one in found)}
+
+
+def film(meter: Meter, n: int) -> dict[str, Any]:
+    """Solve a steady film of a ball at 0.5 GPa."""
+    last = shared_cases.film(meter, n).levels[-1]
+    return {"cells": n * n, "newton_steps": last.iterations, "krylov_steps": last.krylov_steps}
+
+
+def included(meter: Meter, n: int) -> dict[str, Any]:
+    """Press a ball on steel with a stiff sphere of n cells radius below its centre.
+
+    The cells are those of the box around the sphere.
+    """
+    states = meter(shared_cases.included(n).follow)
+    return {"cells": (2 * n) ** 3, "volume_applications": sum(one.iterations for one in states)}
 
 
 def measure(meter: Meter, job: str, n: int) -> dict[str, Any]:

@@ -80,8 +80,8 @@ def sizes(rows: Rows) -> str:
     return table(["job", "n", "cells", "time [s]", "µs per cell", "memory [MB]"], lines)
 
 
-# Other jobs are not surface problems, or their growth beyond measured sizes is uncertain.
-LARGE_SURFACE_JOBS = [job for job in JOBS if job.unit == "surface" and job.exponent < 1.2]
+# The numbers of transforms of other jobs are not counted.
+LARGE_SURFACE_JOBS = [job for job in JOBS if job.function in cluster.JOBS]
 
 
 def memory(rows: Rows, job: Job) -> float:
