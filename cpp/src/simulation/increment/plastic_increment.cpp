@@ -205,6 +205,8 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
 
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
+  // Zones that have grown contain further inclusions.
+  guess.resize(active_.size() * active_.components(), 0.0);
   scatter(guess);
   gap_.assign(task_.setup().grid.surface_size(), 0.0);
   if (!task_.target.is_prescribed()) {
