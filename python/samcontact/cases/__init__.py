@@ -34,7 +34,7 @@ __all__ = [
 _PLACES = {name: module for module, name in CLASSES.items()} | {
     "ALL_KINDS": "kinds", "AnyCase": "kinds",
 }  # fmt: skip
-"""Module of each name; the module is imported when the name is first used."""
+"""Module that defines each public name; it is imported when the name is first used."""
 
 
 def __getattr__(name: str) -> Any:

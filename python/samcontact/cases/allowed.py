@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Descriptions, in words, of the allowed values of case-file fields, from the pydantic models."""
+"""Description of the values that each field of a case file allows, from its pydantic model."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _TYPE_NAMES = {bool: "true or false", str: "text"}
 
 
 def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any]]:
-    """Return the type inside an annotation, without `Annotated` and None, and all its metadata."""
+    """Strip `Annotated` and None from an annotation; return the bare type and all metadata."""
     marks = list(metadata)
     while True:
         origin, parts = get_origin(annotation), get_args(annotation)
@@ -40,7 +40,7 @@ def opened(annotation: Any, metadata: Sequence[Any] = ()) -> tuple[Any, list[Any
 
 
 def members(annotation: Any) -> list[Any]:
-    """Return the alternatives of a union type, without None."""
+    """Return the alternatives of a union type without None; [annotation] for any other type."""
     if get_origin(annotation) not in (Union, UnionType):
         return [annotation]
     return [part for part in get_args(annotation) if part is not type(None)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of asperity collisions ("asperities")."""
+"""Case files of asperity collisions, with the section [asperities]."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .sections import GridSection, settings_section
 
 
 class AsperitySection(Section):
-    """[asperities]: two colliding spheres, number of passes, and sizes of a default grid."""
+    """[asperities]: two colliding spheres, number of passes, and size of the default grid."""
 
     R1: Length
     R2: Length
@@ -63,7 +63,7 @@ else:
 
 
 class AsperityCase(CaseFile):
-    """Validated case of `asperities.collide`; all quantities in SI units."""
+    """Validated case of an asperity collision, for `asperities.collide`; quantities in SI units."""
 
     KIND: ClassVar[str] = "an asperity collision"
 
@@ -90,7 +90,7 @@ class AsperityCase(CaseFile):
             given = ", ".join(self.asperities.grid_arguments())
             raise ValueError(f"asperities: {given} and [grid] both set the grid: omit one of them")
         bodies = (("body1", self.body1), ("body2", self.body2))
-        require_cold(bodies, "omit it, [asperities] does not support heat")
+        require_cold(bodies, "omit it, because [asperities] does not support heat")
         require_no_layers(bodies, "[asperities]")
         require_hardness_used(bodies)
         require_image_tol(self.contact)
@@ -99,7 +99,7 @@ class AsperityCase(CaseFile):
     def solve(
         self, *, progress: bool = True, checkpoint: str | os.PathLike[str] | None = None
     ) -> CollisionResult:
-        """Run `asperities.collide`; raise its errors, or CaseError for an invalid section."""
+        """Run `asperities.collide`, whose errors are passed on; CaseError for invalid sections."""
         collision, section = self.asperities.geometry(), "grid"
         reliefs: dict[str, Relief] = {}
         try:
@@ -131,5 +131,5 @@ class AsperityCase(CaseFile):
         )
 
     def solved(self) -> xr.Dataset:
-        """Solve the case and return the quantities with one value per increment or pass."""
+        """Solve the case; return the quantities that have a value per increment or per pass."""
         return self.solve(progress=False).series

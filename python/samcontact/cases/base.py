@@ -48,7 +48,7 @@ def convert(value: Any, unit: str) -> Any:
 
 
 def in_unit(name: str) -> BeforeValidator:
-    """Mark a field with its SI unit, to which texts such as "25 um" are converted."""
+    """Return a validator that gives a field an SI unit and converts texts such as "25 um" to it."""
     return BeforeValidator(partial(convert, unit=name))
 
 
@@ -103,7 +103,7 @@ def changed(section: Section, names: Iterable[str]) -> set[str]:
 
 
 class OutputPlace(Section):
-    """Destination of the results."""
+    """[output]: folder of the results, and format of the figures."""
 
     directory: Annotated[str, Field(min_length=1)] | None = None
     figures: bool = True
@@ -115,7 +115,7 @@ class CaseFile(Section):
     """Base class of case files, with the path of the file and the folder of the results."""
 
     KIND: ClassVar[str] = "one contact"
-    """Description of the case in messages."""
+    """Noun phrase for this kind of case in messages."""
 
     if TYPE_CHECKING:  # fields that each kind of case file has, first and last
         title: str
@@ -123,7 +123,7 @@ class CaseFile(Section):
 
     @classmethod
     def model_validate(cls, obj: Any, **settings: Any) -> Self:
-        """Create a case from a dictionary with the layout of a case file, in SI units.
+        """Create a case from a dictionary with the layout of a case file; numbers in SI units.
 
         Raises
         ------
@@ -164,7 +164,7 @@ class CaseFile(Section):
 
     @property
     def output_directory(self) -> Path:
-        """Folder of the results: `directory` in [output]; default: results/<name of the case file>.
+        """Folder of the results, given in [output] or, by default, results/<name of the case file>.
 
         The path is relative to the current working folder.
         """
@@ -217,6 +217,6 @@ class HeightsFile(Section):
         return surface if self.mirror is None else surface.mirrored(self.mirror)
 
     def placement(self) -> dict[str, Any]:
-        """Return the given arguments of `MeasuredSurface.on` or `.relief`; x is not included."""
+        """Return the given fields, except x, as arguments of `MeasuredSurface.on` or `.relief`."""
         names = ("y", "method", "average", "fill")
         return {n: getattr(self, n) for n in names if getattr(self, n) is not None}

@@ -58,7 +58,7 @@ class _Body(Solid):
 
     @property
     def has_inclusions(self) -> bool:
-        """Whether the body is heterogeneous."""
+        """Whether the body has inclusions."""
         return self.inclusions is not None or self.random_inclusions is not None
 
     @property
@@ -68,7 +68,7 @@ class _Body(Solid):
 
     @property
     def sections(self) -> dict[str, Any]:
-        """Material sections by their place in the body: "" (substrate), ".layers[0]", ..."""
+        """Material sections by their place in the body, "" (substrate), ".layers[0]" etc."""
         found: dict[str, Any] = {f".layers[{n}]": x for n, x in enumerate(self.coating)}
         found |= {"": self} | {f".inclusions[{n}]": x for n, x in enumerate(self.inclusions or [])}
         drawn = self.random_inclusions

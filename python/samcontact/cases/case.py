@@ -58,8 +58,8 @@ def _accuracy(given: Any) -> Any:
         number = isinstance(value, (int, float)) and not isinstance(value, bool)
         if given is not None and not (number and 0 < value < 1):
             raise ValueError(
-                "must be a relative error in (0, 1), e.g. 0.01 for 1 %, or a table of them by "
-                f"quantity, got {in_short(value)}"
+                "must be a relative error in (0, 1), e.g. 0.01 for 1 %, or a table with one such "
+                f"error for each quantity, got {in_short(value)}"
             )
     return given
 
@@ -128,8 +128,8 @@ class Case(CaseFile):
             if body.is_plastic and not self.has_volume:
                 law = body.inelastic_laws[0]
                 raise ValueError(
-                    f"{name} is elastic-plastic (law {law}) and requires a "
-                    "grid with layers: set grid.dz"
+                    f"{name} is elastic-plastic (law {law}) and requires a grid with layers of "
+                    "cells below the surface: set grid.dz"
                 )
         require_durations(self)
         if self.has_volume and self.wear is None:
@@ -139,7 +139,7 @@ class Case(CaseFile):
         return self
 
     def _resolve_loads(self) -> None:
-        """Replace each `load_factor` of the path by a load [N]: factor times load of the part."""
+        """Replace each `load_factor` of the path by a load [N], factor times load of the part."""
         path = []
         for index, segment in enumerate(self.path):
             try:
@@ -188,12 +188,12 @@ class Case(CaseFile):
 
     @property
     def has_volume(self) -> bool:
-        """Whether the grid has layers below the surface; always True for an automatic grid."""
+        """Whether the grid has layers of cells below the surface; True for an automatic grid."""
         return self.grid is None or self.grid.dz is not None
 
     @property
     def reason_for_grid(self) -> str:
-        """Reason why a case with the field `accuracy` requires [grid]; "" if it does not."""
+        """Reason why the field `accuracy` requires [grid] in this case; "" if it does not."""
         return reason_for_grid(self)
 
     @property
@@ -217,7 +217,7 @@ class Case(CaseFile):
         return any(both_axes(step["advance"]).any() for step in self.steps() if "advance" in step)
 
     def _check_motion(self, steps: paths.Path) -> None:
-        """Check that motion agrees with the direction of friction and the velocity of [heat]."""
+        """Check that the motion agrees with the direction of friction and with heat.velocity."""
         heat = NO_HEAT if self.heat is None else self.heat.build()
         friction = self.friction
         attracts = contact_law_of(self.contact).attracts  # adhesion adds to the friction limit
@@ -229,7 +229,7 @@ class Case(CaseFile):
             (first, first_y), (second, second_y) = travels = both_axes(step["advance"]).tolist()
             if not friction.sticks and not friction.is_frictionless and first_y != second_y:
                 raise ValueError(
-                    "advance of both bodies along y must be equal, because friction acts along x, "
+                    "advance along y must be equal for both bodies, because friction acts along x, "
                     f"got {travels}: set friction = 0 to slide along y"
                 )
             if friction.sliding_ratio > 0 and first < second:

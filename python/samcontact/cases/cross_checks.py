@@ -26,7 +26,7 @@ def require_all_used(case: Any) -> None:
     bodies = (("body1", case.body1), ("body2", case.body2))
     # [[path]] heat_factor: 0 switches the heat source off on purpose
     if case.heat is None and all(segment.heat_factor is None for segment in case.path):
-        require_cold(bodies, "add [heat]")
+        require_cold(bodies, "omit it, or add [heat]")
     require_image_tol(case.contact)
     _require_zones(case)
     _require_law_of_friction(case)
@@ -42,9 +42,9 @@ def require_all_used(case: Any) -> None:
     given = changed(case.output, ("body", "volume"))
     if case.wear is not None:
         if changed(case, ["estimate_error"]):
-            raise ValueError("estimate_error cannot be combined with [wear]: omit it")
+            raise ValueError("estimate_error cannot be combined with [wear]: omit one of them")
         for name in sorted(given):
-            raise ValueError(f"output.{name} cannot be combined with [wear]: omit it")
+            raise ValueError(f"output.{name} cannot be combined with [wear]: omit one of them")
     if not case.has_volume and "volume" in given and case.output.volume != "none":
         raise ValueError(
             f"output.volume = {case.output.volume!r} requires grid.dz: set grid.dz, or omit "
@@ -53,7 +53,7 @@ def require_all_used(case: Any) -> None:
 
 
 def _require_inclusions_in_volume(case: Any) -> None:
-    """Raise ValueError for inclusions on a grid without dz, or with wear, dents or `accuracy`."""
+    """Raise ValueError for inclusions with [wear], [dents] or `accuracy`, or without grid.dz."""
     for name, body in (("body1", case.body1), ("body2", case.body2)):
         if not body.has_inclusions:
             continue
@@ -63,11 +63,11 @@ def _require_inclusions_in_volume(case: Any) -> None:
                 raise ValueError(f"{field} cannot be combined with {other}: omit one of them")
         if case.accuracy is not None:
             raise ValueError(
-                f"{field} cannot be combined with accuracy: omit accuracy, and choose cells of an "
-                "eighth to a quarter of the smallest radius"
+                f"{field} cannot be combined with accuracy: omit accuracy, and add [grid] with "
+                "cells of an eighth to a quarter of the smallest inclusion radius"
             )
         if not case.has_volume:
-            raise ValueError(f"{field} requires a grid with layers: set grid.dz")
+            raise ValueError(f"{field} requires layers of cells below the surface: set grid.dz")
 
 
 def path_with_loads(case: Any) -> list[Segment]:
@@ -94,8 +94,8 @@ def _require_cycle(case: Any) -> None:
     judged = case.fatigue
     if judged.fatemi_socie is not None and judged.yield_stress is None and not body.is_plastic:
         raise ValueError(
-            f"fatigue.yield_stress is required because body{case.output.body} is elastic: "
-            "fatemi_socie divides by the yield stress"
+            f"fatigue.yield_stress is required because body{case.output.body} is elastic and "
+            "fatemi_socie divides by the yield stress: add yield_stress, or omit fatemi_socie"
         )
     if case.fatigue.steady_axis is None and len(case.steps()) < 2:
         raise ValueError(
@@ -106,7 +106,7 @@ def _require_cycle(case: Any) -> None:
 
 
 def _require_hardness(case: Any) -> None:
-    """Raise ValueError for a hardness without effect, or one missing for [fatigue.exposure]."""
+    """Raise ValueError if a hardness has no effect, or is missing for [fatigue.exposure]."""
     judged = None if case.fatigue is None else case.fatigue.exposure
     if judged is not None and (case.body1, case.body2)[case.output.body - 1].profile is None:
         raise ValueError(
@@ -120,13 +120,13 @@ def _require_hardness(case: Any) -> None:
 def require_hardness_used(
     bodies: Iterable[tuple[str, BodySection]], judged: BodySection | None = None
 ) -> None:
-    """Raise ValueError if an elastic material, other than that of `judged`, has a hardness."""
+    """Raise ValueError if an elastic material, except that of section `judged`, has a hardness."""
     for name, body in bodies:
         for part in body.parts:
             if part.profile is not None and part.law == "elastic" and part is not judged:
                 raise ValueError(
                     f"{name}: hardness has no effect on an elastic body: choose a hardening law, "
-                    "or add [fatigue.exposure]"
+                    "omit hardness, or add [fatigue.exposure]"
                 )
 
 
@@ -153,8 +153,8 @@ def _require_repeatable(case: Any) -> None:
     _require_fixed_path(case, "shakedown", "may differ between cycles")
     if case.accuracy is not None and case.fatigue is not None:
         raise ValueError(
-            "fatigue cannot be combined with both shakedown and accuracy, which store the state "
-            "after the last cycle only: omit one of the three"
+            "fatigue cannot be combined with both shakedown and accuracy, because these two store "
+            "only the state after the last cycle: omit one of the three"
         )
     if not (case.body1.is_plastic or case.body2.is_plastic):
         raise ValueError(
@@ -168,44 +168,44 @@ def _require_repeatable(case: Any) -> None:
         travels = [within_period(grid, travel) for travel in travels]
     if max(map(abs, travels)) > 1e-12:
         raise ValueError(
-            "shakedown requires a closed path, but at the end of the path body 1 and body 2 have "
-            f"moved by {tuple(travels)!r} m: add motion that returns both bodies, or remove "
+            "shakedown requires a closed path, but over this path bodies 1 and 2 move in total by "
+            f"{tuple(travels)!r} m along x: add motion that returns both bodies, or remove "
             "[shakedown]"
         )
 
 
 def _require_free_along_y(case: Any) -> None:
-    """Raise ValueError for motion along y of bodies with free faces or reliefs."""
+    """Raise ValueError for motion along y if a body has free faces or a relief."""
     moved = (both_axes(step["advance"]) for step in case.steps() if "advance" in step)
     if not any(travels[:, 1].any() for travels in moved):
         return
     for number in (1, 2):
         if getattr(getattr(case, f"body{number}"), "free_faces", None) is not None:
-            raise ValueError(f"advance along y must be 0 with free_faces in [body{number}]")
+            raise ValueError(f"with body{number}.free_faces, advance along y must be 0: omit one")
         if getattr(case, f"relief{number}") is not None:
-            raise ValueError(f"advance along y must be 0 with [relief{number}]: omit the relief")
+            raise ValueError(f"with [relief{number}], advance along y must be 0: omit one")
     if case.grid is not None and has_history(case.friction, (case.body1, case.body2)):
         require_steps_of_cells(case, 1)
 
 
 def _require_known_faces(case: Any) -> None:
-    """Raise ValueError for wear, accuracy or stress fields of bodies with free faces."""
+    """Raise ValueError for [wear], `accuracy` or stress fields if a body has free faces."""
     for number, body in enumerate((case.body1, case.body2), 1):
         if getattr(body, "free_faces", None) is None:
             continue
         name = f"body{number}"
         for section in ("wear", "accuracy"):
             if getattr(case, section) is not None:
-                raise ValueError(f"{name}.free_faces cannot be combined with {section}: omit one")
+                raise ValueError(f"{section} cannot be combined with {name}.free_faces: omit one")
         if case.has_volume and case.output.body == number and case.output.volume != "none":
             raise ValueError(
-                f"{name}.free_faces: the stress near a free face is not known: omit grid.dz, set "
-                'output.volume = "none", or select the other body with output.body'
+                f"{name}.free_faces: stresses near a free face cannot be computed: omit grid.dz, "
+                'set output.volume = "none", or select the other body with output.body'
             )
 
 
 def _require_dentable(case: Any) -> None:
-    """Raise ValueError for [dents] if body 2 is elastic, with [wear], or on a periodic grid."""
+    """Raise ValueError for [dents] in an elastic body 2, with [wear], or on a periodic grid."""
     if case.dents is None:
         return
     if not case.body2.is_plastic:
@@ -220,7 +220,7 @@ def _require_dentable(case: Any) -> None:
 
 
 def _require_law_of_friction(case: Any) -> None:
-    """Raise ValueError in full sliding for wear, motions or forces that require partial slip."""
+    """Raise ValueError if wear, motions or forces require partial slip but friction excludes it."""
     if case.sticks:
         return
     if case.wear is not None and case.wear.law != "threshold":
@@ -238,7 +238,7 @@ def _require_law_of_friction(case: Any) -> None:
 
 
 def _require_fixed_path(case: Any, section: str, reason: str) -> None:
-    """Raise ValueError for a retraction: its number of increments depends on the solution."""
+    """Raise ValueError for a pull-off, whose number of increments depends on the solution."""
     for index, segment in enumerate(case.path):
         if segment.pull_off is not None:
             raise ValueError(
@@ -273,8 +273,8 @@ def _require_law_of_contact(case: Any) -> None:
         law.require_possible(NO_HEAT if case.heat is None else case.heat.build(), {})
         if case.moves and not law.may_move(case.sticks):
             raise ValueError(
-                f"path: bodies must not move with contact.adhesion = {law!r}"
-                f"{' and partial slip' if case.sticks else ''}: remove the motion, or use "
+                f"path: bodies must not roll or slide if contact.adhesion = {law!r}"
+                f"{', with partial slip' if case.sticks else ''}: remove the motion, or use "
                 'adhesion = "hard"'
             )
         _require_no_passes(case)
@@ -291,12 +291,12 @@ def _require_accuracy(case: Any) -> None:
     """Raise ValueError for fields that are allowed only with `accuracy`, or only without it."""
     if case.accuracy is None:
         for name in sorted(changed(case, ("quantities", "max_memory", "max_time"))):
-            raise ValueError(f"{name} requires accuracy: add the field accuracy, or omit {name}")
+            raise ValueError(f"{name} has no effect without accuracy: add accuracy, or omit {name}")
         return
     law = contact_law_of(case.contact)
     if law.is_of_grid:
         raise ValueError(
-            f"contact.adhesion.range is required with accuracy, got {law!r}: without it the range "
+            f"with accuracy, contact.adhesion.range must be given, got {law!r}: the default range "
             "changes with the grid"
         )
     if case.grid is not None and not reason_for_grid(case):
@@ -304,11 +304,11 @@ def _require_accuracy(case: Any) -> None:
     _require_fixed_path(case, "accuracy", "differs between grids")
     for index, segment in enumerate(case.path):
         if changed(segment, ("increments",)):
-            raise ValueError(f"path[{index}].increments cannot be combined with accuracy: omit it")
+            raise ValueError(f"path[{index}].increments cannot be combined with accuracy: omit one")
 
 
 def reason_for_grid(case: Any) -> str:
-    """Return why a case with the field `accuracy` requires [grid]; "" if it does not."""
+    """Return the reason why `accuracy` requires [grid] in a case; "" if it does not."""
     if case.grid is not None and case.grid.periodic:
         return "grid.periodic prescribes the period"
     if case.wear is not None:
@@ -318,11 +318,11 @@ def reason_for_grid(case: Any) -> str:
     if any(segment.tilting for segment in case.path):
         return "moments and tilts move the contact"
     if not case.surface.is_known:
-        return "the heights of the surface are given at samples"
+        return "the surface is given by heights at sample points"
     for name in ("relief1", "relief2"):
         relief = getattr(case, name)
         if relief is not None and not relief.is_known:
-            return f"the heights of {name} are given at samples"
+            return f"{name} is given by heights at sample points"
     reason: str = case.surface.reason_for_grid
     return reason
 
@@ -346,8 +346,8 @@ def require_cold(bodies: Iterable[tuple[str, BodySection]], remedy: str) -> None
             raise ValueError(f"{name}.thermal has no effect without [heat]: {remedy}")
         if softening is not None and softening.ambient <= softening.reference:
             raise ValueError(
-                f"{name}.softening has no effect without [heat]: ambient = {softening.ambient!r} K "
-                f"must be above reference = {softening.reference!r} K: {remedy}"
+                f"{name}.softening has no effect without [heat] unless ambient (now "
+                f"{softening.ambient!r} K) is above reference ({softening.reference!r} K): {remedy}"
             )
 
 
@@ -356,12 +356,12 @@ def _require_zones(case: Any) -> None:
     layered = any(b.coating and (b.is_plastic or b.has_inclusions) for b in bodies)
     if layered and changed(case.contact, ["zones"]):
         raise ValueError(
-            "contact.zones is not supported for layers that yield or have inclusions, which always "
-            "use a single plastic subdomain: omit zones"
+            "contact.zones has no effect on layered bodies with plastic flow or inclusions, whose "
+            "plastic strain lies in a single subdomain: omit zones"
         )
 
 
 def require_image_tol(contact: Any) -> None:
-    """Raise ValueError if image_tol is specified although residual_stress is "exact"."""
+    """Raise ValueError if image_tol is given although residual_stress = "exact" ignores it."""
     if contact.residual_stress == "exact" and changed(contact, ["image_tol"]):
-        raise ValueError('contact.image_tol requires residual_stress = "fast": omit it')
+        raise ValueError('contact.image_tol has effect with residual_stress = "fast" only: omit it')

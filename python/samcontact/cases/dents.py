@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
 
 NOT_OF_PARTICLES = ("friction", "adhesion", "stiffness", "on_border", "reach")
-"""Settings in [contact] that concern the path only: particles are pressed in without friction."""
+"""Settings in [contact] that apply to the path only, not while the particles are pressed in."""
 
 
 class ParticleSection(Section):
@@ -58,8 +58,8 @@ class RandomParticlesSection(Section):
     def _draws(self) -> RandomParticlesSection:
         if not self.build():
             raise ValueError(
-                "density * length * width is so small that no particle was drawn: increase one of "
-                f"them, or change seed, got a mean of {self.density * self.length * self.width:g}"
+                "no particle was drawn, because the mean number density * length * width is only "
+                f"{self.density * self.length * self.width:g}: increase a factor, or change seed"
             )
         return self
 
@@ -82,11 +82,11 @@ class DentsSection(Section):
         if (self.particles is None) == (self.random is None):
             raise ValueError("exactly one of particles and random must be given")
         if (self.E is None) != (self.nu is None):
-            raise ValueError("E and nu of the particles must be given together, or neither (rigid)")
+            raise ValueError("give both E and nu of the particles, or neither for rigid particles")
         return self
 
     def build(self, settings: Mapping[str, Any]) -> Indentation:
-        """Return the indentation; `settings`: settings of the simulation in [contact]."""
+        """Return the indentation; settings: those in [contact], as arguments of `Simulation`."""
         drawn = [] if self.random is None else self.random.build()
         given = [one.build() for one in self.particles or ()]
         body = None
@@ -102,9 +102,9 @@ class DentsSection(Section):
 
 @dataclass(frozen=True)
 class Indentation:
-    """Particles that are pressed into body 2 of a simulation before its path.
+    """Particles that are pressed into body 2 of a simulation before its path is solved.
 
-    Positions are coordinates on body 2; x = 0 is the initial position of the contact.
+    Particle positions are coordinates on body 2; the contact is initially at x = 0.
     """
 
     particles: tuple[overrolling.Particle, ...]
@@ -113,15 +113,15 @@ class Indentation:
     settings: Mapping[str, Any]
 
     def __call__(self, simulation: Simulation) -> None:
-        """Press in the particles on a longer grid with equal cells; set their plastic strain."""
+        """Press the particles into body 2 on a longer grid; set the strain in `simulation`."""
         grid = simulation.grid
         half = 0.5 * grid.ny * grid.dy
         for one in self.particles:
             if abs(one.y) >= half:
                 raise ValueError(
                     f"dents: the centre of each particle must lie on the grid along y, within "
-                    f"{half:.4g} m of y = 0, got y = {one.y:.4g} m: change y (random: width), "
-                    "or increase ny"
+                    f"{half:.4g} m of y = 0, got y = {one.y:.4g} m: change y (with dents.random: "
+                    "y or width), or increase grid.ny"
                 )
         places = [one.x for one in self.particles]
         middle = round(0.5 * (min(places) + max(places)) / grid.dx)

@@ -17,9 +17,9 @@ from .allowed import described, discriminated, is_model, members, models_in, ope
 MAX_LINES = 20
 """Maximum number of errors reported for one case."""
 _LIKELY = 0.75
-"""Similarity of two names above which one is probably a misspelling of the other."""
+"""Similarity (0 to 1) above which one of two names is probably a misspelling of the other."""
 SHORT_FORMS = ("roller", "bearing")
-"""Sections that users may write instead of [surface] with the shape of the same name."""
+"""Shapes that users may write as a section: [roller] for [surface] with shape = "roller"."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
 
@@ -205,7 +205,7 @@ def _dotted(names: Sequence[str | int]) -> str:
 
 
 class _FieldLocation(NamedTuple):
-    """Location of an error: allowed fields, path of names, type and metadata of the field."""
+    """Location of an error: fields allowed there; path, type and metadata of the wrong field."""
 
     fields: list[str]
     names: list[str | int]

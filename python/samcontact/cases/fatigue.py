@@ -29,7 +29,7 @@ class LimitSection(Section):
 
 
 class ExposureSection(Section):
-    """[fatigue.exposure]: stress over strength of a hardened case, see `fatigue.exposure`."""
+    """[fatigue.exposure]: ratio of stress to strength over depth, see `fatigue.exposure`."""
 
     slope: Slope = 0.3
     axis: Literal["x", "y"] = "x"
@@ -49,7 +49,7 @@ class LifeSection(Section):
 
 
 class FatigueSection(Section):
-    """[fatigue]: fatigue criteria over the path, see `samcontact.fatigue`."""
+    """[fatigue]: criteria for the stress cycle of the path, see `samcontact.fatigue`."""
 
     dang_van: Slope | None = None
     crossland: Slope | None = None
@@ -66,7 +66,7 @@ class FatigueSection(Section):
     def _go_together(self) -> FatigueSection:
         if not self.criteria and self.exposure is None:
             raise ValueError(
-                f"at least one of {', '.join(CRITERIA)}, exposure must be given, got none"
+                f"at least one of {', '.join(CRITERIA)} and exposure must be given, got none"
             )
         if self.life is not None and self.life.criterion not in self.criteria:
             raise ValueError(
@@ -105,7 +105,7 @@ class FatigueSection(Section):
     def exposed(
         self, states: list[State], body: int, profile: HardnessProfile | None
     ) -> Exposure | None:
-        """Return stress over strength at each depth of a body; None without [fatigue.exposure]."""
+        """Return the ratio of stress to strength over depth; None without [fatigue.exposure]."""
         if self.exposure is None:
             return None
         assert profile is not None  # checked with the case
@@ -113,7 +113,7 @@ class FatigueSection(Section):
         return exposure(self._cycle(states, body), profile, **given)
 
     def life_of(self, fields: list[FatigueField]) -> Life | None:
-        """Return the life from the result of `fields`; None without [fatigue.life]."""
+        """Return the life computed from the result of `fields`; None without [fatigue.life]."""
         if self.life is None:
             return None
         given = self.life.model_dump()

@@ -16,13 +16,13 @@ _UNUSED = ("softening", "relaxation", "free_faces", "inclusions", "random_inclus
 _OF_YIELD = ("hardness", "residual_stress")
 """Sections of a body that have an effect on elastic-plastic bodies only."""
 _NOT_WITH_YIELD = {
-    "speeds": "the film of a body that yields is solved at one speed",
+    "speeds": "such a film is solved at one speed",
     "spin": "", "supply": "", "approach": "prescribe the load", "transient": "",
-    "tol": "the tolerance of film and plastic flow is that of sc.lubrication.press_loads",
+    "tol": "sc.lubrication.press_loads chooses the tolerance of film and plastic flow",
 }  # fmt: skip
 _NOT_IN_TIME = {
-    "speeds": "prescribe speed_factors of film.transient", "approach": "prescribe the load",
-    "thermal": "the temperatures of the surfaces are those of steady heat",
+    "speeds": "prescribe film.transient.speed_factors", "approach": "prescribe the load",
+    "thermal": "the surface temperatures are computed for steady heating only",
 }  # fmt: skip
 
 
@@ -34,12 +34,12 @@ def require_possible(case: FilmDescription) -> None:
     _require_constants(case)
     if case.yields:
         law = next(iter([*case.body2.inelastic_laws, *case.body1.inelastic_laws]))
-        _refuse(case, _NOT_WITH_YIELD, f"a body that yields (law {law!r})")
+        _refuse(case, _NOT_WITH_YIELD, f"an elastic-plastic body (law {law!r})")
     else:
         for name in sorted(changed(case.film, ["increments"])):
-            raise ValueError(f"film.{name} has no effect without a body that yields: omit it")
+            raise ValueError(f"film.{name} has no effect without an elastic-plastic body: omit it")
         for name in sorted(changed(case.grid, ["nz", "dz"])):
-            raise ValueError(f"grid.{name} has no effect without a body that yields: omit it")
+            raise ValueError(f"grid.{name} has no effect without an elastic-plastic body: omit it")
     _require_motion(case)
 
 
@@ -53,7 +53,7 @@ def _require_used_bodies(case: FilmDescription) -> None:
                     raise ValueError(f"{name}.{field} has no effect on a film: omit it")
             if getattr(part, "thermal", None) is not None and not case.film.thermal:
                 raise ValueError(
-                    f"{name}.thermal has no effect without heat of the film: omit it, or add "
+                    f"{name}.thermal has no effect unless the film is heated: omit it, or add "
                     "film.thermal = true"
                 )
 
@@ -67,7 +67,7 @@ def _require_constants(case: FilmDescription) -> None:
         )
     if case.lubricant.thermal is not None and not case.film.thermal:
         raise ValueError(
-            "lubricant.thermal has no effect without heat of the film: omit it, or add "
+            "lubricant.thermal has no effect unless the film is heated: omit it, or add "
             "film.thermal = true"
         )
 
@@ -79,7 +79,7 @@ def _refuse(case: FilmDescription, fields: dict[str, str], what: str) -> None:
 
 
 def _require_motion(case: FilmDescription) -> None:
-    """Raise ValueError for reliefs and transients that are not supported or have no effect."""
+    """Raise ValueError for a relief or [film.transient] that is not supported or has no effect."""
     course, velocities = case.film.transient, case.velocities
     reliefs = [name for name in ("relief1", "relief2") if getattr(case, name) is not None]
     for name in reliefs:
@@ -100,9 +100,9 @@ def _require_motion(case: FilmDescription) -> None:
     if not reliefs and course.times is None:
         raise ValueError(
             "film.transient has no effect without relief1, relief2, load_factors or "
-            "speed_factors: add one of them, or omit it"
+            "speed_factors: add one of them, or omit film.transient"
         )
     if case.film.spin and course.speed_factors is not None:
-        raise ValueError("film.spin cannot be combined with speed_factors: omit one of them")
+        raise ValueError("film.spin cannot be combined with film.transient.speed_factors: omit one")
     if course.steps is None and not any(map(any, velocities)):
-        raise ValueError("film.transient.steps is required: the surfaces do not move")
+        raise ValueError("film.transient.steps is required if the surfaces do not move: add it")

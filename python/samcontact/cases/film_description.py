@@ -54,14 +54,14 @@ class FilmDescription(CaseFile):
 
     @property
     def cells(self) -> Grid:
-        """Grid of the case, as given or as chosen for the Hertz contact."""
+        """Grid of the case, as given or as chosen from the size of the Hertz contact."""
         grid = self._cells.build()
         assert grid is not None  # `_consistent` has chosen one
         return grid
 
     @property
     def velocities(self) -> Vectors:
-        """Velocities of bodies 1 and 2 along x and y [m/s]; with `speeds`, at the largest speed."""
+        """Velocities of bodies 1 and 2 along x, y [m/s]; for film.speeds, at the largest speed."""
         return self.film.velocities(self.surface)
 
     def build_lubricant(self) -> Lubricant:
@@ -69,7 +69,7 @@ class FilmDescription(CaseFile):
         return self.lubricant.build()
 
     def load_on(self, grid: Grid | None) -> float:
-        """Return the load of the contact in a grid [N]; ValueError if missing or given twice."""
+        """Return the load of the contact on a grid [N]; ValueError unless given exactly once."""
         nominal = self.surface.nominal_load(grid)
         load = self.film.load
         if load is not None and nominal is not None:
@@ -79,7 +79,7 @@ class FilmDescription(CaseFile):
         if load is not None:
             return load
         if nominal is None:
-            raise ValueError("film.load is required: add it, or a load of the part other than 0")
+            raise ValueError("film.load is required: add it, or the loads of a part in [surface]")
         return nominal * self.film.load_factor
 
     def gap(self) -> FloatArray:

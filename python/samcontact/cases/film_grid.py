@@ -18,22 +18,22 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 CELLS, CELLS_OF_LINE = 24, 64
-"""Default number of cells per semi-axis of a point contact, per half-width of a line contact."""
+"""Default number of cells: per semi-axis of a point contact, per half-width of a line contact."""
 LIGHT = 100.0
 """Moes' load parameter M below which a load is called light and requires a longer inlet."""
 INLETS, INLETS_OF_LINE = (4.5, 3.0), (5.0, 3.5)
-"""Distance from the contact centre to the inlet edge in semi-axes: (light load, heavy load)."""
+"""Distance from contact centre to inlet in semi-axes or half-widths, at light and heavy load."""
 OUTLET, SIDE = 1.5, 1.75
 """Distance from the contact centre to the outlet edge and to the sides, in semi-axes."""
 MAX_RATIO = 2.0
 """Largest aspect ratio of a cell; beyond 2.5, films of long elliptic contacts may not converge."""
 CENTRE_SHARE = 1.0 / 6.0
-"""Default distance of the contact from the centre of a prescribed grid, as a share of its side."""
+"""Default distance of the contact from the centre of a prescribed grid / side of the grid."""
 _MULTIPLE = 8  # cells along x and y, for nested grids
 
 
 class FilmGridSection(Section):
-    """[grid]: cells around the contact; the inlet needs more room than the outlet."""
+    """[grid]: cells of the film, and position of the contact in the grid."""
 
     nx: Count | None = None
     ny: Count | None = None
@@ -51,17 +51,17 @@ class FilmGridSection(Section):
         given = {name: getattr(self, name) for name in ("nx", "ny", "dx", "dy")}
         missing = [name for name, value in given.items() if value is None]
         if missing and len(missing) < len(given):
-            raise ValueError(f"{', '.join(missing)} must be given too, or none of nx, ny, dx, dy")
+            raise ValueError(f"nx, ny, dx, dy must be given together: add {', '.join(missing)}")
         if not missing and self.cells_per_radius is not None:
-            raise ValueError("cells_per_radius cannot be combined with nx, ny, dx, dy: omit it")
+            raise ValueError("cells_per_radius cannot be combined with nx, ny, dx, dy: omit one")
         if missing:
             for name in ("periodic", "contact_x", "contact_y"):
                 if name in self.model_fields_set:
-                    raise ValueError(f"{name} requires nx, ny, dx and dy: add them, or omit it")
+                    raise ValueError(f"{name} requires nx, ny, dx, dy: add these, or omit {name}")
         if self.nz is not None and self.dz is None:
-            raise ValueError("nz requires dz: add it, or omit nz")
+            raise ValueError("nz requires dz: add dz, or omit nz")
         if self.periodic and self.contact_y is not None:
-            raise ValueError('contact_y has no effect with periodic = "y": omit it')
+            raise ValueError('contact_y has no effect with periodic = "y": omit contact_y')
         return self
 
     def build(self) -> Grid | None:
@@ -80,7 +80,7 @@ class FilmGridSection(Section):
         return self.model_copy(update={"nz": given.nz, "dz": given.dz or shorter})
 
     def shift(self, grid: Grid, direction: tuple[float, float], is_known: bool) -> tuple[int, int]:
-        """Return the distance of the contact from the centre of the grid, in cells.
+        """Return the distances of the contact from the grid centre along x and y, in cells.
 
         direction: unit vector of the entrainment. is_known: whether the surface is defined on every
         grid; heights from a file are moved only if contact_x or contact_y is given.
@@ -131,7 +131,7 @@ def grid_of_line(
 
 
 def _extent(cells: int, inlet: float, along: float) -> tuple[int, int]:
-    """Return the number of cells along an axis, and the offset of the contact from their centre.
+    """Return the number of cells along an axis, and the offset of the contact from the middle.
 
     cells: number per semi-axis. along: component of the unit vector of entrainment along the axis.
     """

@@ -86,9 +86,9 @@ class FilmSection(Section):
                 f"exactly one of {', '.join(ways)} must be given, got {', '.join(given) or 'none'}"
             )
         if given[0] in ("speed1 and speed2", "pinion_speed") and self.slide_to_roll:
-            raise ValueError(f"slide_to_roll has no effect with {given[0]}: omit it")
+            raise ValueError(f"slide_to_roll has no effect with {given[0]}: omit slide_to_roll")
         if self.angle and given[0] != "entrainment":
-            raise ValueError(f"angle requires entrainment, got {given[0]}: omit it")
+            raise ValueError(f"angle has effect with entrainment only, got {given[0]}: omit angle")
         self._require_load()
         if self.speeds is not None:
             self._require_stribeck()
@@ -100,13 +100,13 @@ class FilmSection(Section):
                 raise ValueError(f"{name} cannot be combined with approach: omit one of them")
         if self.load is not None and changed(self, ("load_factor",)):
             raise ValueError(
-                "load_factor cannot be combined with load: it multiplies the load of the part"
+                "load cannot be combined with load_factor (times the load of a part): omit one"
             )
 
     def _require_stribeck(self) -> None:
         """Raise ValueError for fields that cannot be combined with a Stribeck curve."""
         for name in sorted(changed(self, ("spin", "supply", "approach"))):
-            raise ValueError(f"{name} cannot be combined with speeds: omit it")
+            raise ValueError(f"{name} cannot be combined with speeds: omit one of them")
         if self.boundary is None:
             raise ValueError(
                 "speeds requires boundary, the layer that carries the load at low speeds: add "
@@ -124,8 +124,8 @@ class FilmSection(Section):
     def velocities(self, surface: SurfaceShape, largest: bool = True) -> Vectors:
         """Return the velocities of bodies 1 and 2 along x and y [m/s].
 
-        surface: shape of the part to which angular speeds refer. largest: use the largest of
-        several `speeds`; otherwise the smallest.
+        surface: shape of the part to which angular speeds refer. largest: whether to use the
+        largest value in `speeds` instead of the smallest.
         """
         if self.speed1 is not None and self.speed2 is not None:
             return _vector(self.speed1), _vector(self.speed2)
@@ -135,8 +135,8 @@ class FilmSection(Section):
             if of_part is None:
                 name = next(iter(rates))
                 raise ValueError(
-                    f"{name} requires the surface of a {_RATES[name]}: use entrainment, or speed1 "
-                    "and speed2"
+                    f"{name} has a meaning only if [surface] is a {_RATES[name]}: use entrainment "
+                    "instead, or speed1 and speed2"
                 )
             if self.pinion_speed is not None:
                 first, second = of_part
@@ -162,7 +162,7 @@ class FilmSection(Section):
 
 
 _RATES = {"inner_speed": "bearing", "outer_speed": "bearing", "pinion_speed": "gear"}
-"""Part to which each angular speed belongs."""
+"""Machine part to which each angular speed belongs."""
 
 
 def _vector(speed: float | list[float]) -> tuple[float, float]:

@@ -26,7 +26,7 @@ MAX_CELLS = 1.01
 
 
 def solved(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Films:
-    """Return the films of a case; the attribute `result` of an error holds the films so far."""
+    """Return the films of a case; `result` of an error contains the films solved before it."""
     if case.film.speeds is not None:
         return _over_speeds(case, case.film.speeds)
     if case.yields:
@@ -37,7 +37,7 @@ def solved(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> Fil
 
 
 def amount(case: FilmDescription, count: int) -> str:
-    """Return a text that says how many films have been solved, e.g. "2 of 5 speeds"."""
+    """Return how many of the films have been solved, as text, e.g. "2 of 5 speeds"."""
     film = case.film
     if film.transient is not None:
         return f"{count - 1} of {film.transient.count(case.cells, case.velocities)} steps"
@@ -104,8 +104,8 @@ def _in_time(case: FilmDescription, progress: bool, checkpoint: Checkpoint) -> F
         travel = abs(pair[0]) * course.duration / (steps * grid.dx)
         if name in reliefs and travel > MAX_CELLS:
             warnings.warn(
-                f"{name} should move by at most a cell in a step, got {travel:.3g} cells: use "
-                "more steps",
+                f"{name} should move by at most one cell per step, got {travel:.3g} cells: "
+                "increase film.transient.steps",
                 ResolutionWarning,
                 stacklevel=3,
             )

@@ -41,7 +41,7 @@ class TransientSection(Section):
         given = [n for n in ("load_factors", "speed_factors") if getattr(self, n) is not None]
         if (self.times is None) != (not given):
             raise ValueError(
-                "times must be given with load_factors, speed_factors or both, and vice versa: "
+                "`times` requires load_factors or speed_factors, and these require `times`: "
                 + ("add times" if given else "add factors, or omit times")
             )
         times = self.times or []
@@ -67,7 +67,7 @@ class TransientSection(Section):
         return 1.0 if factors is None else float(np.interp(time, self.times or [], factors))
 
     def count(self, grid: Grid, velocities: Vectors) -> int:
-        """Return the number of steps: `steps`, or one for each cell that the faster surface moves.
+        """Return the number of steps: `steps`, or one per cell of travel of the faster surface.
 
         velocities: of bodies 1 and 2 along x and y, before multiplication by speed factors [m/s].
         """
@@ -90,7 +90,7 @@ def moving_heights(section: Any, grid: Grid, cells: tuple[int, int], folder: Pat
 
 
 def _function(relief: Relief, grid: Grid, shift: int, column: int) -> Heights:
-    """Return a function of x and y for the heights of a relief, with cubic splines along x."""
+    """Return a function that interpolates the heights of a relief by cubic splines along x."""
     heights = relief.heights[:, column : column + grid.ny]
     first = relief.first + shift
     if relief.periodic:

@@ -89,7 +89,7 @@ class FilmCase(FilmDescription):
         return _hertz.elliptic(radii[0], radii[1], E_star, load=load)
 
     def estimate(self, load: float, velocities: Vectors) -> FilmEstimate | None:
-        """Estimate the film by a formula; return None if no formula applies to the case.
+        """Estimate the film by a film-thickness formula; return None if no formula applies.
 
         load: normal load [N]. velocities: of bodies 1 and 2 along x and y [m/s].
         """
@@ -115,7 +115,7 @@ class FilmCase(FilmDescription):
         load, mean = self.load_on(None), np.mean(self.velocities, axis=0)
         line, ellipse, speed = self._line(load), self.ellipse(load), float(np.hypot(*mean))
         if not speed > 0.0:
-            raise ValueError("film: the mean of both speeds must not be 0")
+            raise ValueError("film: without grid.nx, the mean surface velocity must not be 0")
         direction, asked, oil = mean / speed, self.grid.cells_per_radius, self.build_lubricant()
         if line is not None and self.surface.straight is not None:
             M, length = moes(line, (speed, speed), oil).M, self.surface.straight[1]
@@ -125,12 +125,12 @@ class FilmCase(FilmDescription):
             along = float(direction[0]), float(direction[1])
             return grid_of_contact((ellipse.a_x, ellipse.a_y), M, along, asked)
         raise ValueError(
-            f"grid: [grid] with nx, ny, dx and dy is required with {self._beyond_hertz()}, since "
-            "the contact is not that of Hertz theory"
+            f"grid: [grid] with nx, ny, dx and dy is required with {self._beyond_hertz()}, "
+            "because Hertz theory does not apply to this contact"
         )
 
     def _beyond_hertz(self) -> str:
-        """Return the name of the field because of which Hertz theory does not apply."""
+        """Return the name of the field that excludes Hertz theory, or "this surface"."""
         layered = [name for name in ("body1", "body2") if getattr(self, name).coating]
         if layered:
             return f"{layered[0]}.layers"

@@ -40,7 +40,7 @@ def default_of(law: type[FrictionLaw], name: str) -> Any:
 
 
 def _friction_section() -> Any:
-    """Create a section with a field per law: a number if it has one constant, else a table."""
+    """Create a section with a field per law: a number for laws of one constant, else a table."""
     laws: dict[str, Any] = {}
     for name, law in LAWS.items():
         if not law.sticks:

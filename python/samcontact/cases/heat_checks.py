@@ -19,7 +19,7 @@ def require_motion_of_heat(case: Any) -> None:
     if heat.history is None:
         _require_no_return_time(case)
         if case.wear is not None and case.wear.keep_heat:
-            raise ValueError("wear.keep_heat requires heat.history: set it, or omit keep_heat")
+            raise ValueError("wear.keep_heat requires heat.history: add it, or omit keep_heat")
         return
     _require_track(case, heat)
     if case.grid is not None and heat.tracks[1] == 0:
@@ -31,7 +31,7 @@ def require_velocity_of_motion(
 ) -> None:
     """Raise ValueError unless heated bodies move at heat.velocity.
 
-    travels: displacements in `duration` [m], indexed by body and axis. duration [s].
+    travels: displacements [m], indexed by body and axis. duration: time for these [s].
     """
     axes = "xy" if travels[0][1] or travels[1][1] else "x"
     for body, (n, axis) in itertools.product((1, 2), enumerate(axes)):
@@ -39,13 +39,13 @@ def require_velocity_of_motion(
         if heat.shares[body - 1] > 0 and abs(speed - given) > 1e-6 * max(abs(speed), abs(given)):
             raise ValueError(
                 f"heat.velocity must agree with the motion of heated body {body}, "
-                f"{speed:.9g} m/s along {axis}, got {given:.9g} m/s: make both equal, or "
-                "set heat.track"
+                f"{speed:.9g} m/s along {axis}, got {given:.9g} m/s: change one of them, or "
+                "set heat.track instead of heat.velocity"
             )
 
 
 def require_steps_of_cells(case: Any, axis: int) -> None:
-    """Raise ValueError unless the steps of each segment are whole cells along x (0) or y (1)."""
+    """Raise ValueError unless all steps move bodies by whole cells along x (axis 0) or y (1)."""
     name = ("dx", "dy")[axis]
     size = getattr(case.grid, name)
     for number, steps in enumerate(case.steps_of_segments()):

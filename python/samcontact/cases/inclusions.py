@@ -24,7 +24,7 @@ Limits = Annotated[list[NonNegative], Field(min_length=2, max_length=2), in_unit
 
 
 class _Phase(Solid):
-    """Material of inclusions and their misfit strain."""
+    """Material and misfit strain of inclusions."""
 
     misfit: Strain = 0.0
     thermal: ThermalConstants | None = None
@@ -102,7 +102,7 @@ class _RandomInclusions(_Phase):
         return self
 
     def build(self) -> list[Inclusion]:
-        """Draw the inclusions."""
+        """Generate the random inclusions."""
         from ..bodies.microstructure import random_inclusions
 
         cluster = None

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Kinds of case files, recognised by the sections that they contain.
 
-The module of a kind is imported only on use: importing all takes longer than a small contact.
+The module of a kind is imported on first use, because importing all modules takes a long time.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ def _class_in(module: str) -> type[AnyCase]:
 
 
 def __getattr__(name: str) -> Any:
-    """Return `AnyCase` (union of all kinds) or `ALL_KINDS` (tuple); import all kinds for it."""
+    """Return `AnyCase` (union of all kinds) or `ALL_KINDS` (tuple), after importing all kinds."""
     if name not in ("AnyCase", "ALL_KINDS"):
         raise AttributeError(f"module {__name__!r} has no attribute {in_short(name)}")
     asperities, films, sliding = map(_class_in, CLASSES)

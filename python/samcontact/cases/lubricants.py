@@ -74,7 +74,7 @@ class _Lubricant(Section):
     def _warming(self, heat: LubricantThermal) -> tuple[float, float]:
         """Return thermal.beta [1/K], and the temperature [K] to which the viscosity refers."""
         if heat.beta is None:
-            raise ValueError("thermal.beta is required for this kind of lubricant: add it")
+            raise ValueError("thermal.beta is required unless kind is grade or oil: add it")
         return heat.beta, REFERENCE if heat.temperature is None else heat.temperature
 
 
@@ -151,7 +151,7 @@ class _MineralOil(_Lubricant):
     def _warming(self, heat: LubricantThermal) -> tuple[float, float]:
         if heat.temperature is not None:
             raise ValueError(
-                "thermal.temperature cannot be combined with the temperature of the oil: omit it"
+                "thermal.temperature cannot be combined with temperature: omit thermal.temperature"
             )
         beta = self.oil().beta(self.temperature) if heat.beta is None else heat.beta
         return beta, self.temperature

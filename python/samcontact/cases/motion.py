@@ -57,7 +57,7 @@ class _Passes(Section):
 
 
 class Rolling(_Passes):
-    """Rolling passes over both bodies, see `paths.rolling`."""
+    """Passes of a rolling contact over both bodies, see `paths.rolling`."""
 
     slide_to_roll: Annotated[float, Field(ge=-2.0, le=2.0)] = 0.0
     lateral_creepage: Finite = 0.0
@@ -127,12 +127,12 @@ class Segment(TiltingSection):
         targets = [self.load, self.load_factor, self.approach]
         if targets.count(None) != 2:
             raise ValueError(
-                "exactly one of load and approach must be given (or load_factor, with a part)"
+                "exactly one of load, approach and (for a machine part) load_factor must be given"
             )
         return self
 
     def with_load(self, nominal: float | None) -> Segment:
-        """Return the segment with its load [N]: `load_factor` times load of the part (e.g. gear).
+        """Return the segment with its load [N]: `load_factor` times the load `nominal` of the part.
 
         Raises ValueError if the part has no load.
         """
@@ -141,7 +141,7 @@ class Segment(TiltingSection):
         if nominal is None:
             raise ValueError(
                 "load_factor requires a part with a load, such as a gear with surface.torque: add "
-                "it, or set load"
+                "such a load to [surface], or use load instead of load_factor"
             )
         loaded = self.model_copy(update={"load": self.load_factor * nominal})
         loaded.model_fields_set.discard("load")  # a sweep of the part computes the load again
@@ -151,7 +151,7 @@ class Segment(TiltingSection):
     def _one_movement(self) -> Segment:
         kinds = [kind for kind in ("roll", "slide", "fret") if getattr(self, kind) is not None]
         if len(kinds) > 1:
-            raise ValueError(f"{' and '.join(kinds)} cannot be combined: use one [[path]] each")
+            raise ValueError(f"{' and '.join(kinds)} cannot be combined: use a [[path]] for each")
         if self.spacing == "linear" and changed(self, ["exponent"]):
             raise ValueError('exponent requires spacing = "power": set spacing, or omit exponent')
         if kinds:
@@ -166,9 +166,9 @@ class Segment(TiltingSection):
             others |= {"first_duration", "duration" if self.fret is None else "heat_factor"}
             given = sorted(changed(self, others))
             if given:
-                hint = ": set its speed instead of duration" if "duration" in given else ""
-                names = ", ".join(given)
-                raise ValueError(f"{kinds[0]} cannot be combined with {names}{hint}")
+                names, kind = ", ".join(given), kinds[0]
+                hint = f", and set {kind}.speed" if "duration" in given else ""
+                raise ValueError(f"{kind} cannot be combined with {names}: omit {names}{hint}")
         if self.approach is not None and any(n.startswith("moment") for n in self.tilting):
             raise ValueError(
                 "moment_x and moment_y cannot be combined with approach: prescribe load and "
@@ -176,7 +176,7 @@ class Segment(TiltingSection):
             )
         if self.torque is not None and self.advance is not None:
             raise ValueError(
-                "torque cannot be combined with advance: prescribe twist = spin * distance rolled"
+                "torque cannot be combined with advance: prescribe twist (angle in rad) instead"
             )
         return self
 
@@ -196,7 +196,7 @@ class Segment(TiltingSection):
 
     @property
     def time_field(self) -> str:
-        """Field for the duration of steps: "speed" for passes and retraction, else "duration"."""
+        """Name of the field for the duration of steps, "speed" (passes, pull-off) or "duration"."""
         return "duration" if self.passes is None and self.pull_off is None else "speed"
 
     @property
@@ -217,7 +217,7 @@ class Segment(TiltingSection):
         )
 
     def steps(self, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return steps and end state of this segment; `reached`: end state of the previous one.
+        """Return the steps and the end state of this segment; `reached` is its initial state.
 
         Raises ValueError if the segment cannot start from the end of the previous segment.
         """
@@ -249,7 +249,7 @@ class Segment(TiltingSection):
             if reached[0] not in ("", name):
                 raise ValueError(
                     f"start is required where the path changes from {reached[0]} to {name}: set it "
-                    f"to the initial {name} of the segment"
+                    f"to the {name} at which this segment begins"
                 )
             start = reached[1]
         common: dict[str, Any] = {
@@ -263,13 +263,13 @@ class Segment(TiltingSection):
         held = self.along or self.tilting or optional != (None, None, None)
         if self.first_duration is not None and not (target == start and self.duration):
             raise ValueError(
-                f"first_duration requires a constant {name} and a duration > 0: hold the "
-                f"{name} reached before, in a [[path]] of its own"
+                f"first_duration requires a duration > 0 and a constant {name}: use a separate "
+                f"[[path]] with the {name} at which the previous segment ends"
             )
         if target == start and held:
             if changed(self, ["spacing"]):
                 raise ValueError(
-                    f"spacing requires a change of {name}, which stays at {target!r}: omit spacing"
+                    f"spacing has no effect, because {name} remains {target!r}: omit spacing"
                 )
             steps = paths.hold(**common, first_duration=self.first_duration)
         else:
@@ -280,7 +280,7 @@ class Segment(TiltingSection):
 
 
 class FileRelief(HeightsFile):
-    """Heights from a file, positive outwards; ny heights along y and any number along x."""
+    """Relief with heights from a file, positive outwards: ny along y, any number along x."""
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["file"]
@@ -337,7 +337,7 @@ class FurrowRelief(Section):
 
 
 class RoughRelief(Section):
-    """Random roughness with a period along x equal to the grid length."""
+    """Random roughness that repeats along x with the length of the grid."""
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["self_affine"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Default grid of a case with a roller or bearing that gives neither [grid] nor `accuracy`."""
+"""Default grid of a roller or bearing if the case has neither [grid] nor `accuracy`."""
 
 from __future__ import annotations
 

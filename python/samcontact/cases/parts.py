@@ -29,7 +29,7 @@ Depths = Annotated[list[NonNegative], Field(min_length=2, max_length=2), in_unit
 class _Indenter(SurfaceShape):
     @property
     def reason_for_grid(self) -> str:
-        return "the contact of an indenter is not that of Hertz theory"
+        return "Hertz theory does not apply to the contact of an indenter"
 
 
 class FlatPunchSurface(_Indenter):
@@ -137,11 +137,11 @@ class GearSurface(SurfaceShape):
     @property
     def reason_for_grid(self) -> str:
         if self.tip_relief is not None:
-            return "the contact of a flank with tip relief is not that of Hertz theory"
+            return "Hertz theory does not apply to a flank with tip relief"
         return super().reason_for_grid
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the tooth pair [N], or on the part of it within a grid periodic along y."""
+        """Load on the tooth pair [N]; on a grid periodic along y, the load within the grid."""
         if self.torque is None:
             return None
         load = self.contact().load(self.torque, self.sharing)
@@ -173,7 +173,7 @@ class CamSurface(SurfaceShape):
 
     @property
     def cam(self) -> parts.Cam:
-        """Cam of this section; ValueError if its lift is not given in exactly one form."""
+        """Cam of this section; raises ValueError unless its lift is given in exactly one form."""
         harmonic = self.max_lift, self.event_angle
         table = self.lift_angle, self.lift
         forms = [self.eccentricity is not None, any(v is not None for v in harmonic),
@@ -194,7 +194,7 @@ class CamSurface(SurfaceShape):
         return self.cam.at(self.cam_angle)
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii along x and y at the contact [m]; without a crown, the second one is infinite."""
+        """Radii at the contact along x and y [m]; the latter is infinite without a crown."""
         return self.contact().radius, self.crown_radius
 
     def shape_gap(self, grid: Grid, folder: Path, cells: Grid | None = None) -> FloatArray:
@@ -221,7 +221,7 @@ class WheelRailSurface(SurfaceShape):
 
     @property
     def reason_for_grid(self) -> str:
-        return "the contact of two profiles is not that of Hertz theory"
+        return "Hertz theory does not apply to the contact of two profiles"
 
     def contact(self, folder: Path) -> parts.WheelRail:
         """Return the contact of the profiles; ValueError if a file or the contact is invalid."""

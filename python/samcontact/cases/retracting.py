@@ -10,7 +10,7 @@ from .base import Length, Positive, Section, in_unit
 from .slipping import EndState
 
 MAX_INCREMENTS = 400
-"""Default for the maximum number of increments."""
+"""Default maximum number of increments of a pull-off."""
 
 
 class PullOff(Section):
@@ -21,9 +21,9 @@ class PullOff(Section):
     speed: Annotated[Positive, in_unit("m/s")] | None = None
 
     def steps(self, increments: int, reached: EndState) -> tuple[paths.Path, EndState]:
-        """Return path and end state of the segment; `reached`: end state of the previous one.
+        """Return the path and the end state of the segment; `reached` is its initial state.
 
-        increments: maximum number of increments. Raises ValueError if there is no previous segment.
+        increments: maximum number of increments. Raises ValueError without previous segment.
         """
         if not reached.quantity:
             raise ValueError(

@@ -156,7 +156,7 @@ class BearingSurface(_RollingSurface):
         if self.moment is not None and not self.has_loads:
             raise ValueError("moment requires radial_load or axial_load > 0: add one of them")
         if self.has_loads and not self.element_load > 0.0:
-            raise ValueError("radial_load, axial_load and moment must load an element")
+            raise ValueError("no element is loaded: change radial_load, axial_load or moment")
         return self
 
     @property
@@ -166,7 +166,7 @@ class BearingSurface(_RollingSurface):
 
     @property
     def bearing(self) -> bearings.Bearing:
-        """The bearing of this section."""
+        """Bearing that the section describes."""
         boundary = {n: getattr(self, n) for n in ("bore", "outside_diameter")}
         sizes = {
             name: getattr(self, name)
@@ -201,7 +201,7 @@ class BearingSurface(_RollingSurface):
 
     @property
     def loads(self) -> tuple[float, float, float | None]:
-        """Radial and axial load [N] and moment [N m] on the bearing; default: 1 N radial load."""
+        """Radial and axial load [N], moment [N m]; 1 N radial load if none is given."""
         radial = (self.radial_load or 0.0) if self.has_loads else 1.0
         return radial, self.axial_load or 0.0, self.moment
 
@@ -212,12 +212,12 @@ class BearingSurface(_RollingSurface):
 
     @property
     def solved_race(self) -> str:
-        """Race whose contact is solved: `race`, by default that with the higher Hertz pressure."""
+        """Race whose contact is solved; by default, the race with the higher Hertz pressure."""
         return self.bearing.governing_race if self.race is None else self.race
 
     @property
     def _tilt(self) -> float:
-        """Tilt of the most loaded roller on a race [rad]: half the misalignment of the rings."""
+        """Tilt of the most loaded roller on a race [rad], half the misalignment of the rings."""
         if not self.bearing.has_rollers or self.moment is None:
             return 0.0
         return 0.5 * _misalignment(self.bearing, *self.loads)
@@ -253,7 +253,7 @@ class BearingSurface(_RollingSurface):
         if self.has_loads and any(loads):
             raise ValueError(
                 "load must be 0 or omitted with loads on the bearing (radial_load, axial_load): "
-                "use load_factor, the factor on the load of the most heavily loaded element"
+                "use load_factor, which multiplies the load of the most heavily loaded element"
             )
 
 
@@ -269,7 +269,7 @@ def with_surface(content: Any) -> Any:
     found: dict[str, Any] = dict(content)
     given = [name for name in ("surface", *SHORT_FORMS) if name in found]
     if len(given) > 1:
-        raise ValueError(f"{' and '.join(given)} cannot be combined: each describes the surfaces")
+        raise ValueError(f"only one section may describe the surfaces, got {' and '.join(given)}")
     for name in SHORT_FORMS:
         part = found.pop(name, None)
         if isinstance(part, Mapping):
@@ -281,7 +281,7 @@ def with_surface(content: Any) -> Any:
 
 
 def in_full(content: Any) -> Any:
-    """Return the result of `with_surface`, with a default path added for a bearing without a path.
+    """Return the result of `with_surface`; a bearing without [[path]] receives a default path.
 
     The default path loads the contact; elastic-plastic bodies are also unloaded.
     """

@@ -55,8 +55,8 @@ if TYPE_CHECKING:
 class GridSection(Section):
     """[grid]: cells of the surface, and layers of the volume for stresses and plasticity.
 
-    The grid is enlarged automatically if the gap and the reliefs are defined on every grid, i.e.
-    are not read from files.
+    The grid is enlarged if necessary, but not if heights from a file or random roughness are part
+    of the gap or of a relief.
     """
 
     nx: Count

@@ -27,7 +27,7 @@ class ShakedownSection(Section):
     def solve(
         self, simulation: Simulation, path: Path, progress: bool, checkpoint: Folder | None = None
     ) -> ShakedownResult:
-        """Repeat the path of a new simulation with `samcontact.shakedown.run`."""
+        """Repeat the path by `samcontact.shakedown.run`, beginning at the state of `simulation`."""
         return run(
             simulation,
             path,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Case files of friction versus velocity ("sliding")."""
+"""Case files of viscoelastic friction as a function of velocity, with the section [sliding]."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class SlidingSection(Section):
         ranged = [value for value in (*ends, self.per_decade) if value is not None]
         if (self.velocities is None) == (None in ends) or (self.velocities and ranged):
             raise ValueError(
-                "velocities, or slowest and fastest, and optionally per_decade, must be given"
+                "give either velocities, or slowest and fastest (optionally with per_decade)"
             )
         if self.slowest is not None and self.fastest is not None and self.slowest >= self.fastest:
             raise ValueError(
@@ -85,7 +85,7 @@ else:
 
 
 class SlidingCase(CaseFile):
-    """Validated case of `sliding.over_speed`; all quantities in SI units."""
+    """Validated case of viscoelastic sliding, for `sliding.over_speed`; quantities in SI units."""
 
     KIND: ClassVar[str] = "a sliding contact"
 
@@ -109,21 +109,21 @@ class SlidingCase(CaseFile):
     @model_validator(mode="after")
     def _consistent(self) -> SlidingCase:
         if self.grid.dz is not None:
-            raise ValueError("grid.dz has no effect with [sliding], which has no volume: omit it")
+            raise ValueError("grid.dz has no effect with [sliding], which needs no layers: omit it")
         for name in ("body1", "body2"):
             self._require_elastic(name)
         if not self.body2.relaxes:
             raise ValueError(
                 "body2.relaxation must be given: the friction is due to the energy lost in body 2, "
                 "over which body 1 slides" + (
-                    "; body 1 loses no energy, because its contact does not move: exchange the "
-                    "bodies" if self.body1.relaxes else ""
+                    "; body 1 loses no energy, because the contact does not move over it: exchange "
+                    "the bodies" if self.body1.relaxes else ""
                 )
             )  # fmt: skip
         if self.sliding.mean_pressure is not None and self.grid.periodic != "xy":
             raise ValueError(
-                'sliding.mean_pressure requires grid.periodic = "xy": the area of another grid is '
-                "arbitrary: use sliding.load"
+                'sliding.mean_pressure requires grid.periodic = "xy", because the area of any '
+                "other grid is arbitrary: set it, or use sliding.load"
             )
         return self
 
@@ -150,7 +150,7 @@ class SlidingCase(CaseFile):
     def solve(
         self, *, progress: bool = True, checkpoint: str | os.PathLike[str] | None = None
     ) -> FrictionCurve:
-        """Run `sliding.over_speed`; raise its errors, or CaseError for an invalid section."""
+        """Run `sliding.over_speed`, whose errors are passed on; CaseError for invalid sections."""
         section, folder = "grid", self.source.parent
         try:
             grid = self.grid.build()
@@ -173,5 +173,5 @@ class SlidingCase(CaseFile):
         )
 
     def solved(self) -> xr.Dataset:
-        """Solve the case and return the quantities with one value per velocity."""
+        """Solve the case; return the quantities that have one value per velocity."""
         return self.solve(progress=False).to_dataset(fields=False)

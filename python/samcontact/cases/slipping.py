@@ -91,8 +91,8 @@ def _totals(name: str, start: float | None, end: float, fractions: Sequence[floa
         if len(fractions) > 1:
             raise ValueError(
                 f"{name} must not change in several increments here, because its initial value is "
-                "unknown: the previous segment prescribes the motion. First add a segment with "
-                "increments = 1 that prescribes this force"
+                "unknown after a prescribed motion: insert a segment with increments = 1 that "
+                f"prescribes {name} before this one"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]
@@ -122,13 +122,13 @@ class Fretting(Section):
     def _one_kind(self) -> Fretting:
         if (self.shift is None) == (self.force is None):
             raise ValueError(
-                "fret requires shift_x, shift_y (motion) or tangential_load_x, "
-                "tangential_load_y (force): give exactly one of these pairs"
+                "fret requires either a motion (shift_x, shift_y or both) or a force "
+                "(tangential_load_x, tangential_load_y or both): give one of the two"
             )
         if not any(self.shift or self.force or ()):
             raise ValueError(
-                "the amplitude must not be 0: give shift_x, shift_y, "
-                "tangential_load_x or tangential_load_y a value other than 0"
+                "the amplitude of the motion or force must not be 0: at least one of the given "
+                "components must differ from 0"
             )
         return self
 
@@ -149,23 +149,23 @@ class Fretting(Section):
         return self.model_copy(update=given)
 
     def steps(self, name: str, value: float, increments: int, reached: EndState) -> paths.Path:
-        """Return the fretting steps at load or approach `value`, which must be reached before."""
+        """Return the fretting steps at the load or approach at which the previous segment ended."""
         if reached[:2] != (name, value):
             raise ValueError(
                 f"fret requires that the previous segment ends at {name} = {value!r}, got "
-                f"{reached.quantity or name} = {reached.value!r}: add a segment that reaches "
-                f"this {name} first"
+                f"{reached.quantity or name} = {reached.value!r}: insert a segment that "
+                f"ends at {name} = {value!r}"
             )
         if self.force is not None and any(reached.forces[:2]):
             raise ValueError(
                 "fret with a force must start at zero force, but the previous segment ends at "
-                f"{list(reached.forces[:2])!r} N: reduce the force to 0 first"
+                f"{list(reached.forces[:2])!r} N: insert a segment that reduces the force to 0"
             )
         if self.force is not None and None in reached.forces[:2]:
             raise ValueError(
                 "fret with a force must start at zero force, but the force after a prescribed "
-                "motion is unknown: first add a segment with increments = 1, tangential_load_x = 0 "
-                "and tangential_load_y = 0"
+                "motion is unknown: before fret, insert a segment with increments = 1, "
+                "tangential_load_x = 0 and tangential_load_y = 0"
             )
         given: dict[str, Any] = {name: value, "increments": increments, "cycles": self.cycles}
         return paths.fretting_loop(**given, force=self.force, shift=self.shift)

@@ -112,14 +112,14 @@ class HardnessSection(Section):
         points = [self.z, self.HV]
         other = points if None not in case else case
         if (None in case) == (None in points) or any(value is not None for value in other):
-            raise ValueError("surface, core and depth, or z and HV must be given")
+            raise ValueError("give either surface, core and depth, or z and HV")
         if self.z is not None and changed(self, ["limit"]):
-            raise ValueError("limit belongs to depth: omit it with z and HV")
+            raise ValueError("limit is the hardness at depth: omit it with z and HV")
         self.build()
         return self
 
     def build(self) -> HardnessProfile:
-        """Create the profile."""
+        """Create the hardness profile."""
         if self.surface is not None and self.core is not None and self.depth is not None:
             return hardened_case(self.surface, self.core, self.depth, self.limit)
         return HardnessProfile(tuple(self.z or ()), tuple(self.HV or ()))
@@ -206,19 +206,19 @@ def _with_constants(given: dict[str, Any]) -> dict[str, Any]:
         known = materials.get(name).constants(law)
     except ValueError as error:
         text = str(error).replace("name must", "material must", 1)
-        remedy = "for another material, omit material and write its constants, e.g. E and nu"
+        remedy = "for another material, omit material and give its constants, e.g. E and nu"
         raise ValueError(text.replace(ADVICE, remedy)) from None
     for field in ("E", "nu"):
         if field in given and field in known:
             raise ValueError(
-                f"{field} cannot be combined with material = {name!r}, which has {field}: omit one "
-                "of them"
+                f"{field} cannot be combined with material = {name!r}, because the library has "
+                f"{field} of this material: omit one of them"
             )
     missing = [field for field in LAWS[law].constants if field not in known | given]
     if missing:
         raise ValueError(
-            f"{', '.join(missing)} must be given: the library has no such value of {name!r} for "
-            f"law = {law!r}"
+            f"{', '.join(missing)} must be given: for material = {name!r} and law = {law!r}, the "
+            "library has no value"
         )
     return known | given
 
@@ -287,7 +287,7 @@ def _model(name: str, law: Law, part: str, namespace: dict[str, Any], *bases: ty
 def models(
     part: str, namespace: dict[str, Any], *bases: type[Solid], others: tuple[Any, ...] = ()
 ) -> Any:
-    """Create a union of the sections of all laws; `part` ends their names, e.g. `SwiftBody`.
+    """Create a union of the sections of all laws, whose names end with `part` (`SwiftBody`).
 
     namespace: globals of the module that defines the sections. bases: as in `_model`.
     others: sections of further laws.

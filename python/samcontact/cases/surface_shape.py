@@ -78,11 +78,11 @@ class SurfaceShape(Section):
     ) = None
 
     def radii(self) -> tuple[float, float] | None:
-        """Radii [m] along x and y of the paraboloid that approximates this surface, or None."""
+        """Radii along x, y [m] of a paraboloid that approximates the surface; None if none does."""
         return None
 
     def nominal_load(self, grid: Grid | None) -> float | None:
-        """Load on the part, e.g. a gear [N], or on a period of the grid; None if not given."""
+        """Contact load on the grid [N] due to the loads on a machine part; None without these."""
         return None
 
     @property
@@ -120,7 +120,7 @@ class SurfaceShape(Section):
 
     @property
     def is_known(self) -> bool:
-        """Whether every grid can be used: no random roughness, and no heights from a file."""
+        """Whether the gap is defined on every grid, i.e. has no random or measured heights."""
         return self.roughness is None or self.roughness.kind == "sinusoidal"
 
     @abstractmethod

@@ -77,7 +77,7 @@ class TiltingSection(TangentialSection):
         return self._held(reached._replace(about=tuple(ends)))
 
     def _held(self, reached: EndState) -> EndState:
-        """Return the end state; body 1 does not rotate about axes without a moment or tilt."""
+        """Return the end state, with None for moments that follow from the solution."""
         is_unloaded = reached[:2] == ("load", 0.0)
         ends = []
         for axis, now in zip("xy", reached.about, strict=True):
@@ -100,8 +100,8 @@ def ramp(
         if len(fractions) > 1:
             raise ValueError(
                 f"{name} must not change in several increments here, because its initial value is "
-                "unknown: it follows from the solution. First add a segment with increments = 1 "
-                f"that prescribes {name}"
+                "unknown before the solution: insert a segment with increments = 1 that "
+                f"prescribes {name} before this one"
             )
         return [end]
     return [end if f == 1.0 else start + f * (end - start) for f in fractions]

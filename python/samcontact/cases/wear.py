@@ -23,7 +23,7 @@ _STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth",
 
 
 class WearSection(Section):
-    """[wear]: wear over cycles, by `wear.run` or (with energy or archard) by `wear.fretting`."""
+    """[wear]: wear over cycles; by `wear.fretting` with energy or archard, else by `wear.run`."""
 
     threshold: Positive | None = None
     energy: WearPerPressure | None = None
@@ -64,7 +64,7 @@ class WearSection(Section):
         checkpoint: str | os.PathLike[str] | None,
         progress: bool,
     ) -> WearResult | FrettingResult:
-        """Repeat the path as a load cycle with wear; the given simulation keeps its state."""
+        """Repeat the load cycle with wear; `simulation` provides settings and is not changed."""
         from .. import wear
 
         # all settings of the case file, so that none is ignored

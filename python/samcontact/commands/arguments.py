@@ -25,7 +25,7 @@ class FilePath(click.Path):
     def convert(
         self, value: Any, param: click.Parameter | None, context: click.Context | None
     ) -> Any:
-        """Convert a name to a path; refuse null characters, and "", which would mean "."."""
+        """Convert a name to a path; refuse null characters and the empty name, which means "."."""
         if not str(value):
             self.fail("must be the name of a file or folder, got ''", param, context)
         if "\0" in str(value):

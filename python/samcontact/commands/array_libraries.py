@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Array libraries (Dask, Pint, ...), which xarray would load in each command if installed.
+"""Exclusion of array libraries (Dask, Pint, ...), which xarray loads if they are installed.
 
 Loading them would take a second. The commands do not need them, because all values are NumPy
 arrays.

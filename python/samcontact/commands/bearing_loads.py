@@ -18,7 +18,7 @@ _IN_DIAMETERS = re.compile(r"(.*[\d.])\s*D\s*")
 
 
 def cases_by_race(case: Case) -> dict[str, Case]:
-    """Return the cases that the load search of a case solves, by name of the race.
+    """Return the cases that a load search must solve, by name of the race.
 
     For a bearing whose `race` is not given, these are the cases of both races. Any other case is
     returned under the name "".
@@ -47,9 +47,9 @@ def unit_of(name: str) -> str:
 
 
 def diameter_of(target: str, case: Case) -> float | None:
-    """Return the diameter D of the rolling element [m] if the value of a target has the unit D.
+    """Return the diameter D of the rolling element [m] if the value in `target` has the unit D.
 
-    An example is "permanent_deformation=1e-4 D". Return None for a target in another unit.
+    An example of such a target is "permanent_deformation=1e-4 D"; for any other, return None.
     """
     match = _IN_DIAMETERS.fullmatch(target)
     if match is None:
@@ -57,14 +57,14 @@ def diameter_of(target: str, case: Case) -> float | None:
     surface: Any = case.surface
     if surface.shape not in ("bearing", "roller"):
         raise ValueError(
-            "QUANTITY=VALUE with the unit D (diameter of the rolling element) requires [bearing] "
-            "or [roller]: use a unit of length"
+            "QUANTITY=VALUE: the unit D (diameter of the rolling element) requires [bearing] or "
+            "[roller] in the case: use a unit of length, e.g. um"
         )
     name = match[1].partition("=")[0]
     if unit_of(name) != "m":
         raise ValueError(
-            "QUANTITY=VALUE with the unit D (diameter of the rolling element) must be a length, "
-            f"e.g. permanent_deformation, got {name}: use its own unit"
+            "QUANTITY=VALUE: the unit D (diameter of the rolling element) applies to lengths only, "
+            f"e.g. permanent_deformation, got {name}: use a unit of {name}"
         )
     bearing = getattr(surface, "bearing", None)
     return float(surface.diameter if bearing is None else bearing.element_diameter)
@@ -84,7 +84,7 @@ def largest_contact_load(case: Case, largest_load: float | None) -> float | None
 
     For a bearing, `largest_load` is the radial load on the bearing or, without a radial load, the
     axial load [N]. It is converted to the load of the most heavily loaded element. For any other
-    case it is the contact load.
+    case, `largest_load` is the contact load.
     """
     surface: Any = case.surface
     if largest_load is None or surface.shape != "bearing" or not largest_load > 0.0:
@@ -96,7 +96,7 @@ def largest_contact_load(case: Case, largest_load: float | None) -> float | None
 
 
 def load_on_bearing(case: Case, found: FoundLoad) -> float:
-    """Return the radial load on the bearing [N] for which the search has found the contact load.
+    """Return the radial load on the bearing [N] that causes the contact load `found.load`.
 
     Without a radial load, return the axial load.
     """
@@ -128,7 +128,7 @@ def table(
 
 
 def _rows_of_bearing(case: Case, found: FoundLoad) -> dict[str, str]:
-    """Return the table rows of a bearing: loads on it, static load rating C0, safety factor s0."""
+    """Return the table rows of a bearing: its loads, static load rating C0, safety factor s0."""
     surface: Any = case.surface
     factor = surface.bearing.load_factor(found.load, *surface.loads)
     radial, axial = (factor * load for load in surface.loads[:2])

@@ -27,7 +27,7 @@ class StoppedEarlyError(Exception):
 
 @contextmanager
 def short_errors(*, files: bool = False) -> Iterator[None]:
-    """Context manager that reports an error due to the user as a message, without traceback.
+    """Context manager that reports errors caused by the user as messages, without traceback.
 
     The message is printed on stderr, and SystemExit is raised with the exit code. files: whether
     the command reads or writes results. Such a command loads all libraries, so the available

@@ -53,14 +53,15 @@ def write_fatigue(
 
 
 def life_values(life: Life) -> dict[str, float]:
-    """Return the integral and the Weibull slope; lives are compared by these two numbers."""
+    """Return the two numbers by which lives are compared: life integral and Weibull slope."""
     return {"log_integral": life.log_integral, "weibull": life.constants["weibull"]}
 
 
 def _life_text(life: Life) -> str:
     return (
         f"logarithm of the integral {life.log_integral:.6g}, Weibull slope "
-        f"{life.constants['weibull']:.4g}; life / reference = exp((reference - logarithm)/slope)"
+        f"{life.constants['weibull']:.4g}; ratio of this life to the life of a reference: "
+        "exp((logarithm of the reference - this logarithm)/slope)"
     )
 
 

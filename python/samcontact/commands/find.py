@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 def find(
     case_file: Path, target: str, tolerance: float, largest_load: float | None, quiet: bool
 ) -> None:
-    """Find the load at which a quantity reaches a value, or the load at first yield ("yield").
+    """Find the load at which a quantity reaches a value or, with "yield", the load at first yield.
 
     All loads of the case are multiplied by a common factor. Examples of QUANTITY=VALUE:
     max_equivalent_plastic_strain=0.001, "max_pressure=4 GPa", "imprint_depth_body2=0.1 um",
@@ -53,7 +53,7 @@ def find(
 
     For a bearing, both races are solved unless the case specifies one of them. The loads on the
     bearing are shown with C0 and s0 of ISO 76. With --quiet, only the radial load on the bearing is
-    printed. For bearings and rollers, D is a unit of length, the diameter of the rolling element:
+    printed. For bearings and rollers, lengths may be given in diameters D of the rolling element:
     "permanent_deformation=1e-4 D".
     """
     with short_errors(files=True):

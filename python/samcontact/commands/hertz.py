@@ -37,7 +37,7 @@ _PLAUSIBLE_LIMITS = {
     "approach": (False, 1e-3, "m", "5 um"),
     "p0": (True, 1e5, "Pa", "1.5 GPa"),
 }
-"""Plausible limit of a number that is given without a unit, by option.
+"""Limit beyond which a number without a unit is implausible, by option.
 
 Each entry contains: whether the limit is a lower limit, its value, its unit, and an example of a
 value with a unit."""
@@ -111,7 +111,7 @@ def _check_of_number(name: str, value: float) -> PlausibilityCheck:
     """Return the plausibility check of an option whose value was given without a unit."""
     at_least, limit, unit, example = _PLAUSIBLE_LIMITS[name]
     option = "--" + name.replace("_", "-")
-    remedy = f'Numbers without a unit are in {unit}; or write {option} "{example}"'
+    remedy = f'Numbers without a unit are in {unit}; for other units, write {option} "{example}"'
     return PlausibilityCheck(Check(option, value, limit, at_least, unit), lambda: remedy)
 
 

@@ -48,7 +48,7 @@ class Checkpoints:
         self.key = case_key(case, {})
 
     def claim(self, resume: bool) -> bool:
-        """Return whether the run reads existing checkpoints and writes one after each increment.
+        """Return whether the run uses existing checkpoints and writes one after each increment.
 
         The result is True with `resume`, or if the folder contains checkpoints of the same case.
         Without `resume`, checkpoints of another case are moved to `FOREIGN_FOLDER`. With `resume`,
@@ -78,11 +78,11 @@ class Checkpoints:
 
     @contextmanager
     def used(self) -> Iterator[Path]:
-        """Context manager that provides the checkpoint folder to a run, marked with this case.
+        """Context manager that provides the checkpoint folder to a run, and marks it with the case.
 
-        If the run fails because the checkpoints in the folder belong to another run, the previous
-        mark is restored. If the run fails before it has written a checkpoint, the folder is
-        removed.
+        The mark is the file `CASE_FILE`. If the run fails because the checkpoints in the folder
+        belong to another run, the previous mark is restored. If the run fails before it has written
+        a checkpoint, the folder is removed.
         """
         before = _text(self.folder / CASE_FILE)
         folder = self.remember()
@@ -141,14 +141,14 @@ def checkpoints_of(
     Raises
     ------
     ValueError
-        The folder contains a file that this package did not write and the run would replace.
+        The run would replace a file in the folder that this package did not write.
     """
     with locked(directory, REMEDY), recording(directory) as record:
         for name in (CHECKPOINT_FOLDER, FOREIGN_FOLDER, FINISHED_MARK):
             if (found := foreign(directory / name)) is not None:
                 raise ValueError(
-                    f"{found} was not written by samcontact, but a run stores checkpoints in "
-                    f"{directory / name} and then removes them: move the file, or {REMEDY}"
+                    f"{found} was not written by samcontact, but the run stores checkpoints in "
+                    f"{directory / name} and removes them at its end: move the file, or {REMEDY}"
                 )
         for file in sorted(directory.iterdir()):
             if written.fullmatch(file.name):
@@ -185,7 +185,7 @@ def interrupted_case(directory: Path) -> Path:
     _, name, text = _read(mark)
     if not name or "\ufffd" in name:
         raise ValueError(
-            f"{mark} is damaged and does not name its case file: resume with\n"
+            f"{mark} is damaged and does not contain the path of the case file: resume with\n"
             f"  samcontact run CASE.toml --output {directory} --resume"
         )
     file = Path(name)

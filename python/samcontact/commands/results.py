@@ -139,9 +139,9 @@ def report(run: Path, output: Path | None) -> None:
 def _recorded(target: Path, default: Path) -> Iterator[None]:
     """Context manager that protects files of other programs while the report is written.
 
-    A report with the default name is recorded as a file of this package, and ValueError is raised
-    if it would replace a file of another program. A report that the user named with --output
-    replaces any file.
+    A report with the default name is recorded as written by this package; ValueError is raised if
+    the report would replace a file without such a record. A report that the user named with
+    --output replaces any file.
     """
     if target != default:
         yield

@@ -74,7 +74,7 @@ def _solve(
     from ..cases import Case
 
     if animate and getattr(case, "accuracy", None) is not None:
-        raise ValueError("--animate cannot be combined with accuracy")
+        raise ValueError("--animate cannot be combined with accuracy: omit one of them")
     if case.study:
         from .solve_study import solve_study
 

@@ -68,7 +68,7 @@ def installation() -> list[tuple[str, str]]:
 def _core_file() -> str:
     found = importlib.util.find_spec("samcontact._core")
     if found is None or found.origin is None:  # not expected: the import would have failed before
-        raise FileNotFoundError("the compiled core is missing")
+        raise FileNotFoundError("the compiled core is missing: reinstall samcontact")
     return found.origin
 
 

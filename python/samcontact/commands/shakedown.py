@@ -28,7 +28,7 @@ def write_shakedown(
     figures: bool,
     found: ShakedownResult | None = None,
 ) -> list[Path]:
-    """Repeat the path of a case, print a table, write shakedown.nc and a figure, return the paths.
+    """Repeat the loading path, print a table, write shakedown.nc and a figure, return the files.
 
     A checkpoint is written after each cycle, because many cycles take long. found: response if it
     is already known; the path is then not repeated.

@@ -61,7 +61,8 @@ def solve_contact(
     """
     if animate and not (case.sticks or (case.moves and case.has_volume)):
         raise ValueError(
-            "--animate requires rolling or sliding motion and a grid with dz, or Coulomb friction"
+            "--animate requires Coulomb friction, or bodies that move on a grid with dz: omit "
+            "--animate"
         )
     simulation, path = case.build()
     run_identity = describe(simulation.engine, path=path)
@@ -142,7 +143,7 @@ def solve_to_accuracy(
 
 @dataclass
 class _ContactRun:
-    """Simulation of a case, and its solved increments: after an error, only those before it.
+    """Simulation of a case, with all increments or, after an error, those solved before it.
 
     accurate: if an accuracy is prescribed, the result of the search for the grid that reaches it.
     """

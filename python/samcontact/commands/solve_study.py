@@ -98,7 +98,9 @@ def solve_study(
     kind = _KINDS[case.study](case, not console.quiet)
     if animate and kind.animate is None:
         reason = ", except with film.transient" if case.study == "film" else ""
-        raise ValueError(f"--animate cannot be combined with [{case.study}]{reason}")
+        raise ValueError(
+            f"--animate cannot be combined with [{case.study}]{reason}: omit --animate"
+        )
     kind = kind if animate else kind._replace(animate=None)
     return _solve(case, kind, directory, console, figures=figures, resume=resume)
 
@@ -296,7 +298,7 @@ def _cycles(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _cycles_sheet(dataset: xr.Dataset) -> Sheet:
-    """Return the table of cycles.
+    """Return the table of wear cycles.
 
     Worn volumes are sums over both bodies; all other quantities are maxima of both bodies.
     """

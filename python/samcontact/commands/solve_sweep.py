@@ -49,7 +49,7 @@ def run_sweep(
 ) -> int:
     """Solve all cases, print a table and the paths of the results, and return the exit code."""
     if jobs is not None and address is not None:
-        raise ValueError("--jobs and --dask cannot be combined")
+        raise ValueError("--jobs and --dask cannot be combined: omit one of them")
     parameters = parse_settings(settings)
     case = load_case(case_file)
     folder = case.output_directory / "sweep" if output is None else output
@@ -110,7 +110,7 @@ def _executor(jobs: int | None, address: str | None) -> Iterator[Any]:
 def parse_settings(settings: Sequence[str]) -> dict[str, list[Any]]:
     """Convert texts FIELD=VALUE,VALUE,... to a dictionary of fields and their lists of values.
 
-    Values are written as in TOML; texts may omit the quotes. A range "0..199" stands for the whole
+    Values are written as in TOML; texts need no quotes. A range "0..199" stands for the whole
     numbers from 0 to 199.
     """
     parameters: dict[str, list[Any]] = {}

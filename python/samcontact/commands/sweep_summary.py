@@ -46,7 +46,7 @@ _COLUMNS_OF_MAXIMA = {
         for name in ("friction", "contact_area", "contact_share", "max_pressure")
     },
 }
-"""Columns of the tables that show maxima: for each kind of study, the quantity of each variable."""
+"""Columns of tables of maxima by kind of study: quantity to show, by name of the variable."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class SweepSummary:
     """Parameters, quantities and status of all cases of a sweep, in the order of the cases."""
 
     title: str
-    """Title, which says which value of each quantity is shown: "At maximum von Mises stress"."""
+    """Title that states which values are shown, e.g. "At maximum von Mises stress"."""
     parameters: dict[str, list[Any]]
     """Values of each parameter, one for each case: numbers in SI units, or texts."""
     units: dict[str, str]

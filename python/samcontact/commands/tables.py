@@ -135,7 +135,7 @@ CONTACT_COLUMNS = (
 
 
 def contact_columns(dataset: xr.Dataset, names: Sequence[str], body: int) -> dict[str, Quantity]:
-    """Return those quantities listed in `names` that a results file contains.
+    """Return the quantities in `names` that the results contain, by name of the variable.
 
     The keys of the dictionary are names of variables in `dataset`: `{name}_body1` or `{name}_body2`
     for a quantity that is stored for each body, and the name of the quantity otherwise.

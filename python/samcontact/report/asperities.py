@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 REQUIRED_VARIABLES = ("force_x", "force_z", "work", "net_energy", "energy_imbalance")
 MAX_MISSING_ENERGY = 0.05
-"""Limit of the unaccounted energy of a pass, relative to the maximum energy of all passes, because
-a later pass may need almost no energy. With more increments, the unaccounted energy decreases."""
+"""Limit of the unaccounted energy of a pass, relative to the maximum energy of any pass (a later
+pass may need almost no energy). With more increments, the unaccounted energy decreases."""
 MAX_MISSING_WORK = 0.02
 """Limit of the unaccounted energy of a pass, relative to the maximum work during the pass. Most of
 this work is recovered by the end of the pass."""

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 REQUIRED_VARIABLES = ("load", "approach", "pressure", "gap", "initial_gap")
 
 _MODULI = (
-    "The Hertz contact has the instantaneous moduli, so that relaxation before this increment is "
-    "a further difference. "
+    "The Hertz contact is computed with the instantaneous moduli; relaxation before this "
+    "increment is a further cause of differences. "
 )
 
 

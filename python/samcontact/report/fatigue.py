@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _UNITS = {"Pa": (1e-6, "MPa"), "1": (1e2, "%")}
-"""Factor and unit shown for each unit of a criterion."""
+"""For each unit in which a criterion is stored, the factor to the displayed unit, and that unit."""
 _NONE = Cell("", "")
 
 
@@ -90,9 +90,9 @@ def _life(dataset: xr.Dataset) -> str:
         return ""
     integral, slope = (float(dataset.attrs[f"life_{name}"]) for name in ("log_integral", "weibull"))
     return (
-        f" Life: logarithm of the integral {integral:.6g}, Weibull slope {slope:.4g}; the ratio of "
-        "this life to that of a reference is exp((logarithm of the reference - this "
-        "logarithm)/slope)."
+        f" Life: logarithm of the integral {integral:.6g}, Weibull slope {slope:.4g}. The ratio of "
+        "this life to the life of a reference is exp((logarithm of the integral of the reference "
+        "- this logarithm)/slope)."
     )
 
 

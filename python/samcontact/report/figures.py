@@ -167,8 +167,8 @@ def _interfaces(results: ContactResults, number: int) -> Made:
 def _utilisation(results: ContactResults, stress: FloatArray) -> str:
     """Return a sentence that states the maximum ratio of von Mises to initial yield stress.
 
-    The result is "" for an elastic body, and for a body without layers, yield-stress profile and
-    initial stress.
+    The result is "" for an elastic body, and for a body that has neither layers nor a yield-stress
+    profile nor an initial stress.
     """
     body, grid = results.graded, results.grid
     if body is None or not body.is_plastic:
@@ -196,8 +196,8 @@ def _section(results: ContactResults, quantity: str, number: int) -> Made:
     add_to_title(ax, elsewhere("y", y, results.grid.dy))
     low, high = (f"{shown.factor * float(value):.4g}" for value in (values.min(), values.max()))
     text = (
-        f"Section of the {shown.heading} in the plane {place('y', y)}. In the whole volume it is "
-        f"from {low} to {high} {shown.shown}."
+        f"Section of the {shown.heading} in the plane {place('y', y)}. In the whole volume, its "
+        f"values are from {low} to {high} {shown.shown}."
     )
     name = f"{shown.heading[0].upper()}{shown.heading[1:]}"
     return f"{name}, body {results.body}, {_increment_text(results, number)}", text, figure
@@ -218,7 +218,7 @@ def _over_time(results: ContactResults) -> Iterator[Made]:
     if not has_times(data):
         return
     last = float(data["time"].values[-1]) if "time" in data else 0.0
-    text = f"Approach, contact radius and maximum pressure over the time, up to {last:.4g} s."
+    text = f"Approach, contact radius and maximum pressure versus time, up to {last:.4g} s."
     yield "Contact over time", text, time_figure(data)
 
 
@@ -237,7 +237,7 @@ def _temperature(results: ContactResults) -> Iterator[Made]:
 def _imprint(results: ContactResults) -> Iterator[Made]:
     """Iterate over figures of residual imprint and residual stress after the last increment.
 
-    If the results contain the track of a moving body, there are none: `_track` draws these figures.
+    If the results contain the track of a moving body, `_track` draws these figures instead.
     """
     if results.track is not None:
         return

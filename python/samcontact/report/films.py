@@ -27,7 +27,7 @@ DEFAULT_TOL = 1e-6
 MAX_LOAD_ERROR = 1e-5
 """Limit of the relative difference between the load and the integral of the pressure."""
 MAX_FLOW_IMBALANCE = 1e-4
-"""Limit of the net outflow from the grid, relative to the flow of the central film."""
+"""Limit of the net outflow from the grid, relative to the flow through the central film."""
 MAX_HEAT_IMBALANCE = 0.1
 """Limit of the relative difference between the heat that enters both bodies and the dissipated
 power. The power includes the work of the flow against the pressure gradient; the work of
@@ -74,7 +74,7 @@ def content(dataset: xr.Dataset) -> dict[str, Any]:
 
 
 def checks(dataset: xr.Dataset) -> Iterator[Check]:
-    """Check the balances of load, flow and mass, cavitation, inlet and resolution."""
+    """Check load, flow and mass balances, cavitation, pressure at the edges, and resolution."""
     area = cell_size(dataset, "x") * cell_size(dataset, "y")
     load, pressure = dataset["load"].values, dataset["pressure"].values
     carried = pressure.sum(axis=(1, 2)) * area
@@ -85,7 +85,7 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
     yield Check(name, float(dataset["residual"].max()), tol)
     name = "mass balance: net outflow of the grid, relative to the flow of the central film"
     if "time" in dataset:
-        name = "mass balance: net outflow and rate of the oil on the grid, relative to the flow"
+        name = "mass balance: net outflow plus rate of change of the oil, relative to the flow"
     yield Check(name, float(dataset["flow_imbalance"].max()), MAX_FLOW_IMBALANCE)
     layer = dataset["boundary_pressure"].values if "boundary_pressure" in dataset else 0.0
     cavitated = np.where(dataset["filling"].values < 1.0, np.abs(pressure - layer), 0.0)
@@ -103,7 +103,7 @@ def checks(dataset: xr.Dataset) -> Iterator[Check]:
         name = "plastic flow: mismatch of the gaps of film and bodies, relative to the central film"
         yield Check(name, float(dataset["gap_mismatch"].max()), MAX_GAP_MISMATCH)
     if "share_uncertainty" in dataset:
-        name = "small share of the boundary layer: estimated error due to the grid, relative"
+        name = "load share of the boundary layer: estimated relative error due to the grid"
         errors = (dataset["share_uncertainty"] / dataset["boundary_share"]).values
         yield Check(name, float(np.nanmax(errors)), MAX_ERROR)
     if "heat" in dataset:
@@ -127,7 +127,7 @@ def stored_film_case(dataset: xr.Dataset) -> FilmCase | None:
 
 
 def _formula_table(dataset: xr.Dataset, first: str) -> Table:
-    """Return the table that compares the film thickness by the formula with the solution."""
+    """Return the table of film thicknesses by the formula and by the solution."""
     names = [name for name in ("central_film", "minimum_film") if f"formula_{name}" in dataset]
     headings, columns = [], []
     for name in names:

@@ -28,7 +28,7 @@ def require_cycles(dataset: xr.Dataset) -> None:
 
 
 def table(dataset: xr.Dataset) -> Table:
-    """Return a table of net plastic strain and plastic strain increment of each solved cycle."""
+    """Return a table of plastic strain increment and net plastic strain of each solved cycle."""
     numbers = dataset["cycle"].values.tolist()
     columns = [dataset[name].values for name in _CYCLE_LABELS]
     rows = [
@@ -47,5 +47,5 @@ def figure(dataset: xr.Dataset) -> ReportFigure:
     drawn, response = new_figure(), str(dataset.attrs["response"])
     net, flow = (dataset[name].values / dataset.attrs["yield_strain"] for name in ("net", "flow"))
     draw_cycles(dataset["cycle"].values, net, flow, response, drawn.subplots())
-    text = f"Net plastic strain of each cycle, and its plastic flow as a dashed line: {response}."
+    text = f"Net plastic strain and (dashed) plastic flow in each cycle: {response}."
     return embedded("Repeated load cycles", text, drawn)

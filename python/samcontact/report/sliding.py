@@ -22,7 +22,7 @@ MIN_FRICTION = -1e-3
 """Limit of the smallest friction coefficient, relative to the largest. A negative coefficient would
 mean that sliding generates energy."""
 ROUNDING_ERROR = 1e-9
-"""Limit of the relative error of the load; if the tolerance is larger, it is the limit instead."""
+"""Limit of the relative error of the load, unless the tolerance of the solver is larger."""
 _VARIABLES = (
     "velocity", "load", "friction", "friction_force", "power", "contact_area", "contact_share",
     "max_pressure", "approach", "iterations", "error",

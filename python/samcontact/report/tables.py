@@ -230,13 +230,13 @@ def _energy_table(balance: EnergyBalance) -> Table:
     ]
     note = (
         f"Energy budget after the last increment. The work input since the start is "
-        f"{balance.work_input:.6g} J; its difference from the net external work was recovered."
+        f"{balance.work_input:.6g} J; the part that exceeds the net external work was recovered."
     )
     return Table(["value [J]", "fraction of work input [%]"], rows, "energy", note)
 
 
 def errors_table(dataset: xr.Dataset) -> Table:
-    """Return a table of maximum values with estimated errors; without estimates it has no rows."""
+    """Return a table of maximum values with estimated errors; it is empty without estimates."""
     found = error_rows(dataset)
     more = {
         heading: [getattr(row, name) for row in found]

@@ -18,9 +18,9 @@ CASE_MARK = "samcontact run "
 
 
 def foreign(folder: Path) -> Path | None:
-    """Return a file in a folder that this package did not write, or None if there is none.
+    """Return a file of another program in a folder of checkpoints, or None if there is none.
 
-    A path that is not a folder is returned itself.
+    If `folder` is not a folder, it is returned itself.
     """
     if not os.path.lexists(folder):
         return None

@@ -59,7 +59,7 @@ def text_of_object(value: Any, text: Text) -> str:
     Raises
     ------
     UnidentifiedError
-        The object has state that Python cannot read, such as a compiled object.
+        The object has state that Python cannot read, e.g. the state of a compiled object.
     """
     stated = getattr(value, IDENTITY_ATTRIBUTE, None)
     if stated is not None and not callable(stated):

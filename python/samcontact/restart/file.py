@@ -49,7 +49,7 @@ def damaged(path: str | os.PathLike[str], error: BaseException) -> DamagedCheckp
 
 @contextmanager
 def readable(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Context manager that raises DamagedCheckpointError if the content of a file is invalid."""
+    """Context manager that converts errors due to invalid content to DamagedCheckpointError."""
     try:
         yield
     except CheckpointError:
@@ -146,7 +146,8 @@ def require_same(path: str | os.PathLike[str], now: Identity, tree: Tree) -> Non
     if now != before:
         text = differences(now, before) if isinstance(before, dict) else "a single simulation"
         raise ForeignCheckpointError(
-            f"{os.fspath(path)!r} is of another run ({text}): remove this file, or use another path"
+            f"{os.fspath(path)!r} is a checkpoint of another run ({text}): remove this file, or "
+            "use another path"
         )
 
 
@@ -157,9 +158,9 @@ def _require_format(path: str | os.PathLike[str], kind: str, found: Mapping[str,
     version = int(found["format_version"])
     if version != _FORMAT_VERSION:
         raise CheckpointError(
-            f"{name} has checkpoint format {version} of samcontact "
-            f"{found.get('samcontact_version')}; samcontact {_core.version} reads format "
-            f"{_FORMAT_VERSION}"
+            f"{name} has checkpoint format {version}, but samcontact {_core.version} reads format "
+            f"{_FORMAT_VERSION}: use samcontact {found.get('samcontact_version')}, or start again "
+            "with another path"
         )
     if found.get("kind") != kind:
         raise CheckpointError(f"{name} is a checkpoint of {found.get('kind')!r}, not of {kind!r}")

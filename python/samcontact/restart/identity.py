@@ -50,12 +50,12 @@ def require_identified(run_identity: Identity) -> None:
 
 
 def digest(run_identity: Identity) -> str:
-    """Return a single digest of a whole identity."""
+    """Return a digest of the texts of all arguments in an identity."""
     return _hash(repr(sorted(run_identity.items())).encode())
 
 
 def differences(now: Identity, before: Identity) -> str:
-    """Return a text on the differences of two identities, e.g. "load 2.0 instead of 1.0"."""
+    """Describe the differences between two identities, e.g. "load 2.0 instead of 1.0"."""
 
     def change_of(name: str) -> str:
         new, old = (str(run_identity.get(name, "nothing")) for run_identity in (now, before))

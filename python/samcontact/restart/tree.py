@@ -96,5 +96,5 @@ def array(
         raise ValueError(f"{name} must have shape {shape}, got {values.shape}")
     finite = np.isfinite(values)
     if not finite.all() and not (may_end and np.all(finite | (values == np.inf))):
-        raise ValueError(f"{name} must have finite values")
+        raise ValueError(f"{name} must contain finite values only")
     return values

@@ -128,7 +128,7 @@ def test_every_law_and_shape_is_accepted(write):
         ),
         ("increments = 2", "increments = 0", r"path\[0\]\.increments: .* >= 1, got 0"),
         ("load = 600.0", "load = -1.0", r"path\[0\]\.load: .*number >= 0 \[N\]"),
-        ("load = 600.0", "load = 1.0\napproach = 1.0", r"path\[0\]: exactly one of load and app"),
+        ("load = 600.0", "load = 1.0\napproach = 1.0", r"path\[0\]: exactly one of load, app"),
         ("load = 0.0", "approach = 0.0", r"path\[1\]: start is required where the path changes"),
         ("load = 0.0", "load = 600.0", r"path\[1\]: start must differ from load"),
         (

@@ -314,7 +314,7 @@ def test_every_field_of_every_section_is_tried():
              "grid": {k: GRID[k] for k in ("nx", "ny", "dx", "dy")}},
          r"body1 is elastic-plastic \(law swift\) and requires a grid"),
         ({"contact": CONTACT | {"residual_stress": "exact"}},
-         r"contact\.image_tol requires residual_stress"),
+         r"contact\.image_tol has effect with residual_stress"),
         ({"path": [{"load": 1.0, "exponent": 3.0}]}, r"exponent requires spacing = \"power\""),
     ],
 )  # fmt: skip

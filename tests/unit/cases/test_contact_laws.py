@@ -49,7 +49,7 @@ def test_tension_needs_an_attraction():
 
 
 def test_options_unsupported_with_attraction_are_refused():
-    with pytest.raises(CaseError, match="path: bodies must not move"):
+    with pytest.raises(CaseError, match="path: bodies must not roll or slide"):
         case("load = 600.0", "load = 600.0\nadvance = [1e-4, 1e-4]")
 
 

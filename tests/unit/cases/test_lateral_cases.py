@@ -81,9 +81,9 @@ def test_a_heated_path_that_turns(case_of):
     [
         ("track = [150e-6, 100e-6]", "track = 150e-6", r"heat\.track along y must be at least"),
         ("track = [150e-6, 100e-6]", "track = [100e-6, 100e-6]", r"heat\.track must be at least"),
-        ("friction = 0.0", "friction = 0.1", "advance of both bodies along y must be equal"),
+        ("friction = 0.0", "friction = 0.1", "advance along y must be equal for both bodies"),
         ("[heat]", '[relief2]\nkind = "dent"\ndepth = 1e-7\nradius = 1e-4\n[heat]',
-         r"along y must be 0 with \[relief2\]"),
+         r"with \[relief2\], advance along y must be 0"),
         ("friction = 0.0", "friction = {coulomb = 0.1}",
          r"path\[0\]\.advance: .*body 2 along y must be a multiple of the cell size, 6e-05 m"),
         ("[0.0, -100e-6]]", "[0.0, -100e-6], [0.0, 0.0]]", r"path\[1\]\.advance: must be a list"),

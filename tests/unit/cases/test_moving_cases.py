@@ -102,7 +102,7 @@ def test_a_moving_case_runs_and_tracks_the_bodies(write):
         (
             ROLL,
             ROLL + "\nduration = 1.0\nspacing = 'power'",
-            r"path\[0\]: roll cannot be combined with duration, spacing: set its speed",
+            r"path\[0\]: roll cannot be combined with duration, spacing: .*, and set roll.speed",
         ),
         (
             ROLL,

@@ -94,7 +94,7 @@ def test_a_roller_has_grids_that_resolve_its_ends():
         ({"bearing": {"kind": "deep_groove", "radial_load": 1.0}}, "element_diameter is required"),
         ({"bearing": {"designation": "6208"}}, "load_factor requires a part with a load"),
         ({"bearing": BEARING, "path": [{"load": 1.0}]}, "load must be 0 or omitted with loads on"),
-        ({"bearing": BEARING, "roller": ROLLER}, "roller and bearing cannot be combined"),
+        ({"bearing": BEARING, "roller": ROLLER}, "only one section .* got roller and bearing"),
         ({"roller": ROLLER}, "path: required field is missing"),
         ({"roller": ROLLER | {"profile": "table"}}, "profile_y must be given if, and only if, pro"),
         ({"roller": ROLLER | {"tilt": 1.0}}, "roller: tilt must be between"),

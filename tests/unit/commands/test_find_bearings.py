@@ -56,7 +56,7 @@ def test_targets_in_diameters_need_a_rolling_element(tmp_path):
     assert float(value) == pytest.approx(1.2e-6)
     assert in_metres("max_pressure=4 GPa", case) == "max_pressure=4 GPa"
     refused = invoke("find", CASES / "b5_bearing_6208.toml", "max_pressure=4 D")
-    check_failure(refused, 2, "D (diameter of the rolling element) must be a length")
+    check_failure(refused, 2, "D (diameter of the rolling element) applies to lengths only")
     refused = invoke("find", CASES / "b1_ball_in_groove.toml", "permanent_deformation=1e-4 D")
     check_failure(refused, 2, "requires [bearing] or [roller]")
 

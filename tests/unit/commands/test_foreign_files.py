@@ -347,7 +347,7 @@ class TestUnsealed:
         size = heap + 16 + 8  # of the first object: number, references, 4 bytes, size
         content[size : size + 8] = b"\xf0" + b"\xff" * 7
         edited.write_bytes(content)
-        with pytest.raises(ValueError, match="reading does not terminate"):
+        with pytest.raises(ValueError, match="reading it does not terminate"):
             try_to_read(edited, call=0.5)
 
     def test_unsealed_results_that_would_crash_are_refused(self, edited, monkeypatch):
@@ -356,7 +356,7 @@ class TestUnsealed:
             "import os; os.kill(os.getpid(), 11)",
         )
         with pytest.raises(
-            ValueError, match=r"results\.nc: it is damaged: reading terminates with SIGSEGV"
+            ValueError, match=r"results\.nc: the file is damaged: reading it ends with SIGSEGV"
         ):
             results.open_results(edited)
 

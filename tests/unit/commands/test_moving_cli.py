@@ -63,7 +63,7 @@ def test_figures_and_animation(case_file, tmp_path, monkeypatch):
 def test_animation_of_a_static_contact_is_refused(case_file, tmp_path):
     case_file.write_text(MINIMAL)
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--animate")
-    check_failure(outcome, 2, "--animate requires rolling or sliding motion and a grid with dz")
+    check_failure(outcome, 2, "--animate requires Coulomb friction, or bodies that move")
     assert not (tmp_path / "out").exists()
 
 

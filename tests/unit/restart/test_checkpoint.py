@@ -169,7 +169,7 @@ class TestDamage:
     def test_a_later_format(self, saved):
         with edited(saved) as file:
             file.attrs["format_version"] = 99
-        text = r"checkpoint format 99 of samcontact .*; samcontact .* reads format 12$"
+        text = "has checkpoint format 99, but samcontact .* reads format 12: use samcontact"
         with pytest.raises(sc.CheckpointError, match=text):
             sc.Simulation.load(saved)
 

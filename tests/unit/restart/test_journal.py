@@ -34,7 +34,7 @@ def test_damaged_increments_are_solved_again(tmp_path, expected, numbers):
         again = simulation().run(PATH, progress=False, checkpoint=tmp_path)
     damaged = [text for text in (str(one.message) for one in stated) if "is damaged" in text]
     for text, file, number in zip(damaged, files, numbers, strict=True):
-        words = f"'{file}' is damaged: .* continuing from the previous one, increment {number} is"
+        words = f"'{file}' is damaged: .*; therefore, increment {number} is"
         assert re.search(words, text)
     for one, other in zip(again, expected, strict=True):
         assert_same(one, other)
