@@ -75,7 +75,7 @@ class Particle:
         name, value = load_or_approach(self.load, self.approach)
         positive(name, value)
         if name == "approach" and value >= R:
-            raise ValueError(f"approach must be < radius = {R!r} m, got {value!r}")
+            raise ValueError(f"approach must be < radius = {R!r} m, got {value!r} m")
         finite("x", self.x)
         finite("y", self.y)
 
@@ -136,7 +136,7 @@ def particles(
     mean = non_negative("density", density) * sides[0] * sides[1]
     if mean > _MAX_PARTICLES:
         raise ValueError(
-            f"density must give at most {_MAX_PARTICLES} particles on length * width, got {mean:g}"
+            f"density * length * width must be at most {_MAX_PARTICLES} particles, got {mean:g}"
         )
     median, deviation = positive("radius", radius), non_negative("spread", spread)
     if deviation > 2.0:
@@ -168,13 +168,13 @@ def indent(
     Parameters
     ----------
     grid : Grid
-        Grid with layers (dz) that contains the particles' contacts.
+        Grid with layers (dz), so large that it contains the contacts of all particles.
     body2 : Material or Layered
-        Elastic-plastic body; an elastic one keeps no dent.
+        Elastic-plastic body into which the particles are pressed.
     particles : sequence of Particle
         Particles in the order in which they are pressed in, at least one.
     increments : int, optional
-        Number of increments of each loading.
+        Number of increments in which each particle is loaded.
     body1 : Material or Layered, optional
         Material of the particles; rigid by default.
     progress : bool, optional
@@ -234,8 +234,8 @@ def _require_same_material(dented: Track, body2: Body) -> None:
     """Raise ValueError if the dented body is not `body2`."""
     if dented.material != body2:
         raise ValueError(
-            f"body2 must be the body with the dents, {in_short(dented.material)}, whose plastic "
-            f"strain and hardening are carried over, got {in_short(body2)}"
+            f"body2 must be the body with the dents, {in_short(dented.material)}, because its "
+            f"plastic strain and hardening are carried over, got {in_short(body2)}"
         )
 
 
@@ -244,24 +244,24 @@ def _require_same_cells(grid: Grid, dented: Track) -> None:
     cells = [(g.ny, g.dx, g.dy, g.dz, g.periodic) for g in (grid, dented.grid)]
     if cells[0] != cells[1]:
         raise ValueError(
-            "dented must have the cells of the grid: (ny, dx, dy, dz, periodic) are "
-            f"{cells[0]} and {cells[1]}"
+            "grid must have the same (ny, dx, dy, dz, periodic) as the grid of dented, "
+            f"{cells[1]}, got {cells[0]}"
         )
     if grid.along_x and grid.nx != dented.grid.nx:
         raise ValueError(
-            f"nx of a grid that is periodic along x must be that of dented, {dented.grid.nx}, "
-            f"got {grid.nx}"
+            f"if grid is periodic along x, its nx must be that of the grid of dented, "
+            f"{dented.grid.nx}, got {grid.nx}"
         )
     rows = (dented.x[0] - grid.x[0]) / grid.dx
     if abs(rows - round(rows)) > 1e-6:
         raise ValueError(
             f"nx must be {'odd' if grid.nx % 2 == 0 else 'even'}, as on the grid of dented, got "
-            f"{grid.nx}: the dents would move by half a cell along x"
+            f"{grid.nx}: otherwise the dents would move by half a cell along x"
         )
 
 
 def start_from(simulation: Simulation, dented: Track) -> None:
-    """Give body 2 of a simulation the plastic strain and hardening of a dented body, in place."""
+    """Change body 2 of a simulation: give it the plastic strain and hardening of a dented body."""
     backstress = dented.backstress() if backstresses_of(simulation.body2) else None
     first = round((dented.x[0] - simulation.grid.x[0]) / simulation.grid.dx)
     simulation.set_plastic_strain(
@@ -278,7 +278,7 @@ class Overrolling:
     dented : Track
         Residual fields before the pass.
     states : list of State
-        States of the pass; the last one is unloaded.
+        States during the pass; the last state is unloaded.
     """
 
     dented: Track
@@ -316,7 +316,7 @@ class Overrolling:
         return self.states[-1].track(2)
 
     def dang_van(self, slope: float) -> fatigue.FatigueField:
-        """Dang Van's criterion over the pass: see `fatigue.dang_van`.
+        """Dang Van's fatigue criterion over the states of the pass: see `fatigue.dang_van`.
 
         slope: weight of the mean normal stress [-].
         """
@@ -358,11 +358,11 @@ def roll_over(
         Rolling distance, and distance per increment [m], whole numbers of cells.
     middle : float, optional
         Position of the middle of the path on body 2 [m], a whole number of cells. If `distance` is
-        an odd number of cells, the path is off by half a cell.
+        an odd number of cells, its actual middle is half a cell away from this position.
     slide_to_roll : float, optional
-        Slide-to-roll ratio, as in `paths.rolling`.
+        Slide-to-roll ratio [-], as in `paths.rolling`.
     increments : int, optional
-        Number of increments of the loading before the pass.
+        Number of increments in which the load is applied before the pass.
     progress : bool, optional
         Whether to show a progress bar.
     **settings

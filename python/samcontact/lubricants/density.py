@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laws of the density of a lubricant versus pressure, relative to that at zero pressure."""
+"""Laws of the relative density of a lubricant: density divided by that at zero pressure."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class DensityLaw(ABC):
         return self._ratio(pressures(p))
 
     def slope(self, p: ArrayLike) -> FloatArray:
-        """Return the derivative of the relative density [1/Pa] at pressures p >= 0 [Pa]."""
+        """Return d(relative density)/dp [1/Pa] at pressures p >= 0 [Pa], in the shape of p."""
         return self._slope(pressures(p))
 
     @abstractmethod
@@ -56,7 +56,7 @@ class Incompressible(DensityLaw):
 
 @dataclass(frozen=True)
 class DowsonHigginson(DensityLaw):
-    """Relative density 1 + a p/(1 + b p) of mineral oils. Dowson & Higginson (1966), section 6.2.
+    """Relative density 1 + a p/(1 + b p) of mineral oils (Dowson & Higginson 1966, section 6.2).
 
     Attributes
     ----------
@@ -80,9 +80,9 @@ class DowsonHigginson(DensityLaw):
 
 @dataclass(frozen=True)
 class Tait(DensityLaw):
-    """Equation of state of Tait: V/V0 = 1 - ln[1 + (1 + K') p/K]/(1 + K').
+    """Tait's equation of state: V/V0 = 1 - ln[1 + (1 + K') p/K]/(1 + K').
 
-    Dymond & Malhotra (1988, doi:10.1007/BF01133262).
+    V0 is the volume V at zero pressure. Source: Dymond & Malhotra (1988, doi:10.1007/BF01133262).
 
     Attributes
     ----------
@@ -104,8 +104,8 @@ class Tait(DensityLaw):
         volume: FloatArray = 1.0 - np.log1p(n * p / self.bulk_modulus) / n
         if volume.size and volume.min() <= 0.0:
             raise ValueError(
-                f"p must be a pressure at which the law of Tait has a volume > 0, got "
-                f"{np.max(p):.4g} Pa: check bulk_modulus and modulus_slope"
+                f"p must be so low that the volume by Tait's law is > 0, got {np.max(p):.4g} Pa: "
+                "check p, bulk_modulus and modulus_slope"
             )
         return volume
 
@@ -126,7 +126,7 @@ class TabulatedDensity(ShortRepr, DensityLaw):
     p : tuple of float
         Pressures [Pa], increasing, the first 0.
     rho : tuple of float
-        Densities, > 0, not decreasing; in any unit, since only ratios are used.
+        Densities in any unit, since only their ratios are used; > 0, not decreasing.
     """
 
     p: ArrayLike
@@ -136,7 +136,7 @@ class TabulatedDensity(ShortRepr, DensityLaw):
         p = finite_array("p", self.p)
         rho = finite_array("rho", self.rho, p.shape)
         if not rho.min(initial=1.0) > 0.0 or (np.diff(rho) < 0.0).any():
-            raise ValueError("rho must be > 0 and not decrease with the pressure")
+            raise ValueError("rho must be > 0 everywhere and must not decrease with pressure")
         object.__setattr__(self, "p", tuple(p.tolist()))
         object.__setattr__(self, "rho", tuple(rho.tolist()))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Grades of mineral oils: viscosity versus temperature, pressure-viscosity coefficient."""
+"""Grades of mineral oils: viscosity versus temperature, and pressure-viscosity coefficient."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from .lubricant import Lubricant
 ISO_3448 = "ISO 3448, midpoint of the grade, www.united-oil.com"
 TYPICAL_100 = "typical value of mineral oils, lubesolut.com/en/herramientas/tabla-viscosidades"
 COLD, HOT = 313.15, 373.15
-"""Temperatures of both viscosities of a grade [K]: 40 and 100 °C."""
+"""Temperatures at which the viscosities of a grade are given [K]: 40 and 100 °C."""
 RANGE = 253.15, 423.15
-"""Temperature range of the law [K]; mineral oils solidify below it and decompose above it."""
+"""Temperature range of Walther's law [K]; mineral oils solidify below, and decompose above it."""
 DENSITY = 870.0
-"""Density of mineral oils [kg/m^3], 850 to 900."""
+"""Default density of mineral oils [kg/m^3], whose densities range from 850 to 900."""
 
 GRADES: dict[int, tuple[float, float]] = {
     10: (10.0, 2.5),
@@ -40,15 +40,16 @@ GRADES: dict[int, tuple[float, float]] = {
     1000: (1000.0, 55.0),
     1500: (1500.0, 74.0),
 }
-"""Kinematic viscosity at 40 °C (ISO 3448) and, typical of mineral oils, at 100 °C [mm^2/s]."""
+"""Kinematic viscosities [mm^2/s]: at 40 °C (ISO 3448), and at 100 °C (typical values)."""
 
 
 @dataclass(frozen=True, repr=False)
 class Oil(HtmlTable):
     """Mineral oil with two known viscosities, from `oil` or `iso_vg`.
 
-    The kinematic viscosity follows Walther's law, lg lg (nu + 0.7) = A - B lg T with nu in mm^2/s
-    and T in K, through both points (ASTM D341; Walther 1931).
+    The kinematic viscosity nu follows Walther's law, lg lg (nu + 0.7) = A - B lg T, with nu in
+    mm^2/s, T in K and decimal logarithms (ASTM D341; Walther 1931). The constants A and B are
+    chosen such that the law gives both known viscosities.
 
     Attributes
     ----------
@@ -74,13 +75,13 @@ class Oil(HtmlTable):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
         if not 1e-7 < self.nu100 < self.nu40 < 1e-1:
             raise ValueError(
-                f"nu40 must be > nu100 > 1e-7 m^2/s, got {self.nu40!r} and {self.nu100!r}: 68 "
-                "mm^2/s (cSt) is 68e-6"
+                "nu40 must be > nu100, and both between 1e-7 and 0.1 m^2/s, got nu40 = "
+                f"{self.nu40!r} and nu100 = {self.nu100!r}: 68 mm^2/s (cSt) is 68e-6 m^2/s"
             )
         if not 300.0 < self.density < 3000.0:
             raise ValueError(
                 f"density must be between 300 and 3000 kg/m^3, got {self.density!r}: 0.87 kg/l is "
-                "870"
+                "870 kg/m^3"
             )
 
     def _walther(self) -> tuple[float, float]:
@@ -119,16 +120,19 @@ class Oil(HtmlTable):
     def pressure_viscosity(self, T: float) -> float:
         """Return the pressure-viscosity coefficient at a temperature T [K], in 1/Pa.
 
-        Wooster's formula for mineral oils, (0.6 + 0.965 lg(eta/1 mPa s)) 10^-8. It differs by -30
-        to +17 % (on average -12 %) from the values of thirteen mineral oils at 30, 60 and 100 °C
-        in table 2.3 of Stachowiak & Batchelor, *Engineering Tribology* (2011). Raises ValueError
-        unless the temperature is 253 to 423 K.
+        The coefficient is computed by Wooster's formula for mineral oils, (0.6 + 0.965 lg eta)
+        10^-8, with the viscosity eta in mPa s. It differs by -30 to +17 % (on average -12 %) from
+        the measured values of thirteen mineral oils at 30, 60 and 100 °C in table 2.3 of Stachowiak
+        & Batchelor, *Engineering Tribology* (2011). Raises ValueError unless the temperature is 253
+        to 423 K.
         """
         eta = float(self.viscosity(_temperature(T)))
         return max(0.6 + 0.965 * math.log10(1e3 * eta), 0.0) * 1e-8
 
     def lubricant(self, T: float = COLD) -> Lubricant:
-        """Return the lubricant at a temperature T [K]: Roelands' law, density of mineral oils.
+        """Return the lubricant at a temperature T [K] with Roelands' law of viscosity.
+
+        Its density increases with the pressure as that of mineral oils (Dowson & Higginson).
 
         Raises ValueError unless the temperature is 253 to 423 K.
         """
@@ -169,8 +173,8 @@ def iso_vg(grade: int | str) -> Oil:
 def oil(nu40: float, nu100: float, density: float = DENSITY) -> Oil:
     """Return a mineral oil with the kinematic viscosities of a data sheet.
 
-    nu40, nu100: at 40 and 100 °C [m^2/s], 1 mm^2/s (cSt) is 1e-6; density [kg/m^3]. Raises
-    ValueError unless nu40 > nu100.
+    nu40, nu100: kinematic viscosities at 40 and 100 °C [m^2/s], where 1 mm^2/s (1 cSt) is 1e-6
+    m^2/s; density: density [kg/m^3]. Raises ValueError unless nu40 > nu100.
     """
     return Oil("oil", nu40, nu100, density, "given values")
 
@@ -179,8 +183,8 @@ def _temperatures(T: ArrayLike) -> FloatArray:
     at = finite_array("T", T)
     if at.size and not (RANGE[0] <= at.min() and at.max() <= RANGE[1]):
         raise ValueError(
-            f"T must be in {RANGE[0]:g} to {RANGE[1]:g} K everywhere, got {at.min():.6g} to "
-            f"{at.max():.6g}: use kelvins, 40 °C is 313.15 K"
+            f"T must be from {RANGE[0]:g} to {RANGE[1]:g} K, got {at.min():.6g} to "
+            f"{at.max():.6g} K: use kelvins, 40 °C is 313.15 K"
         )
     return at
 

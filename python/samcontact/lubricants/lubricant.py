@@ -19,8 +19,8 @@ from .tables import LubricantTables, reduced_pressure
 from .viscosity import Barus, Doolittle, Tabulated, ViscosityLaw, roelands
 
 MAX_VISCOSITY, MAX_PRESSURE_VISCOSITY, MAX_LIMITING_COEFFICIENT = 10.0, 1e-7, 0.3
-"""Largest plausible viscosity at p = 0 [Pa s], pressure-viscosity coefficient [1/Pa] and ratio of
-limiting shear stress to pressure [-]; ISO VG 3200 has 3 Pa s at 40 °C."""
+"""Largest plausible viscosity at p = 0 [Pa s], pressure-viscosity coefficient [1/Pa], and ratio of
+limiting shear stress to pressure [-]; for comparison, ISO VG 3200 has 3 Pa s at 40 °C."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
 """Range of the volumetric heat capacity of liquids [J/(m^3 K)]."""
 CONDUCTIVITY_RANGE = 0.01, 10.0
@@ -43,7 +43,7 @@ class LubricantHeat:
     capacity : float
         Heat capacity per volume [J/(m^3 K)].
     beta : float
-        Relative decrease of the viscosity with the temperature [1/K].
+        Relative decrease of the viscosity per kelvin [1/K].
     temperature : float
         Temperature for which the viscosity is given [K].
     """
@@ -100,7 +100,10 @@ class Lubricant(HtmlTable):
             limit = positive("limiting_coefficient", self.limiting_coefficient)
             object.__setattr__(self, "limiting_coefficient", limit)
         if self.heat is not None and not isinstance(self.heat, LubricantHeat):
-            raise TypeError(f"heat must come from with_thermal, got {in_short(self.heat)}")
+            raise TypeError(
+                f"heat must be a LubricantHeat, got {in_short(self.heat)}: use "
+                "Lubricant.with_thermal"
+            )
 
     @classmethod
     def roelands(
@@ -112,9 +115,9 @@ class Lubricant(HtmlTable):
     ) -> Lubricant:
         """Lubricant with the law eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966).
 
-        viscosity: eta0 [Pa s]; pressure_viscosity: slope alpha of ln(eta) at p = 0 [1/Pa]. With z
-        None, p0 = 0.198 GPa and z = alpha p0/(ln eta0 + 9.67); with z given [-], p0 follows from
-        alpha. density: "dowson-higginson", None (incompressible) or a law of
+        viscosity: eta0 [Pa s]; pressure_viscosity: slope alpha of ln(viscosity) at p = 0 [1/Pa]. If
+        z is None, p0 = 0.198 GPa and z = alpha p0/(ln eta0 + 9.67); if z is given [-], p0 follows
+        from alpha. density: "dowson-higginson", None (incompressible) or a law of
         `samcontact.lubricants`. Raises ValueError for values outside their range.
         """
         eta0, alpha = _plausible(viscosity, pressure_viscosity)
@@ -127,7 +130,7 @@ class Lubricant(HtmlTable):
         pressure_viscosity: float,
         density: DensityLaw | str | None = "dowson-higginson",
     ) -> Lubricant:
-        """Lubricant with the law eta0 exp(alpha p) (Barus 1893), too viscous above 0.5 GPa.
+        """Lubricant with the law eta0 exp(alpha p) (Barus 1893), which is too steep above 0.5 GPa.
 
         viscosity: eta0 [Pa s]; pressure_viscosity: alpha [1/Pa], 0 for an isoviscous lubricant;
         density: as for `roelands`. Raises ValueError for values outside their range.
@@ -143,8 +146,8 @@ class Lubricant(HtmlTable):
 
         viscosity: value at p = 0 [Pa s]; B: Doolittle's constant [-]; R0: occupied volume as a
         share of the volume at p = 0 [-]; bulk_modulus: K at p = 0 [Pa]; modulus_slope: dK/dp [-].
-        Doolittle (1951, doi:10.1063/1.1699894); Dymond & Malhotra (1988, doi:10.1007/BF01133262).
-        Raises ValueError for values outside their range.
+        Raises ValueError for values outside their range. Sources: Doolittle (1951,
+        doi:10.1063/1.1699894); Dymond & Malhotra (1988, doi:10.1007/BF01133262).
         """
         state = Tait(bulk_modulus, modulus_slope)
         law = Doolittle(B, R0, state)
@@ -165,9 +168,9 @@ class Lubricant(HtmlTable):
         return cls(eta0, law, density)
 
     def with_eyring(self, stress: float) -> Lubricant:
-        """Return a copy with Eyring's shear thinning; stress: Eyring stress [Pa], > 0.
+        """Return a copy with Eyring's shear thinning.
 
-        Raises ValueError for other values.
+        stress: Eyring stress [Pa], > 0. Raises ValueError for other values.
         """
         return replace(self, thinning=Eyring(positive("stress", stress)))
 
@@ -182,8 +185,9 @@ class Lubricant(HtmlTable):
     def with_limiting_shear(self, coefficient: float) -> Lubricant:
         """Return a copy whose shear stress stays below `coefficient` times the pressure.
 
-        coefficient: > 0, 0.03 to 0.1 for oils [-]. The limit is approached smoothly, as
-        (tau^-6 + (coefficient p)^-6)^(-1/6). Raises ValueError for values that are not > 0.
+        coefficient: > 0; 0.03 to 0.1 for oils [-]. The limit is approached smoothly, as
+        (tau^-6 + (coefficient p)^-6)^(-1/6), where tau is the shear stress without limit and p the
+        pressure. Raises ValueError for values that are not > 0.
         """
         limit = positive("coefficient", coefficient)
         if limit > MAX_LIMITING_COEFFICIENT:
@@ -195,10 +199,10 @@ class Lubricant(HtmlTable):
     ) -> Lubricant:
         """Return a copy with thermal constants.
 
-        conductivity [W/(m K)]; capacity: heat capacity per volume [J/(m^3 K)]; beta: relative
-        decrease of the viscosity with the temperature [1/K], as eta(p) exp(-beta (T - T0));
-        temperature: T0, for which the viscosity is given [K]. Raises ValueError for values outside
-        their range.
+        conductivity: thermal conductivity [W/(m K)]; capacity: heat capacity per volume
+        [J/(m^3 K)]; beta: constant of the viscosity eta(p) exp(-beta (T - T0)) at a temperature T,
+        >= 0 [1/K]; temperature: T0, for which the viscosity eta(p) is given [K]. Raises ValueError
+        for values outside their range.
         """
         return replace(self, heat=LubricantHeat(conductivity, capacity, beta, temperature))
 
@@ -214,15 +218,15 @@ class Lubricant(HtmlTable):
 
     @property
     def max_pressure(self) -> float:
-        """Largest pressure of a table [Pa]; infinite for a formula."""
+        """Largest pressure of a tabulated viscosity [Pa]; infinite for other laws."""
         return self.law.max_pressure
 
     def viscosity(self, p: ArrayLike, T: ArrayLike | None = None) -> FloatArray:
         """Return the viscosity at small shear rates [Pa s].
 
         p: pressures >= 0 [Pa]; T: temperatures [K] (require `with_thermal`), or None for the
-        temperature for which the viscosity is given. p and T are broadcast. Raises ValueError
-        outside the range of a table.
+        temperature for which the viscosity is given. p and T are broadcast. Raises ValueError for
+        pressures above `max_pressure`.
         """
         given = pressures(p)
         if given.size and given.max() > self.max_pressure:
@@ -234,7 +238,8 @@ class Lubricant(HtmlTable):
         if T is not None:
             if self.heat is None:
                 raise ValueError(
-                    "T requires thermal constants of the lubricant: use with_thermal, or omit T"
+                    "with T, the lubricant must have thermal constants, got none: use "
+                    "Lubricant.with_thermal, or omit T"
                 )
             given, at = together(p=given, T=T)
             logarithm = self.law.logarithm(given)
@@ -259,7 +264,8 @@ class Lubricant(HtmlTable):
             rate, pressure = np.broadcast_arrays(rate, pressure)
         except ValueError:
             raise ValueError(
-                f"p must have a shape compatible with rate, {rate.shape}, got {pressure.shape}"
+                "p must have a shape that is compatible with that of rate, "
+                f"{rate.shape}, got {pressure.shape}"
             ) from None
         newtonian = self.viscosity(pressure, T) * np.abs(rate)
         stress = thinned(self.thinning, self.limiting_coefficient, newtonian, pressure)
@@ -269,16 +275,16 @@ class Lubricant(HtmlTable):
     def tables(self, max_pressure: float) -> LubricantTables:
         """Return tables of density and reduced pressure versus pressure, up to a pressure [Pa].
 
-        The reduced pressure is the integral of density/viscosity over the pressure from 0 to p.
-        Choose `max_pressure` so large that no iterate of a solver exceeds it. Raises ValueError if
-        it is not > 0.
+        The reduced pressure is the integral of (relative density)/viscosity from pressure 0 to p.
+        Choose `max_pressure` so large that no iterate of a solver exceeds it. Raises ValueError
+        unless `max_pressure` is > 0.
         """
         return reduced_pressure(
             positive("max_pressure", max_pressure), self._fluidity, self.density_law
         )
 
     def _fluidity(self, p: FloatArray) -> FloatArray:
-        """Return density/viscosity [1/(Pa s)], also beyond the range of a table."""
+        """Return (relative density)/viscosity [1/(Pa s)], even above `max_pressure`."""
         logarithm = np.minimum(self.law.logarithm(p), MAX_LOGARITHM)
         return self.density_law.ratio(p) * np.exp(-logarithm) / self.eta0
 
@@ -307,8 +313,10 @@ def _plausible(
         remedy = "Pa s; 40 mPa s (cP) is 0.04 Pa s"
         _warn("viscosity", eta0, f"<= {MAX_VISCOSITY:g} Pa s", remedy)
     if alpha > MAX_PRESSURE_VISCOSITY:
-        remedy = "1/Pa; 22 1/GPa is 22e-9 1/Pa"
-        _warn(name, alpha, f"a slope <= {MAX_PRESSURE_VISCOSITY:g} 1/Pa", remedy)
+        is_given = name == "pressure_viscosity"
+        remedy = "1/Pa; 22 1/GPa is 22e-9 1/Pa" if is_given else f"Pa for {name}"
+        text = name if is_given else f"pressure-viscosity coefficient that follows from {name}"
+        _warn(text, alpha, f"<= {MAX_PRESSURE_VISCOSITY:g} 1/Pa", remedy)
     return eta0, alpha
 
 

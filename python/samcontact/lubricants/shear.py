@@ -16,11 +16,11 @@ MAX_ARGUMENT, SMALL_ARGUMENT = 300.0, 1e-2
 MAX_STEPS = 60
 """Maximum number of Newton steps in the inversion of Carreau's law."""
 LIMIT_EXPONENT = 6.0
-"""Exponent with which the shear stress approaches its limit."""
+"""Exponent m with which the shear stress approaches its limit; see `limited`."""
 
 
 class ShearThinning(ABC):
-    """Shear stress as a function of the Newtonian shear stress, viscosity times shear rate."""
+    """Shear stress as a function of the Newtonian shear stress (viscosity times shear rate)."""
 
     @abstractmethod
     def stress(self, newtonian: FloatArray) -> FloatArray:
@@ -30,7 +30,7 @@ class ShearThinning(ABC):
     def fluidity(self, stress: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the ratio f of Newtonian to true shear stress [-], and f'/stress [1/Pa^2].
 
-        stress: true shear stresses >= 0 [Pa]; f' is the derivative of f.
+        stress: true shear stresses >= 0 [Pa]; f' is the derivative of f with respect to them.
         """
 
     @property
@@ -59,7 +59,9 @@ class Newtonian(ShearThinning):
 
 @dataclass(frozen=True)
 class Eyring(ShearThinning):
-    """Eyring's law tau_0 asinh(tau_N/tau_0). Eyring (1936, doi:10.1063/1.1749836).
+    """Eyring's law: the shear stress is tau_0 asinh(tau_N/tau_0).
+
+    tau_N is the Newtonian shear stress. Source: Eyring (1936, doi:10.1063/1.1749836).
 
     Attributes
     ----------
@@ -94,14 +96,17 @@ class Eyring(ShearThinning):
 
 @dataclass(frozen=True)
 class Carreau(ShearThinning):
-    """Carreau's law tau_N [1 + (tau_N/G)^2]^((n - 1)/2). Carreau (1972, doi:10.1122/1.549276).
+    """Carreau's law: the shear stress is tau_N [1 + (tau_N/G)^2]^((n - 1)/2).
+
+    tau_N is the Newtonian shear stress. Source: Carreau (1972, doi:10.1122/1.549276).
 
     Attributes
     ----------
     critical_stress : float
         Shear stress G at which the viscosity begins to decrease [Pa].
     n : float
-        Exponent of the shear rate in the shear stress at high rates, in [0, 1] [-].
+        Exponent, in [0, 1] [-]. At high rates, the shear stress is proportional to the n-th power
+        of the shear rate.
     """
 
     critical_stress: float
@@ -158,9 +163,8 @@ def thinned(
 ) -> FloatArray:
     """Return the shear stress [Pa] by a law of thinning and a limiting shear stress.
 
-    newtonian: Newtonian shear stresses [Pa].
-
-    coefficient: ratio of the limiting shear stress to the pressure p [Pa], or None.
+    newtonian: Newtonian shear stresses [Pa]; coefficient: ratio of the limiting shear stress to the
+    pressure [-], or None (no limit); p: pressures [Pa].
     """
     stress = law.stress(newtonian)
     return stress if coefficient is None else limited(stress, coefficient * p)

@@ -34,9 +34,12 @@ def restored(text: str) -> Lubricant:
     try:
         made = _made(json.loads(text))
     except (KeyError, TypeError, ValueError, RecursionError) as error:
-        raise ValueError(f"text must describe a lubricant: {type(error).__name__}") from error
+        raise ValueError(
+            "text must describe a lubricant as `stored` does, got a text whose reading raised "
+            f"{type(error).__name__}"
+        ) from error
     if not isinstance(made, Lubricant):
-        raise ValueError("text must describe a lubricant")
+        raise ValueError("text must describe a lubricant, got a text of another object")
     return made
 
 

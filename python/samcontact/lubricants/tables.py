@@ -14,9 +14,9 @@ from .._util.frozen import read_only
 from .density import DensityLaw
 
 PRESSURE_SCALE = 1e6
-"""Pressure [Pa] below which the nodes are equidistant; above it, their logarithms are."""
+"""Pressure [Pa] below which nodes are equidistant; above it, their logarithms are equidistant."""
 POINTS = 40_001
-"""Number of nodes."""
+"""Number of nodes of a table."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -39,7 +39,7 @@ class LubricantTables(ShortRepr):
     density : ndarray
         Relative density [-].
     density_slope : ndarray
-        Derivative of the relative density [1/Pa].
+        Derivative of the relative density with respect to the pressure [1/Pa].
     """
 
     scale: float

@@ -16,7 +16,7 @@ from .._util.lazy_scipy import scipy
 from .density import Tait
 
 ROELANDS_LOGARITHM = 9.67
-"""Negative logarithm of the viscosity at the pole of Roelands' law, 6.31e-5 Pa s."""
+"""Constant of Roelands' law: -ln(viscosity in Pa s) at its pole, where this is 6.31e-5 Pa s."""
 ROELANDS_PRESSURE = 1.98e8
 """Constant p0 of Roelands' law [Pa]: all isotherms meet in a pole at p = -p0 (Roelands 1966)."""
 
@@ -41,7 +41,7 @@ class ViscosityLaw(ABC):
 
 @dataclass(frozen=True)
 class Barus(ViscosityLaw):
-    """Exponential law exp(alpha p); too steep above about 0.5 GPa. Barus (1893).
+    """Exponential law exp(alpha p), too steep above about 0.5 GPa (Barus 1893).
 
     Attributes
     ----------
@@ -100,16 +100,17 @@ class Roelands(ViscosityLaw):
 class Doolittle(ViscosityLaw):
     """Law of free volume: ln(viscosity ratio) = B R0 (1/(V/V0 - R0) - 1/(1 - R0)).
 
-    Doolittle (1951, doi:10.1063/1.1699894), with the volume of an equation of state.
+    V/V0 is the volume by an equation of state, relative to that at zero pressure. Source: Doolittle
+    (1951, doi:10.1063/1.1699894).
 
     Attributes
     ----------
     B : float
-        Constant of Doolittle [-].
+        Doolittle's constant [-].
     R0 : float
         Occupied volume as a share of the volume at zero pressure, in (0, 1) [-].
     volume : Tait
-        Volume versus pressure.
+        Equation of state: volume versus pressure.
     """
 
     B: float
@@ -120,7 +121,10 @@ class Doolittle(ViscosityLaw):
         for name in ("B", "R0"):
             object.__setattr__(self, name, positive(name, getattr(self, name)))
         if not self.R0 < 1.0:
-            raise ValueError(f"R0 must be in (0, 1), got {self.R0!r}: it is a share of the volume")
+            raise ValueError(
+                f"R0 must be in (0, 1), got {self.R0!r}: it is the occupied share of the volume at "
+                "zero pressure"
+            )
 
     @property
     def pressure_viscosity(self) -> float:
@@ -128,7 +132,7 @@ class Doolittle(ViscosityLaw):
         return self.B * self.R0 / ((1.0 - self.R0) ** 2 * self.volume.bulk_modulus)
 
     def logarithm(self, p: FloatArray) -> FloatArray:
-        """Return ln(viscosity/viscosity at zero pressure); infinite without free volume."""
+        """Return ln(viscosity/viscosity at zero pressure); infinite where no volume is free."""
         free = 1.0 / self.volume.ratio(p) - self.R0
         with np.errstate(divide="ignore"):
             inverse = np.where(free > 0.0, 1.0 / np.maximum(free, 0.0), np.inf)
@@ -144,8 +148,8 @@ class Tabulated(ShortRepr, ViscosityLaw):
     p : tuple of float
         Pressures [Pa], increasing, the first 0.
     eta : tuple of float
-        Viscosities [Pa s], > 0, not decreasing. Beyond the last pressure, `tables` continues the
-        logarithm with its last slope.
+        Viscosities [Pa s], > 0, not decreasing. Beyond the last pressure, `Lubricant.tables`
+        continues ln(viscosity) with its slope at the last pressure.
     """
 
     p: ArrayLike
@@ -155,7 +159,7 @@ class Tabulated(ShortRepr, ViscosityLaw):
         p = increasing_pressures(self.p)
         eta = finite_array("eta", self.eta, p.shape)
         if not eta.min() > 0.0 or (np.diff(eta) < 0.0).any():
-            raise ValueError("eta must be > 0 and not decrease with the pressure [Pa s]")
+            raise ValueError("eta must be > 0 Pa s everywhere and must not decrease with pressure")
         object.__setattr__(self, "p", tuple(p.tolist()))
         object.__setattr__(self, "eta", tuple(eta.tolist()))
 
@@ -189,12 +193,12 @@ def increasing_pressures(p: ArrayLike) -> FloatArray:
             f"p must be a list of at least three numbers, got an array of shape {pressures.shape}"
         )
     if pressures[0] != 0.0 or (np.diff(pressures) <= 0.0).any():
-        raise ValueError("p must increase from 0 Pa")
+        raise ValueError("p must increase from 0 Pa, without repeated values: sort p, and add 0")
     return pressures
 
 
 def roelands(viscosity: float, pressure_viscosity: float, z: float | None) -> ViscosityLaw:
-    """Return Roelands' law with a slope alpha at p = 0; a slope of 0 is a constant viscosity."""
+    """Return Roelands' law, or the law of a constant viscosity if `pressure_viscosity` is 0."""
     if pressure_viscosity == 0.0:
         return Barus(0.0)
     scale = math.log(viscosity) + ROELANDS_LOGARITHM

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Mass balance, pressure at the edges, and resolution of a lubricated contact."""
+"""Checks of lubricated contacts: mass balance, pressure at the grid edges, and resolution."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from .film_solution import FilmSolution
 from .nested import face_velocities, table_of
 
 WEIGHTS = 1.5, 2.0, 0.5
-"""Weights in the second-order time derivative: content now, one step (minus) and two steps ago."""
+"""Weights (a, b, c) of the time derivative (a now - b one step ago + c two steps ago)/step."""
 
 
 def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> FloatArray:
     """Return the net volume flow of lubricant out of each cell [m^3/s], shape (nx, ny).
 
-    A volume of lubricant is the volume that it would have at zero pressure. order, supply: as given
-    to `steady`. In a steady film the net outflow of every cell is zero.
+    All volumes of lubricant are converted to zero pressure. order, supply: as given to `steady`. In
+    a steady film the net outflow of every cell is zero.
     """
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     fields = (film.fluid_pressure, film.film, 1.0 - film.filling)
@@ -36,10 +36,10 @@ def outflow(film: FilmSolution, order: int = 3, supply: float | None = None) -> 
 
 
 def flow_imbalance(film: FilmSolution, order: int = 3, supply: float | None = None) -> float:
-    """Return the net outflow from the grid, relative to the flow through the central film [-].
+    """Return the magnitude of the net outflow from the grid, divided by the flow by `swept` [-].
 
-    order, supply: as given to `steady`. The result measures the mass balance between the edges of
-    the grid.
+    order, supply: as given to `steady`. The result is 0 if as much lubricant enters the grid as
+    leaves it.
     """
     return abs(float(outflow(film, order, supply).sum())) / swept(film)
 
@@ -58,10 +58,10 @@ def swept(film: FilmSolution) -> float:
 def storage_imbalance(films: Sequence[FilmSolution]) -> FloatArray:
     """Return the relative imbalance of the oil on the grid at each time [-].
 
-    The imbalance is the net outflow from the grid plus the rate of change of the oil volume on it.
-    It is divided by the largest flow through the central film or, if larger, by the largest rate of
-    change. films: films at the start and after each step of a history, equally spaced in time. The
-    film is assumed to be steady before the start.
+    The imbalance is the net outflow from the grid plus the rate of change of the oil volume on the
+    grid. It is divided by the largest value that the reference flow `swept` or the rate of change
+    has at any time. films: films at the start and after each step of a history, equally spaced in
+    time. The film is assumed to be steady before the start.
     """
     stored = np.array([float(film.content.sum()) for film in films]) * films[0].grid.cell_area
     before = np.concatenate([stored[:1], stored[:-1]])
@@ -76,26 +76,26 @@ def storage_imbalance(films: Sequence[FilmSolution]) -> FloatArray:
 
 
 def inlet_pressure(film: FilmSolution) -> float:
-    """Return the largest pressure next to an edge through which lubricant enters [-].
+    """Return the relative pressure next to the edges through which lubricant enters [-].
 
-    It is relative to the maximum pressure.
+    This is the largest pressure there, divided by the maximum pressure of the contact.
     """
     return _edge_pressure(film, 1.0)
 
 
 def outlet_pressure(film: FilmSolution) -> float:
-    """Return the largest pressure next to an edge through which lubricant leaves [-].
+    """Return the relative pressure next to the edges through which lubricant leaves [-].
 
-    It is relative to the maximum pressure.
+    This is the largest pressure there, divided by the maximum pressure of the contact.
     """
     return _edge_pressure(film, -1.0)
 
 
 def _edge_pressure(film: FilmSolution, sign: float) -> float:
-    """Return the largest pressure at the edges through which lubricant enters or leaves [-].
+    """Return the relative pressure next to the edges through which lubricant enters or leaves [-].
 
-    sign: 1 for the edges through which lubricant enters, -1 for those through which it leaves. The
-    result is relative to the maximum pressure.
+    This is the largest pressure there, divided by the maximum pressure of the contact. sign: 1 for
+    the edges through which lubricant enters, -1 for those through which it leaves.
     """
     along_x, along_y = face_velocities(film.grid, film.velocities, film.spin)
     p = film.fluid_pressure
@@ -110,8 +110,8 @@ def cells_per_radius(pressure: FloatArray, grid: Grid) -> float:
     """Return the number of cells per semi-axis of a contact, along the axis with fewer cells [-].
 
     The semi-axes are those of the Hertz contact whose pressure has the same second moments.
-    pressure: pressure on cells that cover the area of the grid; their number may differ from that
-    of the grid.
+    The result counts cells of `grid`. pressure: field over the area of `grid`, whose cells may have
+    another size.
     """
     total = float(pressure.sum())
     is_line = grid.ny == 1 or "y" in grid.periodic

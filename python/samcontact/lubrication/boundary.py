@@ -14,7 +14,7 @@ class Boundary:
 
     The pressure of the layer is p_b (h_b/(h - h_b))^3 at a film thickness h > h_b. The layer also
     represents asperities smaller than a cell. The share of the load that the layer carries depends
-    on this law; total pressure and film thickness hardly depend on it.
+    on this law; the total pressure and the film thickness hardly depend on it.
 
     Attributes
     ----------

@@ -146,7 +146,7 @@ def _plain(value: FloatArray | float) -> Any:
 
 @contextmanager
 def kept_in(folder: str | os.PathLike[str] | None, run: Identity) -> Iterator[Kept | None]:
-    """Context manager that locks a folder and provides its stored films; None without a folder."""
+    """Context manager: lock a folder and provide its stored films, or None if `folder` is None."""
     if folder is None:
         yield None
         return

@@ -17,7 +17,7 @@ from .groups import Contact, MoesNumbers, moes
 
 @dataclass(frozen=True)
 class FilmEstimate(HtmlTable):
-    """Film thickness by a formula, from `estimate`.
+    """Film thickness that `estimate` finds by a formula.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class FilmEstimate(HtmlTable):
     minimum : float
         Minimum film thickness [m].
     regime : str
-        Regime of lubrication; see `regime`.
+        Regime of lubrication; see the function `regime`.
     formula : str
         Name of the formula used.
     numbers : MoesNumbers
@@ -52,15 +52,16 @@ class FilmEstimate(HtmlTable):
 
 
 def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstimate:
-    """Return the film thickness by the formula for the regime of a contact.
+    """Return the film thickness of a contact by the formula for its regime of lubrication.
 
-    For line contacts, the formula is `dowson_higginson` or that of another regime (Herrebrugh,
-    Martin, Blok). For elliptic contacts, it is `rigid_isoviscous`, or `hamrock_dowson` (with
-    material "soft" in the elastic-isoviscous regime).
+    For line contacts, the formulas are those of Martin (rigid-isoviscous), Herrebrugh
+    (elastic-isoviscous), Blok (rigid-piezoviscous) and Dowson & Higginson (elastic-piezoviscous).
+    For point and elliptic contacts, they are `rigid_isoviscous` in that regime, and
+    `hamrock_dowson` in the others (with material "soft" if elastic-isoviscous, else "hard").
 
     contact: from `samcontact.hertz`, `Bearing.hertz` or `FlankContact.hertz`; speed: (u1, u2) along
     x [m/s]. Raises TypeError or ValueError outside the range of the formulas. Warns if hard bodies
-    have an isoviscous lubricant, because the formula for soft bodies was not fitted to them.
+    have an isoviscous lubricant, because the formula "soft" was not fitted to hard bodies.
     """
     numbers = moes(contact, speed, lubricant)
     if type(contact) is LineContact:
@@ -77,10 +78,10 @@ def estimate(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmEstim
 def lambda_ratio(film: float, roughness1: float, roughness2: float = 0.0) -> float:
     """Return the ratio of film thickness to roughness, film/(Rq1^2 + Rq2^2)^(1/2) [-].
 
-    film: smooth film thickness [m]; roughness1, roughness2: rms heights of both surfaces [m]. Above
-    a ratio of about 3 the surfaces are separated; below 1 asperities carry load. In heavily loaded
-    contacts these limits are lower, because the asperities are flattened. Raises ValueError if both
-    surfaces are smooth.
+    film: film thickness of smooth surfaces [m]; roughness1, roughness2: rms heights Rq1, Rq2 [m].
+    Above a ratio of about 3 the surfaces are separated; below 1 asperities carry load. In heavily
+    loaded contacts these limits are lower, because the asperities are flattened. Raises ValueError
+    if both surfaces are smooth.
     """
     film = positive("film", film)
     heights = non_negative("roughness1", roughness1), non_negative("roughness2", roughness2)

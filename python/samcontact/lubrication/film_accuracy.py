@@ -26,7 +26,7 @@ _logger = logging.getLogger("samcontact")
 RATIO = 2.0**0.5
 """Ratio of the cell sizes of successive grids."""
 ORDER = 1.5
-"""Assumed order of convergence, the lowest measured: central films have orders of 1.5 to 3."""
+"""Assumed order of convergence: the lowest of the orders measured for central films, 1.5 to 3."""
 SAFETY = 1.5
 """Safety factor on the error that is extrapolated from the differences between grids."""
 ENLARGEMENT = 1.5
@@ -34,7 +34,7 @@ ENLARGEMENT = 1.5
 WINDOW_SHARE = 0.5
 """Share of the prescribed accuracy that errors due to the edges of the grid may use."""
 WINDOW_ORDER = 3.0
-"""Exponent n of the edge error, which decreases as 1/(inlet length)^n; measured at M = 20."""
+"""Exponent n of the error due to the edges, ~1/(inlet length)^n; measured at Moes' M = 20."""
 MIN_GRIDS, MAX_GRIDS, MAX_ENLARGEMENTS = 3, 20, 4
 MAX_CELLS, MAX_CELLS_OF_LINE = 420**2, 2**14
 """Largest number of cells of a grid, in general and for line contacts."""
@@ -46,26 +46,27 @@ Solve = Callable[[FilmTask, Grid], FilmSolution]
 def checked_accuracy(accuracy: Any, task: FilmTask) -> FloatArray:
     """Return the prescribed relative accuracies of central and minimum film [-].
 
-    An accuracy that is not given is infinite.
+    The accuracy of a film for which none is prescribed is returned as infinity.
     """
     if not callable(task.gap):
         raise TypeError(
-            "gap must be a function of a grid with accuracy, which needs other grids, got "
-            f"{in_short(task.gap)}: use e.g. lambda grid: sc.surfaces.paraboloid(grid, R)"
+            "with accuracy, which needs solutions on several grids, gap must be a function of a "
+            f"grid, got {in_short(task.gap)}: use e.g. "
+            "lambda grid: sc.surfaces.paraboloid(grid, R)"
         )
     names = "central_film", "minimum_film"
     given = accuracy if isinstance(accuracy, Mapping) else dict.fromkeys(names, accuracy)
     if not given or not set(given) <= set(names):
         raise ValueError(
-            f"accuracy must be a number, or have the keys {' or '.join(names)}, got "
-            f"{in_short(accuracy)}"
+            f"accuracy must be a number, or a mapping with at least one of the keys "
+            f"{' and '.join(names)} and no others, got {in_short(accuracy)}"
         )
     checked = {name: positive("accuracy", value) for name, value in given.items()}
     for value in checked.values():
         if not MIN_ACCURACY <= value <= MAX_ACCURACY:
             raise ValueError(
-                f"accuracy must be in [{MIN_ACCURACY:g}, {MAX_ACCURACY:g}], got {value!r}: 0.01 is "
-                "1 %"
+                f"accuracy must be in [{MIN_ACCURACY:g}, {MAX_ACCURACY:g}], got {value!r}: 0.01 "
+                "means 1 %"
             )
     return np.array([checked.get(name, math.inf) for name in names])
 
@@ -82,7 +83,8 @@ class _Window:
 def to_accuracy(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) -> FilmSolution:
     """Return a solution whose estimated film errors are below the prescribed accuracies.
 
-    If this needs too many cells, an `AccuracyWarning` states the errors that were reached.
+    If this would need too many cells, the solution on the last grid is returned, and an
+    `AccuracyWarning` states its estimated errors.
     """
     window = _large_enough(task, _resolved(task, grid, solve), accuracy, solve)
     found, values = window.solution, [_values(window.solution)]
@@ -100,9 +102,10 @@ def to_accuracy(task: FilmTask, grid: Grid, accuracy: FloatArray, solve: Solve) 
     if not reached:
         texts = " and ".join(map(percent, errors))
         warnings.warn(
-            f"central and minimum film have estimated errors of {texts} on {len(values)} grids, "
-            f"the last with {counts(*found.film.shape)} cells, and more cells are not allowed: "
-            "relax the accuracy, or start from a grid with larger cells",
+            f"accuracy is not reached: on the last of {len(values)} grids, which has "
+            f"{counts(*found.film.shape)} cells, central and minimum film have estimated errors of "
+            f"{texts}, and the next grid would have too many cells; relax the accuracy, or start "
+            "from a grid with larger cells",
             AccuracyWarning,
             stacklevel=4,
         )
@@ -176,7 +179,7 @@ def _finer(grid: Grid, factor: float) -> Grid:
 
 
 def _larger(grid: Grid) -> Grid:
-    """Return a grid with cells of the same size and a larger area, along non-periodic axes."""
+    """Return a grid with cells of the same size that is longer along its non-periodic axes."""
     nx = 2 * round(0.5 * ENLARGEMENT * grid.nx)
     ny = grid.ny if grid.along_y else 2 * round(0.5 * ENLARGEMENT * grid.ny)
     return replace(grid, nx=nx, ny=ny)

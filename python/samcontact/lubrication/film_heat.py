@@ -22,8 +22,9 @@ from ..lubricants.shear import thinned
 from .through_film import HEIGHTS
 
 FLOW_SHARE = 5.0 / 7.0
-"""Uniformly released heat that changes the flow as much as one unit of heat from the pressure flow,
-which is released near the walls [-]."""
+"""Share of the heat of the pressure flow that counts as released uniformly across the film [-].
+
+The pressure flow releases its heat near the walls, where it changes the flow less."""
 BISECTIONS = 50
 
 
@@ -61,7 +62,7 @@ class FilmHeat(HtmlTable):
 
     @cached_property
     def wall_rise(self) -> FloatArray:
-        """Mean temperature rise of both surfaces [K], shape (nx, ny)."""
+        """Mean of the temperature rises of the two surfaces [K], shape (nx, ny)."""
         mean: FloatArray = self.surface_rise.mean(axis=0)
         return mean
 
@@ -113,11 +114,11 @@ class Conduction:
 
     @property
     def _resistance(self) -> FloatArray:
-        """Temperature rise in the mid-plane of a uniformly heated film, per heat flux [K m^2/W]."""
+        """Temperature rise in the middle of a uniformly heated film per heat and area [K m^2/W]."""
         return self.film / (8.0 * self.constants.conductivity)
 
     def _power(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
-        """Return the heat per area that warms the middle of the film [W/m^2]."""
+        """Return the heat per area that counts as released uniformly across the film [W/m^2]."""
         return self.shear(wall_rise, depth) * self.sliding + FLOW_SHARE * self.flow_power
 
     @cached_property
@@ -128,8 +129,8 @@ class Conduction:
     def shear(self, wall_rise: FloatArray, depth: FloatArray) -> FloatArray:
         """Return the shear stress [Pa] of the film at the given temperatures.
 
-        wall_rise: temperature rise of the walls [K]; depth: parameter D of the temperature profile
-        [-].
+        wall_rise: temperature rise of the walls [K]; depth: rise in the middle of the film
+        above the temperature of the walls, dimensionless, D in the theory [-].
         """
         warm = shear_factor(depth) / wall_fluidity(self.constants, wall_rise)
         oil = self.lubricant
@@ -141,8 +142,8 @@ class Conduction:
     def warming(self, depth: FloatArray, wall_rise: FloatArray) -> FloatArray:
         """Return the dimensionless heating beta q h/(8 k) of the film [-].
 
-        q is the heat per area that warms the middle of the film, beta the temperature coefficient
-        of the viscosity, h the film thickness and k the conductivity.
+        q is the heat per area that counts as released uniformly across the film, beta the
+        temperature coefficient of the viscosity, h the film thickness and k the conductivity.
         """
         found: FloatArray = self.constants.beta * self._power(wall_rise, depth) * self._resistance
         return found
@@ -150,7 +151,7 @@ class Conduction:
     def depth(self, wall_rise: FloatArray) -> FloatArray:
         """Return the parameter D of the temperature profile, the root of D tanh D = `warming(D)`.
 
-        The root is unique, because `warming` decreases with D.
+        The root is unique, because D tanh D increases with D and `warming` decreases.
         """
         low = np.zeros_like(wall_rise)
         high = 1.0 + self.warming(low, wall_rise)

@@ -13,14 +13,14 @@ from ..problem.grid import Grid
 from .nested import DryContact, FilmTask
 
 MAX_FILM_OF_RADIUS = 0.1
-"""Largest film thickness for which Reynolds' equation is solved, relative to the gap radius."""
+"""Largest film thickness for Reynolds' equation, divided by the radius of curvature of the gap."""
 FEW_ITERATIONS = 15
-"""If `max_iterations` is below this number, the message of a failure names it as the cause."""
+"""Number of iterations below which `remedy` advises to increase `max_iterations`."""
 USUAL_REMEDY = "use smaller cells, a longer inlet, or order = 1"
 MIN_FILM_OF_RISE = 0.2
-"""Ratio of the predicted film to the increase of the dry gap over one cell at the contact edge.
+"""Smallest ratio of the film to the increase of the dry gap over one cell at the contact edge.
 
-Below this ratio, the message of a failure names the cell size as the cause."""
+Below this ratio, `remedy` advises smaller cells."""
 
 
 def require_thin_film(task: FilmTask, dry: DryContact) -> None:
@@ -37,26 +37,26 @@ def require_thin_film(task: FilmTask, dry: DryContact) -> None:
     raise ValueError(
         f"load must be large enough for a thin film, got {task.target:.4g} N: at this speed and "
         f"viscosity a formula predicts a film of {quantity(dry.film, 'm')}, more than "
-        f"{MAX_FILM_OF_RADIUS:g} of the radius of the gap, {quantity(dry.gap_radius, 'm')}; check "
-        "the units of load, speed and viscosity"
+        f"{MAX_FILM_OF_RADIUS:g} times the radius of curvature of the gap, "
+        f"{quantity(dry.gap_radius, 'm')}; check the units of load, speed and viscosity"
     )
 
 
 def require_thin_layer(task: FilmTask, dry: DryContact) -> None:
-    """Raise ValueError for a boundary layer thicker than a tenth of the radius of the gap."""
+    """Raise ValueError if the boundary layer is thicker than a tenth of the radius of the gap."""
     layer = task.boundary
     if layer is not None and layer.thickness > MAX_FILM_OF_RADIUS * dry.gap_radius:
         raise ValueError(
-            f"boundary.thickness must be at most {MAX_FILM_OF_RADIUS:g} of the radius of the gap, "
-            f"{quantity(dry.gap_radius, 'm')}, got {quantity(layer.thickness, 'm')}: check "
-            "its unit"
+            f"boundary.thickness must be at most {MAX_FILM_OF_RADIUS:g} times the radius of "
+            f"curvature of the gap, {quantity(dry.gap_radius, 'm')}, got "
+            f"{quantity(layer.thickness, 'm')}: check the unit of the thickness"
         )
 
 
 def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
     """Return advice for the error message of a solution that did not converge."""
     if task.max_iterations < FEW_ITERATIONS:
-        return f"increase max_iterations, now {task.max_iterations}"
+        return f"increase max_iterations, which is {task.max_iterations}"
     film = min(dry.film, task.supply)
     reach = math.sqrt(2.0 * film * dry.gap_radius) + dry.radius
     inlet = _inlet_length(task, dry.pressure, grid)
@@ -65,16 +65,17 @@ def remedy(task: FilmTask, dry: DryContact, grid: Grid) -> str:
     expected = f"{expected} {quantity(film, 'm')}"
     if reach > inlet:
         return (
-            f"{expected}, whose pressure reaches about {quantity(reach, 'm')} from the centre, but "
-            f"the grid ends after {quantity(inlet, 'm')}: enlarge the grid towards the inlet"
+            f"{expected}, whose pressure extends to about {quantity(reach, 'm')} from the contact "
+            f"centre, but the grid ends {quantity(inlet, 'm')} from it: enlarge the grid towards "
+            "the inlet"
         )
     size = grid.dx if grid.ny == 1 else max(grid.dx, grid.dy)
     slope = 2.0 * dry.radius / (math.pi * dry.gap_radius)
     thinnest = max(film, 0.0 if task.boundary is None else task.boundary.thickness)
     if thinnest < MIN_FILM_OF_RISE * slope * size:
-        layer = "" if task.boundary else ", or a boundary layer"
+        layer = "" if task.boundary else ", or add a boundary layer"
         cells = quantity(thinnest / (MIN_FILM_OF_RISE * slope), "m")
-        return f"{expected}, too thin for these cells: use cells of about {cells}{layer}"
+        return f"{expected}, too thin for the cells: use cells of about {cells}{layer}"
     return USUAL_REMEDY
 
 

@@ -13,7 +13,7 @@ from .._util.display import ShortRepr
 class FilmPlasticity(ShortRepr):
     """Stress and plastic strain of both bodies under a film, from `press_loads`.
 
-    The first index of a field is the body. The fields of a rigid body are 0.
+    The first index of fields with the shape (2, ...) is the body. Fields of a rigid body are 0.
 
     Attributes
     ----------

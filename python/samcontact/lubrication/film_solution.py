@@ -58,7 +58,7 @@ class FilmPast:
     content: FloatArray
     """Content of the film at the preceding instant [m], see `FilmSolution.content`."""
     gap: FloatArray
-    """Gap of the undeformed surfaces without topography that moves with a body [m]."""
+    """Gap of the undeformed surfaces [m], excluding topography that moves with a body."""
     peak: float
     """Largest pressure at the start [Pa]."""
 
@@ -88,8 +88,8 @@ class FilmSolution(HtmlTable):
     load : float
         Normal load [N].
     residual : float
-        Larger of two relative errors [-]: the imbalance of the flow of a cell, relative to the flow
-        through the central film, and the imbalance of the load.
+        Largest relative residual of the equations for flow, load and boundary layer [-]. That of
+        the flow is the largest imbalance of a cell, divided by the flow through the central film.
     levels : tuple of FilmLevel
         Summaries of the solutions on the nested grids, from the coarsest to the given grid.
     boundary : Boundary, or None
@@ -110,8 +110,8 @@ class FilmSolution(HtmlTable):
     errors : FilmErrors, or None
         Estimated errors of central and minimum film, if an accuracy was prescribed.
     share_error : float, or None
-        Estimated absolute error of `boundary_share` due to the grid, for shares from 0.001 to 0.1
-        in `steady` and `stribeck` [-]; infinite if it could not be found.
+        Estimated absolute error of `boundary_share` due to the grid [-]. `steady` and `stribeck`
+        estimate it for shares from 0.001 to 0.1; infinite if the estimate fails.
     plasticity : FilmPlasticity, or None
         Stress and plastic strain of elastic-plastic bodies, from `press_loads`.
     """
@@ -162,7 +162,7 @@ class FilmSolution(HtmlTable):
 
     @property
     def smooth_gap(self) -> FloatArray:
-        """Gap of the undeformed surfaces without topography that moves with a body [m]."""
+        """Gap of the undeformed surfaces [m], excluding topography that moves with a body."""
         return self.gap if self.past is None else self.past.gap
 
     @property
@@ -190,7 +190,7 @@ class FilmSolution(HtmlTable):
 
     @property
     def converged(self) -> bool:
-        """True: without convergence, an error is raised instead."""
+        """Always True, because an error is raised if a solution does not converge."""
         return True
 
     def _rows(self) -> Rows:

@@ -14,9 +14,9 @@ from .groups import Contact, FilmGroups, film_groups, sum_of_speeds
 Speeds = tuple[float, float]
 
 SOFT_SPEEDS, SOFT_LOADS = (5e-9, 5e-8), (2e-4, 2e-3)
-"""Ranges of U and W to which the formula for soft bodies was fitted."""
+"""Ranges of the groups U and W to which the formula for soft bodies was fitted."""
 MARGIN = 50.0
-"""Factor by which U or W may be outside these ranges without a warning."""
+"""Factor by which U or W may be outside `SOFT_SPEEDS` or `SOFT_LOADS` without a warning."""
 
 
 class FilmThickness(NamedTuple):
@@ -40,12 +40,13 @@ def hamrock_dowson(
 ) -> FilmThickness:
     """Return the film thickness of an elliptic contact by Hamrock & Dowson's formulas [m].
 
-    contact: point or elliptic contact with a_y >= a_x; speed: (u1, u2) along x [m/s]; material:
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]; material:
     "hard" for a viscosity that increases with the pressure (1977, doi:10.1115/1.3453074), "soft"
-    for an isoviscous lubricant and soft bodies (1978, doi:10.1115/1.3453152). The minimum film by
-    the formula for "hard" is too thick at heavy loads. Raises ValueError for other contacts. With
-    "soft", warns if the speed group U or the load group W (see `FilmGroups`) differs by more than a
-    factor of 50 from the fitted ranges 5e-9 to 5e-8 and 2e-4 to 2e-3.
+    for an isoviscous lubricant and soft bodies (1978, doi:10.1115/1.3453152). At heavy loads, the
+    formula "hard" gives too thick a minimum film. Raises ValueError for other contacts, and for an
+    isoviscous lubricant with "hard". With "soft", warns if the speed group U or the load group W
+    (see `FilmGroups`) is outside the fitted range (U: 5e-9 to 5e-8, W: 2e-4 to 2e-3) by more than a
+    factor of 50.
     """
     choice("material", material, ("hard", "soft"))
     found = _wide_ellipse(contact, speed, lubricant)
@@ -57,8 +58,8 @@ def hamrock_dowson(
     else:
         if G == 0.0:
             raise ValueError(
-                "lubricant must have a pressure-viscosity coefficient > 0 for hard contacts, got "
-                '0: use material="soft"'
+                'with material="hard", lubricant must have a pressure-viscosity coefficient > 0, '
+                'got 0: use material="soft" for soft bodies'
             )
         central = 2.69 * U**0.67 * G**0.53 * W**-0.067 * (1.0 - 0.61 * math.exp(-0.73 * k))
         minimum = 3.63 * U**0.68 * G**0.49 * W**-0.073 * (1.0 - math.exp(-0.68 * k))
@@ -68,10 +69,11 @@ def hamrock_dowson(
 def nijenbanning(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
     """Return the central film of an elliptic contact in all regimes of lubrication [m].
 
-    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. The formula was
-    fitted for an incompressible lubricant. To account for compressibility, divide the result by the
-    relative density of the lubricant at the Hertz pressure. Nijenbanning, Venner & Moes (1994,
-    doi:10.1016/0043-1648(94)90150-3). Raises ValueError for other contacts.
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Raises
+    ValueError for other contacts. The formula was fitted to solutions for an incompressible
+    lubricant. To account for compressibility, divide the result by the relative density of the
+    lubricant at the maximum Hertz pressure. Source: Nijenbanning, Venner & Moes (1994,
+    doi:10.1016/0043-1648(94)90150-3).
     """
     found = _wide_ellipse(contact, speed, lubricant)
     return found.scale * film_parts(*found.moes, found.D).film
@@ -86,7 +88,10 @@ class FilmParts(NamedTuple):
 
 
 def film_parts(M: float, L: float, D: float) -> FilmParts:
-    """Return the central film by Nijenbanning, Venner & Moes (1994) for M, L and D = Rx/Ry."""
+    """Return the central film and its parts for Moes' numbers M, L and the ratio D = Rx/Ry.
+
+    Source: Nijenbanning, Venner & Moes (1994).
+    """
     limits = _nijenbanning_limits(M, L, D)
     s = 1.5 * (1.0 + math.exp(-1.2 * limits.elastic_isoviscous / limits.rigid_isoviscous))
     longest = 1.8 / D
@@ -119,8 +124,8 @@ def _nijenbanning_limits(M: float, L: float, D: float) -> Limits:
 def rigid_isoviscous(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
     """Return the film thickness between rigid bodies at constant viscosity [m].
 
-    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Brewe, Hamrock
-    & Taylor (1979, doi:10.1115/1.3453338). Raises ValueError for other contacts.
+    contact: point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x [m/s]. Raises
+    ValueError for other contacts. Source: Brewe, Hamrock & Taylor (1979, doi:10.1115/1.3453338).
     """
     found = _wide_ellipse(contact, speed, lubricant)
     D = found.D
@@ -131,17 +136,19 @@ def rigid_isoviscous(contact: Contact, speed: Speeds, lubricant: Lubricant) -> f
 def regime(contact: Contact, speed: Speeds, lubricant: Lubricant) -> str:
     """Return the regime of lubrication of a contact.
 
-    After Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02).
+    The result is "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or
+    "elastic-piezoviscous", after Johnson (1970, doi:10.1243/JMES_JOUR_1970_012_004_02).
     contact: line contact, or point or elliptic contact with Ry >= Rx; speed: (u1, u2) along x
-    [m/s]. The result is "rigid-isoviscous", "elastic-isoviscous", "rigid-piezoviscous" or
-    "elastic-piezoviscous". A contact is elastic if its Hertz approach is larger than the central
-    film by `nijenbanning`. It is piezoviscous if the piezoviscous part of this film is larger than
-    the isoviscous part.
+    [m/s]. Raises ValueError for other contacts.
 
-    A line contact is classified by the film thicknesses that the formulas of the four regimes give.
-    It is elastic if b^2/(2 R) exceeds both the isoviscous and the piezoviscous film, where b is the
-    half-width. It is piezoviscous if the piezoviscous film is thicker than the isoviscous film.
-    Raises ValueError for other contacts.
+    A point or elliptic contact is elastic if its Hertz approach is larger than the central film by
+    `nijenbanning`. It is piezoviscous if the piezoviscous part of this film is larger than the
+    isoviscous part.
+
+    For a line contact, the isoviscous film is the thicker of the films by Martin's and Herrebrugh's
+    formulas, and the piezoviscous film is the thinner of those by Blok's and Dowson & Higginson's.
+    The contact is elastic if b^2/(2 R) exceeds both films, where b is the half-width. It is
+    piezoviscous if the piezoviscous film is thicker than the isoviscous film.
     """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:
@@ -164,17 +171,20 @@ def regime_of(M: float, L: float, D: float, approach: float) -> str:
 def dowson_higginson(contact: Contact, speed: Speeds, lubricant: Lubricant) -> float:
     """Return the minimum film of a line contact [m].
 
-    contact: line contact of hard bodies; speed: (u1, u2) [m/s]. Dowson (1968,
-    doi:10.1243/PIME_CONF_1967_182_011_02). Raises ValueError for other contacts, and warns unless
-    the regime is elastic-piezoviscous.
+    contact: line contact of hard bodies; speed: (u1, u2) along x [m/s]. Raises ValueError for other
+    contacts and for isoviscous lubricants, and warns unless the regime is elastic-piezoviscous.
+    Source: Dowson (1968, doi:10.1243/PIME_CONF_1967_182_011_02).
     """
     found = _line(contact, speed, lubricant)
     if found.G == 0.0:
-        raise ValueError("lubricant must have a pressure-viscosity coefficient > 0, got 0")
+        raise ValueError(
+            "lubricant must have a pressure-viscosity coefficient > 0, got 0: use "
+            "lubrication.estimate, which chooses a formula for isoviscous lubricants"
+        )
     if (regime := _line_regime(found)) != "elastic-piezoviscous":
         warnings.warn(
-            f"contact should be elastic-piezoviscous for the formula of Dowson & Higginson, got "
-            f"{regime}: use estimate, which chooses the formula",
+            "Dowson & Higginson's formula holds for elastic-piezoviscous contacts, got the regime "
+            f"{regime}: use lubrication.estimate, which chooses the formula for the regime",
             UserWarning,
             stacklevel=2,
         )
@@ -191,7 +201,8 @@ def _line(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
     found = film_groups(contact, speed, lubricant)
     if found.D > 0.0:
         raise ValueError(
-            f"contact must be a line contact, got {type(contact).__name__}: use hamrock_dowson"
+            f"contact must be a line contact, got {type(contact).__name__}: use hamrock_dowson "
+            "for point and elliptic contacts"
         )
     return found
 
@@ -199,7 +210,8 @@ def _line(contact: Contact, speed: Speeds, lubricant: Lubricant) -> FilmGroups:
 def line_limits(groups: FilmGroups) -> Limits:
     """Return the films of a line contact by the formulas of the four regimes [m].
 
-    Martin (1916), Herrebrugh (1968, doi:10.1115/1.3601554), Blok (1952), and Dowson & Higginson.
+    Sources: Martin (1916), Herrebrugh (1968, doi:10.1115/1.3601554), Blok (1952), and Dowson &
+    Higginson (see `dowson_higginson`).
     """
     U, G, W, R = groups.U, groups.G, groups.W, groups.radius
     return Limits(
@@ -239,8 +251,9 @@ def _warn_unless_soft(found: FilmGroups) -> None:
     for name, value, (low, high) in (("U", found.U, SOFT_SPEEDS), ("W", found.W, SOFT_LOADS)):
         if not low / MARGIN <= value <= high * MARGIN:
             warnings.warn(
-                f"{name} should be near {low:g} to {high:g} for soft bodies, got {value:.3g}: the "
-                "formula was not fitted to such bodies; use nijenbanning for the central film",
+                f"the group {name} should be near {low:g} to {high:g}, the range to which the "
+                f"formula for soft bodies was fitted, got {value:.3g}: use nijenbanning for the "
+                "central film",
                 UserWarning,
                 stacklevel=3,
             )
@@ -256,7 +269,9 @@ def inlet_heating_factor(speed: Speeds, lubricant: Lubricant) -> float:
     """
     require_type("lubricant", lubricant, Lubricant)
     if lubricant.heat is None:
-        raise ValueError("lubricant must have thermal constants, got none: use with_thermal")
+        raise ValueError(
+            "lubricant must have thermal constants, got none: use Lubricant.with_thermal"
+        )
     mean, heat = 0.5 * sum_of_speeds(speed), lubricant.heat
     loading = heat.beta * lubricant.eta0 * mean**2 / heat.conductivity
     return float(3.94 / (3.94 + loading**0.62))
@@ -270,7 +285,9 @@ def _wide_ellipse(contact: Contact, speed: Speeds, lubricant: Lubricant) -> Film
     """
     found = film_groups(contact, speed, lubricant)
     if found.D == 0.0:
-        raise ValueError("contact must be a point or elliptic contact: use dowson_higginson")
+        raise ValueError(
+            "contact must be a point or elliptic contact, got a line contact: use dowson_higginson"
+        )
     if found.D > 1.0:
         raise ValueError(
             f"contact must have Ry >= Rx (x is the direction of motion), got Rx/Ry = {found.D:.4g}:"

@@ -23,8 +23,8 @@ class FilmFriction(HtmlTable):
     Attributes
     ----------
     fluid_shear, boundary_shear : ndarray, shape (2, nx, ny)
-        Shear stress of fluid and boundary layer on body 2, along x and y [Pa]. It has the direction
-        of the velocity of body 1 relative to body 2.
+        Shear stresses that fluid and boundary layer exert on body 2 along x and y [Pa]. They have
+        the direction of the velocity of body 1 relative to body 2.
     traction : ndarray, shape (2,)
         Force on body 2 along x and y [N].
     coefficient : float
@@ -32,8 +32,9 @@ class FilmFriction(HtmlTable):
     boundary_share : float
         Share of the boundary layer in the traction [-]; zero without sliding.
     rolling_resistance : float
-        Force of the pressure flow on each body, against the mean velocity [N]: the integral of half
-        the film thickness times the pressure gradient. It also acts in pure rolling.
+        Force of the pressure flow on each body, opposite to the mean velocity [N]. It is the
+        integral of half the film thickness times the pressure gradient, and also acts in pure
+        rolling.
     power : float
         Dissipated power [W].
     """
@@ -126,7 +127,8 @@ def _require_thinning(film: FilmSolution, coefficient: float) -> None:
     """Raise ValueError if a Newtonian lubricant has more friction than an oil can transmit."""
     if coefficient > MAX_FLUID_COEFFICIENT and film.lubricant.is_newtonian:
         raise ValueError(
-            f"film must have a lubricant with shear thinning or a limiting shear stress, got a "
-            f"Newtonian one with a coefficient of friction of {coefficient:.3g}: oils reach at "
-            f"most {MAX_FLUID_COEFFICIENT:g}; use with_eyring or with_limiting_shear"
+            f"with a Newtonian lubricant, the coefficient of friction must be at most "
+            f"{MAX_FLUID_COEFFICIENT:g}, the largest of oils, got {coefficient:.3g}: use a "
+            "lubricant with shear thinning or a limiting shear stress (with_eyring, "
+            "with_limiting_shear)"
         )

@@ -17,7 +17,7 @@ Contact = PointContact | EllipticContact | LineContact
 
 
 class MoesNumbers(NamedTuple):
-    """Moes' numbers of load and lubricant; from `moes`."""
+    """Moes' load number M and lubricant number L [-], from `moes`."""
 
     M: float
     L: float
@@ -59,7 +59,7 @@ class FilmGroups:
 
     @property
     def moes(self) -> MoesNumbers:
-        """Moes' numbers M and L, which contain the sum of both speeds instead of the mean."""
+        """Moes' numbers M and L, which contain the sum of the speeds instead of their mean."""
         power = 0.5 if self.D == 0.0 else 0.75
         return MoesNumbers(self.W / (2.0 * self.U) ** power, self.G * (2.0 * self.U) ** 0.25)
 
@@ -109,8 +109,8 @@ def sum_of_speeds(speed: Any) -> float:
     u1, u2 = (finite("speed", value) for value in finite_array("speed", speed))
     if u1 + u2 == 0.0:
         raise ValueError(
-            f"speed must have a sum u1 + u2 other than 0, got ({u1!r}, {u2!r}): without it no "
-            "lubricant is drawn into the contact"
+            f"the sum u1 + u2 of the speeds must differ from 0, got ({u1!r}, {u2!r}): with a sum "
+            "of 0, no lubricant is drawn into the contact"
         )
     return abs(u1 + u2)
 
@@ -123,8 +123,8 @@ def film_groups(contact: Contact, speed: tuple[float, float], lubricant: Lubrica
     """
     if type(contact) not in _SHAPES:
         raise TypeError(
-            f"contact must be a Hertz contact, from samcontact.hertz or a part, got "
-            f"{in_short(contact)}"
+            "contact must be a Hertz contact from samcontact.hertz, Bearing.hertz or "
+            f"FlankContact.hertz, got {in_short(contact)}"
         )
     require_type("lubricant", lubricant, Lubricant)
     shape = _SHAPES[type(contact)](contact)
@@ -140,9 +140,10 @@ def moes(contact: Contact, speed: tuple[float, float], lubricant: Lubricant) -> 
     """Return Moes' numbers M and L [-] of a lubricated Hertz contact.
 
     contact: from `samcontact.hertz`, a bearing or a pair of gears; speed: speeds (u1, u2) of the
-    surfaces along x [m/s]. With E' = 2 E*, us = u1 + u2, the load F and the radius R:
-    M = F/(E' R^2) (E' R/(eta0 us))^(3/4) and L = alpha E' (eta0 us/(E' R))^(1/4). For a line
-    contact with the load per length F', M = F'/(E' R) (E' R/(eta0 us))^(1/2). Moes (1992,
-    doi:10.1016/0043-1648(92)90010-H). Raises TypeError or ValueError for other arguments.
+    surfaces along x [m/s]. Raises TypeError or ValueError for other arguments.
+    M = F/(E' R^2) (E' R/(eta0 us))^(3/4) and L = alpha E' (eta0 us/(E' R))^(1/4), where E' = 2 E*,
+    us = abs(u1 + u2), F is the load and R the reduced radius along x. For a line contact with the
+    load per length F', M = F'/(E' R) (E' R/(eta0 us))^(1/2). Source: Moes (1992,
+    doi:10.1016/0043-1648(92)90010-H).
     """
     return film_groups(contact, speed, lubricant).moes

@@ -49,7 +49,7 @@ def press_loads(
     checkpoint: str | os.PathLike[str] | None = None,
     progress: bool = False,
 ) -> tuple[FilmSolution, ...]:
-    """Advance a simulation by one increment for each load, carried by a steady film.
+    """Advance a simulation through several loads, each carried by a steady film.
 
     Parameters
     ----------
@@ -68,14 +68,15 @@ def press_loads(
     Returns
     -------
     tuple of FilmSolution
-        Film under each load, with stress and plastic strain of the bodies in `plasticity`. The
-        simulation ends in the last state.
+        Film under each load; its attribute `plasticity` contains stress and plastic strain of the
+        bodies. The simulation is left in the state under the last load.
 
     Raises
     ------
     ValueError, TypeError
         As for `press`, or if loads is not a list of positive numbers, or if the grid has no dz.
-        CheckpointError if `checkpoint` contains files of another run.
+    CheckpointError
+        `checkpoint` contains files of another run.
     ConvergenceError
         As for `press`; the attribute `result` contains the films under the preceding loads.
     """
@@ -85,7 +86,10 @@ def press_loads(
     if given.ndim != 1 or not given.size or given.min() <= 0.0:
         raise ValueError(f"loads must be a list of positive numbers [N], got {in_short(loads)}")
     if not simulation.grid.has_volume:
-        raise ValueError("simulation must have a grid with dz, on which plastic strain is stored")
+        raise ValueError(
+            "the grid of simulation must have layers over depth, on which plastic strain is "
+            "stored, got a grid without layers: give dz"
+        )
     arguments: dict[str, Any] = {
         "speed": speed, "lubricant": lubricant, "boundary": boundary, "order": order,
         "shear_thinning": shear_thinning, "thermal": thermal, "tol": tol,
@@ -145,7 +149,7 @@ class _KeptLoads:
         self._films, self._like = Kept(folder / _FILMS, run), like
 
     def film(self, index: int) -> FilmSolution | None:
-        """Restore the increment with this index and return its film; None if it was not stored."""
+        """Restore the stored increment with this index; return its film, or None if not stored."""
         film = self._films.film(index, self._like)
         return None if film is None or self._journal.next() is None else film
 
@@ -160,7 +164,7 @@ class _KeptLoads:
 def _kept_in(
     folder: str | os.PathLike[str] | None, simulation: Simulation, **arguments: Any
 ) -> Iterator[_KeptLoads | None]:
-    """Context manager that locks a folder and provides its increments, or None without a folder."""
+    """Context manager: lock a folder and provide its increments, or None if `folder` is None."""
     if folder is None:
         yield None
         return

@@ -18,11 +18,11 @@ from .share_error import of_sheared, share_error
 from .sheared import ShearedLevel
 
 FILM_OF_DRY = 0.06
-"""Film that a formula predicts at the first speed, relative to the layer thickness."""
+"""Film that a formula predicts at the first speed, divided by the layer thickness."""
 LAYER_RATIO, MIN_LAYER_RATIO = 2.5, 1.1
 """Ratio of successive layer thicknesses at the start: first value, and minimum after failures."""
 LAYER_OF_APPROACH = 2e-3
-"""First layer thickness, relative to the approach plus gap variation of the dry contact."""
+"""First layer thickness, divided by the sum of approach and gap variation of the dry contact."""
 FIRST_ITERATIONS = 60
 """Newton iterations that are allowed for each layer thickness at the start."""
 MAX_RATIO, MIN_RATIO = 3.0, 1.02
@@ -65,7 +65,7 @@ class MixedFilm:
     def _begin(self) -> Any:
         """Return the solution at the first speed, at which the layer carries the whole load.
 
-        Thicker layers are solved first, because they conform more closely to the dry contact.
+        Contacts with thicker layers are solved first, because they are closer to the dry contact.
         """
         thin = self.layer[0]
         touching = in_contact(self.dry.pressure)
@@ -101,7 +101,7 @@ class MixedFilm:
         return self._solver.solve(state, (thickness, self.layer[1]), task.order)
 
     def task_at(self, factor: float) -> FilmTask:
-        """Return the task with its velocities multiplied by a factor."""
+        """Return the task with its velocities and spin multiplied by a factor."""
         velocities, spin = factor * self._task.velocities, factor * self._task.spin
         return replace(self._task, velocities=velocities, spin=spin)
 
@@ -115,7 +115,11 @@ class MixedFilm:
         return self._solver.level(found)
 
     def solved(self, factor: float, states_error: bool) -> tuple[Any, float | None]:
-        """Return the solution with shear and heat at a speed, and the error of its share."""
+        """Return the solution with shear thinning and heating, and the error of its layer share.
+
+        factor: as for `at`; states_error: whether to estimate the error of the share of the load
+        that the boundary layer carries (else None).
+        """
         found = self.at(factor)
         solver = self.solver_of(self.task_at(factor))
         error = share_error(solver, found, self.layer) if states_error else None
@@ -125,7 +129,7 @@ class MixedFilm:
         return sheared, of_sheared(error, found, sheared)
 
     def at(self, factor: float) -> Any:
-        """Return the solution without shear and heat at `factor` times the speed of the task.
+        """Return the solution without thinning and heating at `factor` times the speed of the task.
 
         The factors of successive calls must not decrease. If even the smallest step in speed fails,
         the returned solution has not converged.

@@ -32,9 +32,9 @@ grid."""
 TABLE_RANGE = 10.0
 """Largest pressure in the lubricant tables, relative to the maximum pressure of the dry contact."""
 MIN_TABLE_PRESSURE = 1e8
-"""Minimum of the largest pressure in the lubricant tables [Pa]."""
+"""Lower limit of the largest pressure in the lubricant tables [Pa]."""
 MIN_FILM_SHARE = 1e-9
-"""Film thickness, relative to the range of the gap, that replaces smaller films in the flow."""
+"""Smallest film thickness with which flow is computed, divided by the range of the gap."""
 _GHOST_CELLS = 3  # beyond the edges of a field that is resampled
 _FILMS_OF_SUPPLY = 9.0  # film of a starved contact that is not filled at the start, in supplies
 _ENTERING_VOID = 1e-6
@@ -44,9 +44,10 @@ _ENTERING_VOID = 1e-6
 def face_velocities(
     grid: Grid, velocities: FloatArray, spin: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the mean velocity of the surfaces normal to the faces of the cells [m/s].
+    """Return the mean surface velocities through the cell faces along x and along y [m/s].
 
-    velocities: of bodies 1 and 2 along x and y [m/s]; spin: mean angular velocity [rad/s].
+    velocities: of bodies 1 and 2 along x and y [m/s]; spin: mean angular velocity of the surfaces
+    about z [rad/s].
     """
     u, v = velocities.mean(axis=0)
     nx, ny = grid.surface_shape
@@ -93,11 +94,11 @@ class FilmTask:
         return given if grid == finest else resampled(given, grid.surface_shape, order=1)
 
     def face_velocities(self, grid: Grid) -> tuple[FloatArray, FloatArray]:
-        """Return the mean velocity of the surfaces normal to the faces of the cells [m/s]."""
+        """Return the mean surface velocities through the cell faces along x and along y [m/s]."""
         return face_velocities(grid, self.velocities, self.spin)
 
     def layer(self, peak: float) -> tuple[float, float]:
-        """Return thickness [m] and pressure [Pa] of the boundary layer; 0, 0 without one.
+        """Return thickness [m] and pressure [Pa] of the boundary layer; (0, 0) without a layer.
 
         peak: largest pressure of the dry contact [Pa].
         """
@@ -114,14 +115,13 @@ class FilmTask:
 
 @dataclass(frozen=True)
 class DryContact:
-    """Dry contact of the same bodies, from which the solution of the film starts."""
+    """Dry contact of the bodies of a `FilmTask`, from which the solution of the film starts."""
 
     pressure: FloatArray
     approach: float
     load: float
     radius: float
-    """Contact radius, or half-width of a line contact, of a Hertz contact with the same load and
-    largest pressure [m]."""
+    """Radius (half-width of a line) of the Hertz contact with this load and peak pressure [m]."""
     gap_radius: float
     """Reduced radius of curvature of the gap of this Hertz contact [m]."""
     film: float
@@ -161,7 +161,7 @@ def resampled(field: FloatArray, shape: tuple[int, int], order: int = 3) -> Floa
     """Return a field interpolated to another number of cells on the same area, by splines.
 
     shape: new numbers of cells; order: order of the splines. Beyond the edges, the field is
-    continued by its odd reflection, so that a pressure still decreases to zero at the edge.
+    continued by its odd reflection, so that its slope at the edges is kept.
     """
     ghosts = [min(_GHOST_CELLS, n - 1) for n in field.shape]
     wide = np.pad(field, [(n, n) for n in ghosts], mode="reflect", reflect_type="odd")
@@ -191,8 +191,8 @@ def dry_contact(task: FilmTask, grid: Grid, gap: FloatArray) -> DryContact:
     if found.in_contact[0].any() and found.in_contact[-1].any():
         name = "load" if task.is_load else "approach"
         raise ValueError(
-            f"{name} must leave an inlet on the grid, got {task.target!r}: the dry contact reaches "
-            "from edge to edge; enlarge the grid"
+            f"{name} must leave room for an inlet on the grid, got {task.target!r}: the dry "
+            "contact reaches from edge to edge along x; enlarge the grid"
         )
     E_star = hertz.effective_modulus(*map(softest, task.bodies))
     peak = float(found.pressure.max())

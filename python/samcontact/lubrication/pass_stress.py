@@ -35,14 +35,14 @@ def pass_stress(films: Sequence[FilmSolution], *, z: ArrayLike, body: int = 2) -
     -------
     ndarray, shape (n, 6, nx, ny, m)
         Stress components xx, yy, zz, yz, xz, xy under each film, tension positive. The points are
-        fixed to the body. At time 0 they are at the cell centres of the grid. The stress is
-        interpolated linearly between cell centres; beyond the grid it is 0.
+        fixed to the body; at time 0 they are at the cell centres of the grid. When they are between
+        cell centres, their stress is interpolated linearly; beyond the grid it is 0.
 
     Raises
     ------
     ValueError, TypeError
         There are fewer than two films, the films do not belong to one history, the body moves along
-        y or is rigid, or the friction is higher than an oil can transmit, see `friction`.
+        y or is rigid, or the friction is higher than an oil can transmit (see `friction`).
     """
     number = choice("body", body, (1, 2))
     if not isinstance(films, Sequence):
@@ -53,7 +53,7 @@ def pass_stress(films: Sequence[FilmSolution], *, z: ArrayLike, body: int = 2) -
         require_type("films", film, FilmSolution)
     first = films[0]
     if any(film.past is None or film.grid != first.grid for film in films):
-        raise ValueError("films must be the films of one history, from `transient`")
+        raise ValueError("films must be films of one history, all from `transient` on one grid")
     body1, body2 = first.bodies
     solver = ContactSolver(first.grid, body1, body2)
     return np.stack([_stress(film, solver, z, number) for film in films])
@@ -64,7 +64,9 @@ def _stress(film: FilmSolution, solver: ContactSolver, z: ArrayLike, body: int) 
     assert film.past is not None
     along, across = film.past.ways[body - 1].tolist()
     if across != 0.0:
-        raise ValueError(f"films must have bodies that move along x, got {across:.3g} m along y")
+        raise ValueError(
+            f"body{body} must move along x only, got a displacement of {across:.3g} m along y"
+        )
     found = friction(film)
     shear = found.fluid_shear + found.boundary_shear
     return moved(solver.stress(film.pressure, z, body, shear=shear), along, film.grid)

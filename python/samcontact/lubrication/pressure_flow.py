@@ -73,8 +73,8 @@ def pressure_flow(film: Sheared) -> PressureFlow:
 def flow_power(film: Sheared, flow: PressureFlow | None) -> FloatArray:
     """Return the power per area that the pressure flow of a solution dissipates [W/m^2].
 
-    flow: the coefficients with which the pressure was computed, so that the power is that of the
-    same flow; None for an isothermal Newtonian film.
+    flow: the coefficients with which the pressure was computed; None for an isothermal Newtonian
+    film.
     """
     power = np.zeros_like(film.pressure)
     for axis in (0, 1):
@@ -120,7 +120,7 @@ class _Faces:
         return part
 
     def add_to_cells(self, loss: FloatArray, power: FloatArray) -> None:
-        """Add half of the power of each face to each of its two cells."""
+        """Add half of the power of each face to each of the two cells that it separates."""
         total = np.moveaxis(power, self._axis, 0)
         if self._closed:
             total += 0.5 * (loss + np.roll(loss, -1, axis=0))

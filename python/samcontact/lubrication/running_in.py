@@ -20,7 +20,7 @@ from .sheared import ShearedLevel, sheared_from
 from .steady import require_converged, solution_of
 
 MAX_STEP = 10.0
-"""Largest depth that may be worn off in a step, in thicknesses of the boundary layer."""
+"""Largest depth that may be worn off in a step, divided by the boundary layer thickness."""
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -131,33 +131,33 @@ def running_in(
 def _sliding_speed(film: FilmSolution, worn: int) -> float:
     """Return the sliding speed [m/s]; raise ValueError for a film that cannot wear the body."""
     if film.boundary is None:
-        raise ValueError("film must have a boundary layer, got none: solve it with a Boundary")
+        raise ValueError("film must have a boundary layer, got none: give `steady` a boundary")
     if film.past is not None:
-        raise ValueError("film must be steady, got one of a history: use a film from `steady`")
+        raise ValueError("film must be steady, got a film of a history: use a film from `steady`")
     if film.velocities[worn - 1].any() or film.spin:
         raise ValueError(
-            f"film: body {worn}, which wears, must be at rest, without spin, got the velocity "
-            f"{film.velocities[worn - 1].tolist()} m/s: the wear of a surface that moves is spread "
-            "over its track; exchange the bodies, or set worn"
+            f"body {worn}, which wears, must be at rest, and the film without spin, got the "
+            f"velocity {film.velocities[worn - 1].tolist()} m/s and the spin {film.spin} rad/s: "
+            "a moving surface spreads its wear over a track; set worn to a body at rest"
         )
     return float(np.hypot(*film.velocities[2 - worn]))
 
 
 def _require_small(removed: FloatArray, film: FilmSolution, steps: int) -> None:
-    """Raise ValueError for a step that wears off too much."""
+    """Raise ValueError if a step wears off more than `MAX_STEP` allows."""
     assert film.boundary is not None
     largest, limit = float(removed.max()), MAX_STEP * film.boundary.thickness
     if largest > limit:
         needed = int(np.ceil(steps * largest / limit))
         raise ValueError(
-            f"steps must be large enough for each to wear off at most {MAX_STEP:g} times the "
-            f"thickness of the boundary layer, got {steps}, of which one wears off "
-            f"{quantity(largest, 'm')}: use {needed} or more"
+            f"steps must be at least {needed}, so that each step wears off at most {MAX_STEP:g} "
+            f"times the thickness of the boundary layer, got {steps}, of which one wears off "
+            f"{quantity(largest, 'm')}"
         )
 
 
 class _Course:
-    """Steady films on a gap that wear increases.
+    """Steady films on a gap that increases due to wear.
 
     Each solution starts from the preceding film. If this fails, it starts from the dry contact.
     """
@@ -203,8 +203,8 @@ class _Course:
     def _start(self, depth: FloatArray) -> dict[str, Any]:
         """Return the state of the last film, with the approach increased by the mean wear.
 
-        The mean is weighted by the pressure of the boundary layer, so that the mean film there is
-        unchanged.
+        Both this mean and the mean film thickness, which it keeps unchanged, are weighted by the
+        pressure of the boundary layer.
         """
         last = self._last
         layer = last.boundary_pressure

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Error of a small share of the boundary layer due to the grid, by other schemes of the flow."""
+"""Error due to the grid of a small load share of the boundary layer, by other flow schemes."""
 
 from __future__ import annotations
 
@@ -13,15 +13,18 @@ from .film_solution import FilmSolution
 from .nested import FilmTask, LevelSolver, state_of
 
 SHARES = 1e-3, 0.1
-"""Range of shares whose error is found: smaller ones matter little, larger ones depend less on the
-grid."""
+"""Range of load shares whose error is estimated.
+
+Smaller shares matter little, and larger shares depend less on the grid."""
 MAX_ERROR = 0.1
-"""Relative error of such a share above which a warning is issued."""
+"""Limit for a warning: relative error of a load share."""
 SHARPER = 2.0, 4.0
-"""Films, in thicknesses of the layer, between which the scheme that overestimates the share changes
-from first to third order."""
+"""Film thicknesses, divided by that of the layer, between which a scheme changes its order.
+
+This scheme has the first order in thinner films, the third order in thicker films, and
+overestimates the share."""
 WITHOUT_SHARPER = 2.0
-"""Factor of the difference of one scheme if that which overestimates the share fails."""
+"""Factor on the estimated error if the scheme that overestimates the share fails."""
 _TOL = 1e-5
 
 
@@ -34,9 +37,10 @@ def share_of(found: Any) -> float:
 def share_error(solver: LevelSolver, found: Any, layer: tuple[float, float]) -> float | None:
     """Return the estimated error of the share of the layer due to the grid [-].
 
-    It is the largest difference to the shares of two other schemes. Large cells make the film of
-    order 1 too thick, and its share too small; order 3 down to thinner films has the opposite
-    error. Infinite if neither converges, None outside the range of `SHARES`.
+    The error is the largest difference between this share and the shares by two other schemes. With
+    large cells, the scheme of order 1 gives too thick a film and too small a share; the scheme that
+    uses order 3 also in thinner films (see `SHARPER`) has the opposite error. The result is
+    infinite if neither scheme converges, and None if the share is outside `SHARES`.
     """
     share = share_of(found)
     if not found["converged"] or not SHARES[0] <= share < SHARES[1]:
@@ -52,19 +56,19 @@ def share_error(solver: LevelSolver, found: Any, layer: tuple[float, float]) -> 
 
 
 def of_sheared(error: float | None, before: Any, after: Any) -> float | None:
-    """Return the error of a share that shear and heat have changed, in proportion to the share."""
+    """Return the error of a share after shear and heat changed both in the same proportion."""
     return None if error is None else error * share_of(after) / share_of(before)
 
 
 def warn_of_share(solution: FilmSolution, task: FilmTask) -> None:
-    """Warn of a small share of the layer with a large error."""
+    """Warn if the load share of the boundary layer is small and has a large error."""
     error, share = solution.share_error, solution.boundary_share
     if error is None or error <= MAX_ERROR * share:
         return
     known = f"an estimated error of {error:.2g}" if math.isfinite(error) else "an unknown error"
     warnings.warn(
-        f"the share of the load that the boundary layer bears, {share:.2g}, has {known} due to the "
-        f"grid with order = {task.order}: use smaller cells, or take the share as an estimate",
+        f"the boundary layer bears the share {share:.2g} of the load, with {known} due to the grid "
+        f"(order = {task.order}): use smaller cells, or regard the share as a rough estimate",
         ResolutionWarning,
         stacklevel=3,
     )

@@ -26,9 +26,9 @@ from .surface_heat import HeatedSurfaces
 COUNTS = "iterations", "krylov_steps", "operator_applications"
 """Counts of a solution that are summed over all outer iterations."""
 MAX_OUTER = 60
-"""Maximum number of outer iterations: solutions with fixed coefficients of the pressure flow."""
+"""Maximum number of outer iterations, in each of which the coefficients of the flow are fixed."""
 MAX_CARRIED_HEAT = 1.0
-"""Ratio of convected to conducted heat of the film above which a warning is issued."""
+"""Limit for a warning: ratio of convected to conducted heat of the film."""
 MIN_FILM = 1e-12
 """Smallest film thickness for which the flow is computed [m]; an iterate may be thinner."""
 HEAT_TOL = 1e-7
@@ -39,7 +39,7 @@ MAX_HEAT_STEPS = 100
 
 
 class ShearedLevel:
-    """Film on one grid with shear thinning and heat.
+    """Solver for the film on one grid with shear thinning and heating.
 
     more: arguments of each solution, e.g. the time step and earlier contents of a transient film.
     """
@@ -56,8 +56,8 @@ class ShearedLevel:
     def solve(self, found: Any, layer: tuple[float, float]) -> Any:
         """Solve for flow and heat, starting from a state of the film.
 
-        The coefficients of the flow and its solution are updated in turn, until the solution with
-        new coefficients needs no iteration.
+        The coefficients of the flow and the film are updated in turn, until the film needs no
+        iteration with new coefficients.
         """
         task, counts = self._solver.task, dict.fromkeys(COUNTS, 0)
         for _ in range(MAX_OUTER):
@@ -128,15 +128,15 @@ def sheared_from(
 
 
 def with_shear(task: FilmTask, grid: Grid, thins: bool, thermal: bool) -> FilmTask:
-    """Return a task with shear thinning or heating switched on, after checking its arguments."""
+    """Return a task with shear thinning or heating switched on, if its data allow this."""
     for name, given in (("shear_thinning", thins), ("thermal", thermal)):
         if not isinstance(given, bool):
             raise TypeError(f"{name} must be True or False, got {in_short(given)}")
     if thins and task.lubricant.thinning == Newtonian():
         raise ValueError(
-            "lubricant must have a law of shear thinning with shear_thinning = True, got a "
-            "Newtonian one (a limiting shear stress changes the friction only): use with_eyring or "
-            "with_carreau"
+            "with shear_thinning = True, lubricant must have a law of shear thinning, got none (a "
+            "limiting shear stress is no such law, it changes the friction only): use "
+            "Lubricant.with_eyring or with_carreau"
         )
     if thermal:
         _require_heat(task, grid)
@@ -147,35 +147,37 @@ def _require_heat(task: FilmTask, grid: Grid) -> None:
     """Raise ValueError or TypeError unless lubricant, grid and bodies allow heating."""
     if task.lubricant.heat is None:
         raise ValueError(
-            "lubricant must have thermal constants with thermal = True, got none: use with_thermal"
+            "with thermal = True, lubricant must have thermal constants, got none: use "
+            "Lubricant.with_thermal"
         )
     if grid.along_y and grid.ny > 1:
         raise ValueError(
-            'grid must not be periodic along y with thermal = True, got periodic = "y" with ny = '
+            "with thermal = True, a grid that is periodic along y must have ny = 1, got ny = "
             f"{grid.ny}: use one row of cells (a line contact), or a grid that is not periodic"
         )
     for number, (body, speed) in enumerate(zip(task.bodies, task.velocities, strict=True), 1):
         if not isinstance(body, Material):
             raise TypeError(
-                f"body{number} must be a Material with thermal = True, got {type(body).__name__}"
+                f"with thermal = True, body{number} must be a Material, got {type(body).__name__}"
             )
         if body.is_rigid or body.thermal is None:
             raise ValueError(
-                f"body{number} must have thermal constants with thermal = True, got none: use "
+                f"with thermal = True, body{number} must have thermal constants, got none: use "
                 "Material.with_thermal"
             )
         if grid.ny == 1 and speed[0] == 0.0:
             raise ValueError(
-                f"speed of body{number} must not be 0 in a line contact with thermal = True: the "
-                "steady temperature of a body at rest under a line source is infinite"
+                f"with thermal = True, the speed of body{number} in a line contact must differ "
+                "from 0, got 0: the steady temperature of a body at rest under a line source is "
+                "infinite"
             )
 
 
 def check_heated(film: FilmSolution, radius: float) -> None:
     """Check the friction and the convected heat of a heated film.
 
-    Raises ValueError as `friction`. Warns if more heat is convected along the film than conducted
-    across it. radius: contact radius, or half-width of a line contact [m].
+    Raises ValueError where `friction` does. Warns if more heat is convected along the film than
+    conducted across it. radius: contact radius, or half-width of a line contact [m].
     """
     friction(film)  # refuses that of a Newtonian oil that no oil can transmit
     assert film.heat is not None
@@ -186,7 +188,7 @@ def check_heated(film: FilmSolution, radius: float) -> None:
         warnings.warn(
             f"the flow along the film carries {carried:.2g} times the heat that is conducted "
             f"across the film (at most {MAX_CARRIED_HEAT:g} expected): the computed temperature "
-            "of the film is too high, because it includes the conduction only",
+            "of the film is too high, because it neglects the heat that the flow carries",
             UserWarning,
             stacklevel=3,
         )
@@ -208,8 +210,8 @@ def _fixed_point(function: Any, start: FloatArray) -> FloatArray:
         )  # fmt: skip
     except scipy.optimize.NoConvergence:
         raise ConvergenceError(
-            "temperature of the film did not converge: use a smaller sliding speed, or "
-            "with_limiting_shear for the lubricant"
+            "temperature of the film did not converge: use a smaller sliding speed, or a lubricant "
+            "with a limiting shear stress (with_limiting_shear)"
         ) from None
     function(found)
     return found

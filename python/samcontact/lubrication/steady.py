@@ -55,17 +55,17 @@ from .sheared import ShearedLevel, check_heated, sheared_from, with_shear
 CELLS_PER_RADIUS = 12.0
 """Cells per contact radius below which a warning is issued."""
 MAX_CHANGE = 0.05
-"""Relative change of the central film between the last two grids that causes a warning."""
+"""Limit for a warning: relative change of the central film between the last two grids."""
 STARVED_ITERATIONS = 120
 """Newton iterations allowed on each grid of a starved contact.
 
 In each iteration, the edge of the filled inlet moves by about one cell."""
 THICK = 20.0
-"""Ratio of the predicted film to the boundary layer above which a full film is tried first."""
+"""Ratio of predicted film to layer thickness above which a full film is tried first."""
 MAX_SHARE = 1e-3
 """Maximum load share of the boundary layer for which the full-film solution is accepted."""
 MAX_EDGE_PRESSURE = 1e-3
-"""Pressure next to the inlet edge of the grid, relative to the largest, that causes a warning."""
+"""Limit for a warning: pressure at the inlet edge divided by the maximum pressure."""
 
 
 def steady(
@@ -97,9 +97,9 @@ def steady(
     Parameters
     ----------
     grid : Grid
-        Grid around the contact. It should extend from 2.5 contact radii before the contact (4.5
-        under light loads) to 1.5 radii behind it, and have 12 or more cells per radius. A line
-        contact has one row of cells and `periodic="y"`.
+        Grid around the contact. It should extend from 2.5 contact radii before the contact centre
+        (4.5 under light loads) to 1.5 radii behind it, and have 12 or more cells per radius. The
+        grid of a line contact has one row of cells and `periodic="y"`.
     body1, body2 : Material or Layered
         Upper and lower body; plastic materials are treated as elastic.
     gap : array_like, shape (nx, ny), or callable
@@ -126,7 +126,7 @@ def steady(
         Whether the law of `Lubricant.with_eyring` or `with_carreau` reduces the viscosity in the
         flow. By default, thinning and sliding do not change the film.
     thermal : bool, optional
-        Whether the film and the surfaces are heated by shear and flow, which reduces the viscosity.
+        Whether shear and pressure flow heat the film and the surfaces and so reduce the viscosity.
         Requires thermal constants of the lubricant and of both bodies. The bodies and the inlet are
         at the temperature for which the viscosity is given.
     accuracy : float or dict, optional
@@ -150,18 +150,19 @@ def steady(
         Invalid arguments, or a film that is not positive everywhere because the cells are too
         large.
     ConvergenceError
-        No convergence; attributes `iterations` and `residual`.
+        No convergence; the attributes `iterations` and `residual` state how far it got.
 
     Warns
     -----
     ResolutionWarning
-        Less than 12 cells per contact radius, a central film that changes by more than 5 % between
-        the last two grids, or a share of the boundary layer below 0.1 with an estimated error of
-        more than 10 % of it.
+        Fewer than 12 cells per contact radius, a central film that changes by more than 5 % between
+        the last two grids, or a load share of the boundary layer that is below 0.1 and has an
+        estimated error of more than 10 % of its value.
     GridTooSmallWarning
         Noticeable pressure at an edge of the grid through which lubricant enters.
     AccuracyWarning
-        An accuracy that needs more than 420 x 420 cells; the result states the errors reached.
+        An accuracy that needs more than 420 x 420 cells (16384 in a line contact); the result
+        states the errors reached.
     UserWarning
         A heated film so thick or fast that convection along it exceeds conduction across it.
 
@@ -195,7 +196,7 @@ def _checked(
 
 
 Found = tuple[FilmSolution, DryContact, Any]
-"""Solution, the dry contact from which it started, and the fields of the core."""
+"""Solution, the dry contact from which it started, and the result of the compiled core."""
 
 
 def solved_from_dry(task: FilmTask, grid: Grid, states_error: bool = False) -> Found:
@@ -271,7 +272,7 @@ def checked_task(
     if "x" in grid.periodic:
         raise ValueError(
             f"grid must not be periodic along x, got periodic = {grid.periodic!r}: lubricant "
-            "enters and leaves there"
+            "enters and leaves at the ends of the grid along x"
         )
     if grid.ny == 1 and not grid.periodic:
         raise ValueError('grid with one row of cells must have periodic = "y" (a line contact)')
@@ -283,8 +284,8 @@ def checked_task(
     spin = finite("spin", spin)
     if not velocities.mean(axis=0).any() and spin == 0:
         raise ValueError(
-            f"speed must have a mean other than 0, got {in_short(speed)}: without it no "
-            "lubricant is drawn into the contact"
+            "the mean speed of the surfaces or the spin must differ from 0, got speed = "
+            f"{in_short(speed)}: otherwise no lubricant is drawn into the contact"
         )
     tol = positive("tol", tol)
     if not 1e-10 <= tol <= 1e-2:
@@ -303,8 +304,8 @@ def velocities_of(speed: Any) -> FloatArray:
         given = np.stack([given, np.zeros(2)], axis=1)
     if given.shape != (2, 2) or not np.isfinite(given).all():
         raise ValueError(
-            "speed must be (u1, u2) along x, or ((u1, v1), (u2, v2)), in finite numbers [m/s], got "
-            f"{in_short(speed)}"
+            "speed must be (u1, u2) along x, or ((u1, v1), (u2, v2)) along x and y, all finite "
+            f"[m/s], got {in_short(speed)}"
         )
     return given
 
@@ -379,8 +380,8 @@ def _warn_of_grid(solution: FilmSolution, dry: DryContact) -> None:
         )
     if (share := inlet_pressure(solution)) > MAX_EDGE_PRESSURE:
         warnings.warn(
-            f"the pressure at the inlet edge of the grid is {share:.2g} of the largest (at most "
-            f"{MAX_EDGE_PRESSURE:g} expected): enlarge the grid towards the inlet",
+            f"the pressure at the inlet edge of the grid is {share:.2g} times the maximum (at most "
+            f"{MAX_EDGE_PRESSURE:g} times expected): enlarge the grid towards the inlet",
             GridTooSmallWarning,
             stacklevel=3,
         )

@@ -102,9 +102,9 @@ def stribeck(
     boundary : Boundary
         Boundary layer, which carries the load at low speeds.
     order : {1, 2, 3}, optional
-        Order of the interpolation of the film thickness to the faces of the cells. If the boundary
-        layer carries less than 0.1 of the load, its share depends on the order;
-        `StribeckCurve.share_error` is the estimated error. Default: 3.
+        Order of the interpolation of the film thickness to the faces of the cells. It affects the
+        load share of the boundary layer if this is below 0.1; `StribeckCurve.share_error` contains
+        the estimated errors. Default: 3.
 
     Returns
     -------

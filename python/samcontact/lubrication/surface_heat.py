@@ -58,8 +58,8 @@ def line_source(
 ) -> FloatArray:
     """Return the temperature rise per heat flux [K m^2/W] due to a moving strip of width 2 a.
 
-    x: distances of surface points from the middle of the strip [m]. Carslaw & Jaeger (1959),
-    section 10.7, with the integral of exp(s) K_0(|s|) in closed form.
+    x: distances of surface points from the middle of the strip [m]. Source: Carslaw & Jaeger
+    (1959), section 10.7, with the integral of exp(s) K_0(abs(s)) in closed form.
     """
     speed = velocity / (2.0 * diffusivity)
 

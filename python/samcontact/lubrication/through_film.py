@@ -3,8 +3,8 @@
 
 At the relative height t in (-1, 1), the shear stress is tau = tau_m + t w, where tau_m is the shear
 stress in the mid-plane and w is half the film thickness times the pressure gradient. The shear rate
-is f(|tau|) g(t) tau/eta, where eta is the Newtonian viscosity at the walls, f the fluidity ratio of
-the shear-thinning law and g the fluidity ratio due to the temperature.
+is f(abs(tau)) g(t) tau/eta, where eta is the Newtonian viscosity at the walls, f the fluidity ratio
+of the shear-thinning law and g the fluidity ratio due to the temperature.
 """
 
 from __future__ import annotations
@@ -44,8 +44,8 @@ def flow_tensor(
     law: law of shear thinning; newtonian: Newtonian shear stress eta (v1 - v2)/h along x and y
     [Pa], shape (2, n); gradient: half the film thickness times the pressure gradient [Pa], shape
     (2, n); warm: viscosity at the walls divided by the viscosity at each of the 8 heights, shape
-    (8, n). The tensor is exact: h^2/(12 eta) times the tensor times the pressure gradient is the
-    mean of the flow velocity over the thickness.
+    (8, n). The tensor gives the exact flow: the mean of its velocity over the thickness is
+    h^2/(12 eta) times the tensor times the pressure gradient.
     """
     plain = flow_of_warmth(warm)
     found = FlowTensor(plain.copy(), plain.copy(), *np.zeros((3, plain.size)))
@@ -88,7 +88,7 @@ def _thinned(law: ShearThinning, newtonian: FloatArray, w: FloatArray, g: FloatA
 def _tangent(
     stress: FloatArray, ratio: FloatArray, change: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the derivative of the flow along x with respect to the gradient along x, and for y.
+    """Return d(flow along x)/d(gradient along x) and d(flow along y)/d(gradient along y).
 
     The mid-plane stress changes with the gradient so that the mean shear rate stays constant.
     """
@@ -113,8 +113,8 @@ def mid_plane_stress(
 ) -> FloatArray:
     """Return the shear stress in the middle of the film [Pa], shape (2, n), by Newton's method.
 
-    Arguments as for `flow_tensor`. With this stress, the shear rate has the given mean over the
-    thickness.
+    Arguments as for `flow_tensor`. With this stress, the mean shear rate over the thickness is
+    (v1 - v2)/h.
     """
     size = np.hypot(*newtonian)
     mean_warmth = WEIGHTS @ warm

@@ -49,8 +49,8 @@ def traction_curve(
     heating of the film is neglected.
 
     slide_to_roll: ratios (u1 - u2)/((u1 + u2)/2) along the mean velocity [-], a list;
-    tol, max_iterations: as for `steady`. Raises TypeError or ValueError as `friction`, and
-    ConvergenceError as `steady`.
+    tol, max_iterations: as for `steady`. Raises TypeError or ValueError where `friction` does, and
+    ConvergenceError where `steady` does.
     """
     require_type("film", film, FilmSolution)
     tol, most = positive("tol", tol), integer("max_iterations", max_iterations, 1)
@@ -61,11 +61,13 @@ def traction_curve(
         )
     mean = 0.5 * (film.velocities[0] + film.velocities[1])
     if not np.any(mean):
-        raise ValueError("film must have a mean velocity other than 0 for a slide-to-roll ratio")
+        raise ValueError(
+            "the mean velocity of film must differ from 0, because slide_to_roll is relative to it"
+        )
     if film.heat is not None and film.grid.ny == 1 and np.any(np.abs(ratios) == 2.0):
         raise ValueError(
-            "slide_to_roll must not contain 2 or -2 for a heated line contact: the steady "
-            "temperature of a surface at rest under a line source is infinite"
+            "for a heated line contact, slide_to_roll must not contain 2 or -2, which mean a "
+            "surface at rest: its steady temperature under a line source is infinite"
         )
     is_sheared = film.shear_thinning or film.heat is not None
     found = np.zeros((3, ratios.size))

@@ -81,13 +81,13 @@ def transient(
     """Solve a transient lubricated contact: moving topography, varying load or speeds.
 
     Squeeze films, impact and reversal of the motion are included. The time integration is of second
-    order (BDF2). The film is assumed to be steady before the start. If `start` belongs to a
-    history, this history is continued.
+    order (BDF2). The film is assumed to be steady before the start. If `start` is a film from
+    `transient`, its history is continued.
 
     Parameters
     ----------
     start : FilmSolution
-        Film at the start, from `steady` or `transient`, without heat. If it was solved with
+        Film at the start, from `steady` (without `thermal`) or `transient`. If it was solved with
         `shear_thinning`, all steps include shear thinning.
     duration : float
         Duration [s], > 0.
@@ -96,7 +96,7 @@ def transient(
     relief1, relief2 : callable, optional
         Topography that moves with body 1 or 2: function f(x, y) that returns the height [m] of the
         points of the body that are at x and y at time 0. The heights are subtracted from the gap of
-        the start. A wave needs 32 cells per wavelength.
+        the start. Wavy topography needs 32 cells per wavelength.
     load : callable, optional
         Function that returns the load [N] at a time since the beginning of the history [s].
         Default: the load of the start.
@@ -107,7 +107,7 @@ def transient(
         As in `steady`.
     checkpoint : path, optional
         Folder in which the film of each step is stored. Repeating the call resumes from this
-        folder, with bit-identical results.
+        folder, with bit-identical results; a step whose file is damaged is solved again.
     progress : bool, optional
         Whether to show the progress.
 
@@ -118,16 +118,17 @@ def transient(
     Raises
     ------
     ValueError, TypeError
-        Invalid arguments. CheckpointError if `checkpoint` contains files of another run; the step
-        of a damaged file is solved again.
+        Invalid arguments.
+    CheckpointError
+        `checkpoint` contains files of another run.
     ConvergenceError
         No convergence; its attribute `history` contains the solutions so far.
     """
     require_type("start", start, FilmSolution)
     if start.heat is not None:
         raise ValueError(
-            "start must be a film without heat, got a heated one: transient films do not include "
-            "heat; solve the start with thermal = False"
+            "start must be a film without heating, got a heated film, and transient films do not "
+            "include heat: solve the start with thermal = False"
         )
     duration, steps = positive("duration", duration), integer("steps", steps, 1)
     functions = {"relief1": relief1, "relief2": relief2, "load": load, "speed": speed}

@@ -73,7 +73,8 @@ def press(
     Parameters
     ----------
     simulation : Simulation
-        Bodies, gap and history, without friction, heat, adhesion and moving topography.
+        Simulation of the bodies, in any state. It must not have friction, heat, adhesion or moving
+        topography.
     load : float
         Normal load [N], > 0.
     speed, lubricant, boundary, order, shear_thinning, thermal, max_iterations
@@ -106,8 +107,9 @@ def press(
     task = with_shear(task, simulation.grid, shear_thinning, thermal)
     if task.thermal and any(body.softening for body in task.bodies):
         raise ValueError(
-            "simulation must not have bodies that heat softens with thermal = True: the heat of "
-            "the film reduces the viscosity only; omit the softening, or use thermal = False"
+            "with thermal = True, the bodies of simulation must not have thermal softening, "
+            "because the heat of the film reduces the viscosity only: omit with_softening, or use "
+            "thermal = False"
         )
     coupling = _Coupling(simulation, task)
     before = simulation.state
@@ -125,28 +127,32 @@ def press(
 def _require_film_alone(simulation: Simulation) -> None:
     """Raise ValueError if a simulation has features that cannot be combined with a film.
 
-    These are moving topography, friction, heat and adhesion.
+    These features are moving topography, friction, heat and adhesion.
     """
     setup = simulation.engine.setup
     if simulation.relief1 is not None or simulation.relief2 is not None:
-        raise ValueError("simulation must not have reliefs: add their heights to the gap")
+        raise ValueError(
+            "simulation must not have relief1 or relief2 under a film, got a relief: subtract its "
+            "heights from the gap"
+        )
     if setup.friction != friction_law(0.0):
         raise ValueError(
-            f"simulation must not have friction under a film, got {setup.friction!r}: the shear "
-            "follows from the lubricant, see lubrication.friction"
+            f"simulation must not have friction under a film, got {setup.friction!r}: omit it, and "
+            "find the friction of the film by lubrication.friction"
         )
     if simulation.heat != NO_HEAT:
         raise ValueError(
-            "simulation must not have heat under a film: omit it; thermal = True heats the film"
+            "simulation must not have heat under a film, got frictional heating: omit heat, and "
+            "use thermal = True to heat the film"
         )
     if setup.adhesion.attracts:
         raise ValueError(
-            f"simulation must not have adhesion under a film, got {setup.adhesion!r}: omit it"
+            f"simulation must not have adhesion under a film, got {setup.adhesion!r}: omit adhesion"
         )
 
 
 class _Coupling:
-    """Iteration for the residual displacement, between film and plastic flow, in one increment."""
+    """Iteration between film and plastic flow for the residual displacement of one increment."""
 
     def __init__(self, simulation: Simulation, task: FilmTask) -> None:
         self._simulation, self._task = simulation, task

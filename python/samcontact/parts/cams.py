@@ -20,7 +20,7 @@ _SAMPLES = 3601
 """Number of angles at which the curvature of a cam is checked and its profile is sampled."""
 
 Lift = Callable[[FloatArray, int], FloatArray]
-"""Lift [m] at angles [rad], or its first or second derivative [m]."""
+"""Function (angles [rad], order) that returns the lift [m] or its derivative of this order [m]."""
 
 
 @dataclass(frozen=True)
@@ -51,9 +51,10 @@ class Cam:
         least = int(np.argmin(radius))
         if not radius[least] > 0.0:
             raise ValueError(
-                "base_radius must exceed -(lift + its second derivative), because a flat tappet "
-                f"cannot follow a concave cam: the radius of curvature is {radius[least]:.6g} m "
-                f"at {angles[least]:.4g} rad. Increase base_radius, or smooth the lift"
+                "the radius of curvature of the cam, base_radius + lift + second derivative of "
+                "lift, must be > 0 everywhere, because a flat tappet cannot follow a concave cam, "
+                f"got {radius[least]:.6g} m at {angles[least]:.4g} rad: increase base_radius, or "
+                "smooth the lift"
             )
 
     @classmethod
@@ -113,7 +114,9 @@ class Cam:
                 f"{angles[-1] - angles[0]:.6g}: degrees instead of radians?"
             )
         if lifts.shape != angles.shape:
-            raise ValueError(f"lift must have the shape of angle, {angles.shape}")
+            raise ValueError(
+                f"lift must have the shape of angle, {angles.shape}, got {lifts.shape}"
+            )
         rounding = 1e-6 * float(np.max(np.abs(lifts)))
         if lifts.min() < -rounding or max(abs(lifts[0]), abs(lifts[-1])) > rounding:
             raise ValueError("lift must be >= 0, and 0 at the first and the last angle")
@@ -165,8 +168,8 @@ class TappetContact:
         """Speeds of the surfaces of cam and tappet relative to the contact [m/s].
 
         speed: angular speed of the cam [rad/s]. The magnitude of the second value is also the speed
-        at which the contact moves along the tappet. Half the sum of both values is the entraining
-        speed.
+        at which the contact moves along the tappet. Half the sum of the two values is the
+        entraining speed.
         """
         omega = finite("speed", speed)
         return omega * self.radius, omega * self.acceleration

@@ -161,7 +161,7 @@ class GearPair:
             if value <= 0.0:
                 raise ValueError(
                     "profile_shift must give a working pressure angle > 0, got "
-                    f"{self.profile_shift!r}"
+                    f"{self.profile_shift!r}: use a larger sum of the profile shifts"
                 )
             distance = sum(self.base_radii) / math.cos(involute_angle(value))
             object.__setattr__(self, "centre_distance", distance)
@@ -291,8 +291,8 @@ class FlankContact:
     def speeds(self, speed: float) -> tuple[float, float]:
         """Speeds of the flanks of gears 1 and 2 relative to the contact [m/s].
 
-        speed: angular speed of gear 1 [rad/s]. Half the sum is the entraining speed, the difference
-        is the sliding speed.
+        speed: angular speed of gear 1 [rad/s]. Half the sum of the two speeds is the entraining
+        speed, and their difference is the sliding speed.
         """
         omega = finite("speed", speed)
         return omega * self.radii[0], omega / self.pair.ratio * self.radii[1]
@@ -301,8 +301,8 @@ class FlankContact:
         """Fraction of the load on this tooth pair [-].
 
         The fraction is 1 between B and D. Elsewhere two tooth pairs share the load. "equal": the
-        fraction is 1/2. "linear": it grows linearly from 1/3 to 2/3, from A to B and likewise from
-        E to D (AGMA 925-A03, profiles without relief).
+        fraction is 1/2. "linear": it grows linearly from 1/3 at A to 2/3 at B, and from 1/3 at E to
+        2/3 at D (AGMA 925-A03, profiles without relief).
         """
         choice("sharing", sharing, SHARING)
         at, p = self.position, self.pair.points

@@ -173,8 +173,8 @@ def _pyramid(
     """Return the gap of a pyramid whose tip and edges are sharp or rounded.
 
     The rounded pyramid is the envelope of all balls with the radius `tip_radius` that fit into the
-    sharp one. It consists of planes, of cylinders along the edges and of a sphere at the tip, which
-    meet without a kink.
+    sharp pyramid. It consists of planes, of cylinders along the edges and of a sphere at the tip,
+    which meet without a kink.
     """
     slope, R = _slope(half_angle), non_negative("tip_radius", tip_radius)
     turned = finite("angle", angle)

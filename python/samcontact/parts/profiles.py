@@ -31,8 +31,9 @@ class Profile:
         back = np.flatnonzero(np.diff(y) <= 0.0)
         if back.size:
             raise ValueError(
-                f"{name} must have points ordered by y, but y turns back at {y[back[0]]!r} m: cut "
-                "off the part below the head of the rail, or above the flange of the wheel"
+                f"{name} must have points ordered by y, got points whose order in y reverses at "
+                f"{y[back[0]]!r} m: cut off the part of a rail below its head, or the part of a "
+                "wheel above its flange"
             )
         self.name = name
         self.ends = float(y[0]), float(y[-1])

@@ -16,7 +16,7 @@ from .profiles import Profile
 _POSITIONS = 2001
 """Number of points in the first search across the wheel, enough for the details of a profile."""
 _LOCAL, _LEVELS = 65, 9
-"""Number of points in each later, narrower search, and number of all searches."""
+"""Number of points in each later, narrower search, and total number of searches."""
 _SLOPE_STEPS = 12
 _NEWTON_STEPS = 60
 
@@ -167,8 +167,9 @@ class WheelRail:
             i = int(np.argmin(gap))
             if not math.isfinite(gap[i]):
                 raise ValueError(
-                    f"shift must leave the wheel above the rail, got {self._pose.shift!r} m: "
-                    "check that both profiles are in one frame, in metres"
+                    "shift must leave part of the wheel above the rail, got "
+                    f"{self._pose.shift!r} m, at which no part is: check that both profiles are "
+                    "given in the same frame, in metres"
                 )
             best = (float(s[i]), float(turn[i]), float(gap[i]))
             centre, half, count = best[0], 8.0 * half / (count - 1), _LOCAL  # four points each side

@@ -86,8 +86,8 @@ def test_true_errors_of_balls_are_below_the_stated_ones(M, width):
 @pytest.mark.parametrize(
     ("accuracy", "error", "words"),
     [
-        ({"peak": 0.1}, ValueError, "central_film or minimum_film"),
-        (1.0, ValueError, "0.01 is 1 %"),
+        ({"peak": 0.1}, ValueError, "central_film and minimum_film"),
+        (1.0, ValueError, "0.01 means 1 %"),
         (-0.1, ValueError, "accuracy must be"),
     ],
 )

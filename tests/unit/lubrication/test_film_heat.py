@@ -234,7 +234,7 @@ def test_a_heated_film_does_not_start_a_transient_one():
 
 def test_a_line_contact_needs_moving_bodies():
     grid = sc.Grid(64, 1, 1e-5, 1e-3, periodic="y")
-    with pytest.raises(ValueError, match="speed of body2 must not be 0"):
+    with pytest.raises(ValueError, match=r"speed of body2 .* must differ from 0"):
         films.steady(
             grid, STEEL, STEEL, sc.surfaces.paraboloid(grid, R, np.inf), load=10.0,
             speed=(1.0, 0.0), lubricant=WARM, thermal=True,

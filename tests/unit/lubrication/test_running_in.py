@@ -68,7 +68,7 @@ def test_wrong_arguments_are_refused():
     given = {"archard": 1e-15, "duration": 2e4, "steps": 12}
     with pytest.raises(ValueError, match="body 1, which wears, must be at rest"):
         sc.lubrication.running_in(film, worn=1, **given)
-    with pytest.raises(ValueError, match=r"steps must be large enough .* use \d+ or more"):
+    with pytest.raises(ValueError, match=r"steps must be at least \d+, so that each"):
         sc.lubrication.running_in(film, **given | {"archard": 1e-12})
     with pytest.raises(ValueError, match="worn must be"):
         sc.lubrication.running_in(film, worn=3, **given)

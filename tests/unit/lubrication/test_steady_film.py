@@ -214,7 +214,7 @@ def test_films_of_light_and_heavy_loads(M, L, n, width, central):
     ("change", "message"),
     [
         ({"load": -1.0}, "load must be"),
-        ({"speed": (1.0, -1.0)}, "speed must have a mean"),
+        ({"speed": (1.0, -1.0)}, "mean speed of the surfaces or the spin"),
         ({"speed": (1.0, 2.0, 3.0)}, r"speed must be \(u1, u2\)"),
         ({"order": 4}, "order must be"),
         ({"tol": 1.0}, "tol must be"),

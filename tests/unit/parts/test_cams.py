@@ -57,7 +57,7 @@ def test_no_point_of_the_cam_lies_above_the_tappet_at_any_angle():
 
 
 def test_a_flat_tappet_cannot_follow_a_concave_cam():
-    with pytest.raises(ValueError, match=r"base_radius must exceed .* concave"):
+    with pytest.raises(ValueError, match=r"radius of curvature .* concave"):
         Cam.harmonic(10e-3, 9e-3, 2.0)
     with pytest.raises(ValueError, match=r"angle must lie within one turn.*degrees"):
         Cam.table(20e-3, [0.0, 60.0, 90.0, 120.0, 180.0], [0.0, 1e-3, 2e-3, 1e-3, 0.0])
