@@ -23,15 +23,16 @@ class JohnsonCook:
     Parameters
     ----------
     melting : float
-        Temperature at which the yield stress vanishes [K].
+        Melting temperature [K], at which the formula gives 0.
     m : float
         Exponent, > 0 [-].
     reference : float, optional
-        Temperature up to which there is no softening [K].
+        Temperature up to which there is no softening [K]. Default: 293.15.
     ambient : float, optional
-        Temperature of the unheated bodies [K].
+        Temperature of the unheated bodies [K]. Default: 293.15.
     floor : float, optional
-        Minimum factor [-], in (0, 1], which is used at and above the melting temperature.
+        Minimum factor [-], in (0, 1], which replaces smaller values, also above the melting
+        temperature. Default: 0.01.
 
     Raises
     ------
@@ -51,7 +52,7 @@ class JohnsonCook:
         positive("m", self.m)
         if not self.melting > self.reference:
             raise ValueError(
-                f"melting must be > reference = {self.reference!r} K, got {self.melting!r}"
+                f"melting must be > reference = {self.reference!r} K, got {self.melting!r} K"
             )
         if not 0.0 < self.floor <= 1.0:
             raise ValueError(f"floor must be in (0, 1], got {self.floor!r}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conversion of material constants, each given as one number or several numbers, to floats."""
+"""Conversion of material constants to floats; a constant may be one number or several."""
 
 from __future__ import annotations
 
@@ -19,12 +19,14 @@ def as_list(value: Any) -> list[Any]:
 
 
 def named_numbers(name: str, parts: Sequence[str], given: Any) -> tuple[float, ...]:
-    """Return several constants that are given together as floats.
+    """Convert the constants of a group, such as modulus and recovery, to floats.
 
-    name: name of the whole, for error messages; parts: names of the constants. Raises ValueError
-    unless there is one constant for each name in `parts`.
+    name: name of the group, for error messages; parts: names of its constants; given: their values.
+    Raises ValueError unless there is one value for each name in `parts`.
     """
     values = as_list(given)
     if len(values) != len(parts):
-        raise ValueError(f"{name} must contain {', '.join(parts)}, got {in_short(given)}")
+        raise ValueError(
+            f"{name} must contain {', '.join(parts)}, one number each, got {in_short(given)}"
+        )
     return tuple(number(part, value) for part, value in zip(parts, values, strict=True))

@@ -31,17 +31,19 @@ MAX_PROFILE_POINTS = 4096
 
 
 def profile(kind: str, given: Any) -> Profile:
-    """Convert the depths and values of a profile to tuples of equal length.
+    """Check the depths and values of a profile, and return them as tuples of equal length.
 
-    kind: key of `PROFILE_ARGUMENTS`. The compiled core checks the ranges of the values.
+    kind: kind of profile, a key of `PROFILE_ARGUMENTS`. The compiled core checks the ranges of the
+    values.
     """
-    holds = f"{kind} must contain {', '.join(PROFILE_ARGUMENTS[kind])}, each a list of numbers"
+    names = PROFILE_ARGUMENTS[kind]
+    holds = f"{kind} must contain {len(names)} lists of numbers ({', '.join(names)})"
     if not isinstance(given, (list, tuple)):
         raise TypeError(f"{holds}, got {in_short(given)}")
     parts = tuple(given)
-    if len(parts) != len(PROFILE_ARGUMENTS[kind]):
-        raise ValueError(f"{holds}, got {len(parts)} of them")
-    names = [f"{name} of {kind}" for name in PROFILE_ARGUMENTS[kind]]
+    if len(parts) != len(names):
+        raise ValueError(f"{holds}, got {len(parts)} lists")
+    names = [f"{name} of {kind}" for name in names]
     values = [real_array(name, part) for name, part in zip(names, parts, strict=True)]
     for name, part in zip(names, values, strict=True):
         if part.ndim != 1 or not 1 <= part.size <= MAX_PROFILE_POINTS:
@@ -74,11 +76,11 @@ class HasDepthProfiles:
         ----------
         z : array_like, shape (n,)
             Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
-            piecewise linear and constant beyond its ends; each layer of the grid has the value at
-            the mid-depth of the layer.
+            linear between these depths, and constant above the first and below the last one. Each
+            layer of grid cells has the value at its mid-depth.
         factor : array_like, shape (n,)
-            Ratio of local to nominal yield stress [-], 1e-6 to 1e6, e.g. the local hardness divided
-            by the hardness of the core.
+            Yield stress at each depth divided by that of the hardening law [-], from 1e-6 to 1e6,
+            e.g. the local hardness divided by the hardness of the unhardened core.
 
         Returns
         -------
@@ -106,17 +108,17 @@ class HasDepthProfiles:
         """Return a copy with initial (residual) stress, as from peening or case hardening.
 
         The stress acts in the plane of the surface and varies with depth only. It is therefore in
-        equilibrium for any profile and causes no displacement. A half-space needs no balancing
-        tension. For a component of finite thickness, include the balancing stress. The initial
-        stress enters the yield condition and is included in all stresses of a State, also in the
-        residual stress.
+        equilibrium for any profile and causes no displacement. In a half-space, compression near
+        the surface needs no balancing tension below. For a component of finite thickness, include
+        the balancing stress in the profile. The initial stress enters the yield condition and is
+        included in all stresses of a `State`, also in its residual stress.
 
         Parameters
         ----------
         z : array_like, shape (n,)
             Increasing depths below the surface [m], >= 0; at most 4096 values. The profile is
-            piecewise linear and constant beyond its ends: end it with 0 if the stress is to vanish
-            at greater depths.
+            linear between these depths, and constant above the first and below the last one. If the
+            stress is to vanish at greater depths, let the stresses end with 0.
         sxx : array_like, shape (n,)
             Normal stress along x [Pa], tension positive.
         syy : array_like, shape (n,), optional
@@ -145,7 +147,7 @@ class HasDepthProfiles:
         return cast("Self", replace(cast("Any", self), residual_stress=checked))
 
     def yield_factor(self, z: ArrayLike) -> FloatArray:
-        """Ratio of local to nominal yield stress [-] at depths z [m]; 1 without a yield profile.
+        """Yield stress at depths z [m] / yield stress of the hardening law; 1 without a profile.
 
         The result has the shape of z. Raises ValueError if z is negative or not finite.
         """
@@ -172,7 +174,7 @@ class HasDepthProfiles:
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
         """Initial stresses sxx, syy and sxy [Pa] at depths z [m], each with the shape of z.
 
-        The stresses are 0 without residual stress. Raises ValueError if z is negative or not
+        They are 0 in a material without residual stress. Raises ValueError if z is negative or not
         finite.
         """
         depths = checked_depths(z)

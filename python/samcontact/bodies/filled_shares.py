@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fractions of the cells of a grid that an ellipsoid fills.
+"""Volume fraction that an ellipsoid fills in each cell of a grid.
 
 The section of an ellipsoid at a depth z is an ellipse. An affine map turns the ellipse into a
 circle and the cell into a parallelogram. The area common to the circle and the parallelogram has a
@@ -15,15 +15,15 @@ import numpy as np
 from .._util.checks import BoolArray, FloatArray
 
 NODES = 8
-"""Number of Gauss points between two depths at which the shape of the common area changes."""
+"""Number of Gauss points between successive depths at which the common area changes its shape."""
 DIGITS = 12
-"""Number of decimals to which filled fractions are rounded, which removes rounding errors."""
+"""Number of decimals to which filled fractions are rounded, to remove numerical noise."""
 _CORNERS = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)]) / 2
 _AT_ONCE = 20_000  # cells whose areas are computed together, which limits the memory
 
 
 def circle_and_polygon(corners: FloatArray, radius: FloatArray) -> FloatArray:
-    """Area common to circles about the origin and polygons.
+    """Area common to a circle about the origin and a polygon, for several such pairs.
 
     Parameters
     ----------
@@ -87,14 +87,15 @@ def _angle(p: Point, q: Point) -> FloatArray:
 def shares(
     metric: FloatArray, offset: tuple[FloatArray, FloatArray, FloatArray], size: FloatArray
 ) -> FloatArray:
-    """Fraction of each cell of a box that an ellipsoid fills, in [0, 1].
+    """Volume fraction, from 0 to 1, that an ellipsoid fills in each cell of a box.
 
     Parameters
     ----------
     metric : ndarray, shape (3, 3)
-        Matrix Q [1/m^2] of the ellipsoid p Q p <= 1.
+        Matrix Q [1/m^2]; the ellipsoid contains the points p with p Q p <= 1, where p is measured
+        from its centre.
     offset : three ndarrays, shapes (n,), (m,) and (l,)
-        Coordinates of the cell centres along x, y and z, from the centre of the ellipsoid [m].
+        Coordinates x, y and z of the cell centres, measured from the centre of the ellipsoid [m].
     size : ndarray, shape (3,)
         Edge lengths of a cell [m].
 

@@ -21,9 +21,10 @@ class HasFlowCurve:
     def yield_stress(self, g: ArrayLike) -> float | FloatArray:
         """Yield stress [Pa] at equivalent plastic strain g [-] (scalar or array), same shape as g.
 
-        With kinematic hardening, this is the radius of the yield surface, without backstress. The
-        factor of a yield profile is not included, see `yield_factor`. For an elastic or rigid body
-        the result is infinite. Raises ValueError if g is negative or not finite.
+        With kinematic hardening, the result is the radius of the yield surface; it does not include
+        the backstress. It does not include the factor of a yield profile either, see
+        `yield_factor`. For an elastic or rigid body, it is infinite. Raises ValueError if g is
+        negative or not finite.
         """
         return self._at(g, self._core.yield_stress)
 
@@ -52,8 +53,9 @@ class HasFlowCurve:
         ----------
         strain : array_like, shape (n,)
             History of the total axial strain [-], tension positive, from the virgin state. Each
-            value is one increment (backward Euler: exact for linear hardening, otherwise with an
-            error of first order in the increments).
+            value is reached in one increment of the backward Euler method, which is exact for
+            linear hardening; for other laws, the error is proportional to the size of the
+            increments.
 
         Returns
         -------
@@ -63,7 +65,7 @@ class HasFlowCurve:
         Raises
         ------
         ValueError
-            The strain is not one-dimensional or not finite, or the body is rigid.
+            `strain` is not one-dimensional or not finite, or the body is rigid.
         """
         if self.is_rigid:
             raise ValueError("uniaxial_stress requires a deformable material, got a rigid one")

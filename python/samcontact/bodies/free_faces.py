@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 FreeFaces = tuple[float, float, str]
-"""Coordinates y of the low and the high face [m], infinite without a face; name of the method."""
+"""Coordinates y of the low and the high face [m], infinite if absent; name of the method."""
 
 METHODS = ("exact", "factor")
 MAX_PLACE = 2.0
-"""Maximum distance of a face from the middle of the grid [m]; beyond it, the unit is wrong."""
+"""Maximum distance of a face from the middle of the grid [m]; more suggests a wrong unit."""
 
 
 def checked_faces(given: Any) -> FreeFaces:
@@ -31,7 +31,7 @@ def checked_faces(given: Any) -> FreeFaces:
         for n, (name, bound) in enumerate((("low", -math.inf), ("high", math.inf)))
     )
     if low == -math.inf and high == math.inf:
-        raise ValueError("free_faces must have a low face, a high face or both, got none")
+        raise ValueError("free_faces must have a low face, a high face or both, got neither")
     for place in (low, high):
         if math.isfinite(place) and abs(place) > MAX_PLACE:
             raise ValueError(
@@ -40,8 +40,8 @@ def checked_faces(given: Any) -> FreeFaces:
             )
     if not low < high:
         raise ValueError(
-            f"low of free_faces must be less than high ({high!r} m), got {low!r} m: the body is "
-            "between its faces"
+            f"low of free_faces must be less than high ({high!r} m), got {low!r} m: the body lies "
+            "between its two faces"
         )
     return low, high, choice("method of free_faces", given[2], METHODS)
 
@@ -62,20 +62,20 @@ class HasFreeFaces:
         only one body ends there, the pressure increases towards its face, but less than if both
         bodies were half-spaces.
 
-        Only frictionless contact of elastic bodies on non-periodic grids is supported. For a body
-        with free faces, friction, heat, layers and plastic flow raise a ValueError, and so does a
-        request for its stress.
+        Only frictionless contact of elastic bodies on non-periodic grids is supported. If a body
+        has free faces, ValueError is raised for friction, heat, layers or plastic flow, and for a
+        request for the stress of this body.
 
         Parameters
         ----------
         low, high : float, optional
-            Coordinates y of the faces [m], on edges of cells; the body is between them. Default: no
-            face.
+            Coordinates y of the faces [m], on edges of cells; the body lies between the faces.
+            Default: no face at this end.
         method : {"exact", "factor"}, optional
             "exact" solves for the quarter-space that ends at each face. "factor" mirrors the
-            pressure about the face and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), which
-            takes less time to prepare but is less accurate. docs/theory/free_faces.md states the
-            errors of both.
+            pressure about the face and multiplies it by 1.29 - (0.08 - 0.5 nu)/(1 - nu), where nu
+            is Poisson's ratio; this takes less time to prepare but is less accurate.
+            docs/theory/free_faces.md states the errors of both methods.
 
         Returns
         -------
@@ -85,7 +85,8 @@ class HasFreeFaces:
         Raises
         ------
         ValueError
-            The material is rigid or plastic, there is no face, or low is not less than high.
+            The material is rigid or plastic, neither `low` nor `high` is given, or `low` is not
+            less than `high`.
         TypeError
             A coordinate is not a number.
         """
@@ -96,14 +97,14 @@ class HasFreeFaces:
 
 
 def contact_strip(bodies: Iterable[Any]) -> tuple[float, float]:
-    """Limits (low, high) of y between which both bodies exist [m]; infinite without faces."""
+    """Limits (low, high) of y between which both bodies exist [m]; infinite without a face."""
     faces = [body.free_faces for body in bodies if getattr(body, "free_faces", None) is not None]
     low = max((face[0] for face in faces), default=-math.inf)
     high = min((face[1] for face in faces), default=math.inf)
     if not low < high:
         raise ValueError(
-            f"body1 and body2 must have a common range of y, got free faces that leave none: low = "
-            f"{low!r} m, high = {high!r} m"
+            f"body1 and body2 must have a common range of y between their free faces, got a low "
+            f"face at y = {low!r} m and a high face at y = {high!r} m"
         )
     return low, high
 

@@ -103,8 +103,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         object.__setattr__(self, "measured", measured)
         if not self.inclusions and measured is None:
             raise ValueError(
-                "inclusions must contain at least one Inclusion, or measured must be given, got "
-                "none: for a homogeneous body use its Material"
+                "inclusions must contain at least one Inclusion unless measured is given, got "
+                "none: for a body without inclusions use its Material or Layered"
             )
         if isinstance(self.matrix, Layered):
             require_within_layers(self.matrix.interfaces, self.inclusions, measured)
@@ -129,8 +129,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
         The number of spheres has a Poisson distribution, their radii are lognormal, and they are
         placed by random sequential addition, the largest first. Equal arguments give equal bodies.
-        All centres are in the box, so no sphere extends into the box from outside. Therefore choose
-        the box larger than the region of interest by the largest radius on each side.
+        All centres lie in the box; spheres with centres outside, which would extend into the box,
+        are missing. Therefore choose a box that extends beyond the region of interest by the
+        largest radius on each side.
 
         Parameters
         ----------
@@ -140,8 +141,8 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         material : Material or None
             Material of the spheres; None for voids.
         fraction : float
-            Expected volume fraction, > 0 and at most 0.3. `volume_in` returns the volume of the
-            spheres drawn.
+            Expected volume fraction of the spheres in the box, > 0 and at most 0.3. `volume_in`
+            returns the total volume of the spheres that were drawn.
         radius : float or pair of float
             Median radius [m], or a pair of the median radius [m] and the standard deviation of
             ln(radius) [-]. With a single number, all radii are equal.
@@ -153,15 +154,15 @@ class Heterogeneous(LikeMatrix, HtmlTable):
             Minimum distance between the surfaces of two spheres, relative to the mean of their
             radii. Default: 0.1.
         cover : float, optional
-            Minimum thickness of the matrix above a sphere [m]. Default: 0.
+            Minimum thickness of the matrix between a sphere and the surface [m]. Default: 0.
         misfit : float or array_like, optional
             Misfit strain of the spheres, see `Inclusion.sphere`. Default: 0.
         radius_limits : pair of float, optional
             Minimum and maximum radius [m]. A radius drawn outside these limits is set to the nearer
             limit. Default: no limits.
         cluster : pair of float, optional
-            Mean number of spheres per cluster, and standard deviation of the distances of the
-            spheres from the cluster centre along each axis [m]. Default: no clusters.
+            Mean number of spheres per cluster, and standard deviation of each coordinate of the
+            spheres about the centre of their cluster [m]. Default: no clusters.
 
         Returns
         -------
@@ -195,18 +196,19 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         """Matrix with a measured microstructure, e.g. from tomography or EBSD.
 
         The fraction of a grid cell that each material fills follows exactly from the overlap of the
-        cell with the voxels. Cells and voxels may have any size.
+        cell with the voxels. The voxels may have any size and position relative to the cells.
 
         Parameters
         ----------
         matrix : Material or Layered
-            Body at the voxels with label 0, and outside of the voxels. The block must lie within
-            one layer.
+            Body outside of the block of voxels, and at the voxels with label 0. The block must lie
+            within one layer or within the substrate.
         materials : sequence of Material or None
             Materials of the voxels with labels 1, 2, ...; None for voids.
         labels : array_like of int or float, shape (n, m, l)
-            Label of each voxel along x, y and z. With a single material, floating-point numbers
-            from 0 to 1 are allowed instead: the fraction of each voxel that this material fills.
+            Label of each voxel; the axes of the array are x, y and z. With a single material,
+            floating-point numbers from 0 to 1 are allowed instead, which state the volume fraction
+            of each voxel that this material fills.
         dx : float or tuple of float
             Edge length of a voxel [m], or its lengths along x, y and z.
         origin : array_like, shape (3,)
@@ -241,7 +243,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
     @property
     def min_yield_stress(self) -> float:
-        """Minimum initial yield stress of matrix and inclusions [Pa].
+        """Minimum initial yield stress of the matrix and all inclusions [Pa].
 
         It is infinite if all of them are elastic.
         """
@@ -249,9 +251,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return min(m.min_yield_stress for m in materials if m is not None)
 
     def cells_on(self, grid: VolumeGrid, *, check: bool = True) -> InclusionCells:
-        """Filled fraction, moduli and misfit strain of each cell of a grid.
+        """Filled fraction, moduli and misfit strain of the grid cells around the inclusions.
 
-        The moduli are relative to the matrix.
+        The moduli are divided by those of the matrix.
 
         Parameters
         ----------
@@ -263,16 +265,16 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         Returns
         -------
         InclusionCells
-            Cells of the smallest box that contains all inclusions.
+            Cells of the smallest box that contains all inclusions and voxels.
 
         Raises
         ------
         ValueError
             The grid has no dz, or fewer than 2 cells per radius of an inclusion. All inclusions lie
-            outside the grid, or an inclusion is wider than the period of the grid. A later
-            inclusion covers an earlier one completely.
+            outside the grid, an inclusion is wider than the period of the grid, or the block of
+            voxels crosses the end of a period. A later inclusion covers an earlier one completely.
         MemoryError
-            The box does not fit into the memory.
+            The box does not fit into memory.
 
         Warns
         -----
@@ -292,7 +294,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return known[key]
 
     def fraction_on(self, grid: VolumeGrid) -> FloatArray:
-        """Fraction of each cell of the grid that is filled by inclusions [-].
+        """Volume fraction of the inclusions in each cell of a grid [-].
 
         Parameters
         ----------
@@ -315,9 +317,9 @@ class Heterogeneous(LikeMatrix, HtmlTable):
         return cells.over_grid(cells.share, (grid.nx, grid.ny, layers))
 
     def cells_per_radius(self, grid: VolumeGrid) -> float:
-        """Smallest radius of an inclusion divided by the largest edge of a cell [-].
+        """Smallest radius of all inclusions divided by the largest edge length of a cell [-].
 
-        Infinite without inclusions.
+        Infinite for a body that has only voxels.
         """
         require_volume(grid)
         return cells_per_radius(grid, self.inclusions)
@@ -358,7 +360,7 @@ class Heterogeneous(LikeMatrix, HtmlTable):
 
 
 def material_around(body: Heterogeneous, number: int) -> Material:
-    """Material of the matrix around the inclusion or the voxels of one phase.
+    """Material of the matrix around one phase: an inclusion, or the voxels with one label.
 
     number: index of the phase in `Heterogeneous.phases`.
     """

@@ -24,7 +24,7 @@ PARALLEL: Axes = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 """Principal axes along x, y and z."""
 NO_MISFIT = (0.0,) * 6
 MAX_MISFIT = 0.1
-"""Largest misfit strain; the theory assumes small strains."""
+"""Largest allowed magnitude of a misfit strain, because the theory assumes small strains."""
 _AXES_TOLERANCE = 1e-6  # of the scalar products of the axes
 _UNUSED_PROPERTIES = ("yield_profile", "residual_stress", "free_faces", "relaxation_terms")
 
@@ -54,13 +54,14 @@ def checked_misfit(misfit: ArrayLike, material: Material | None) -> tuple[float,
     given = real_array("misfit", misfit)
     if given.shape not in ((), (6,)):
         raise ValueError(
-            f"misfit must be one strain or six components, got an array of shape {given.shape}"
+            "misfit must be one number or the six components xx, yy, zz, yz, xz, xy, got an array "
+            f"of shape {given.shape}"
         )
     values = finite_array("misfit", given)
     six = np.array([1.0, 1, 1, 0, 0, 0]) * values if values.ndim == 0 else values
     if np.abs(six).max() > MAX_MISFIT:
         raise ValueError(
-            f"misfit must be within {MAX_MISFIT:g} in magnitude, got {in_short(misfit)}: it is a "
+            f"misfit must be at most {MAX_MISFIT:g} in magnitude, got {in_short(misfit)}: it is a "
             "strain, not a percentage"
         )
     if material is None and six.any():
@@ -137,13 +138,13 @@ class Inclusion(HtmlTable):
         depth, half = self.center[2], self.extent[2]
         if depth + half <= 0.0:
             raise ValueError(
-                f"center must be below the surface, got z = {depth!r} m: z is positive into the "
-                "body"
+                f"center must be so deep that the inclusion reaches below the surface, got z = "
+                f"{depth!r} m: z is positive into the body"
             )
         if self.is_void and depth - half <= 0.0:
             raise ValueError(
                 f"center of a void must be deeper than {half!r} m, got z = {depth!r} m: a void "
-                "that cuts the surface is a dent; give it as a part of the gap"
+                "must not reach the surface; add a pit at the surface to the gap as a dent"
             )
 
     @classmethod
@@ -173,7 +174,7 @@ class Inclusion(HtmlTable):
         Raises
         ------
         ValueError
-            A value is outside its range, or the inclusion is above the surface.
+            A value is outside its range, or the whole inclusion is above the surface.
         TypeError
             An argument is not a number, or the material is not a `Material`.
         """
@@ -241,7 +242,7 @@ class Inclusion(HtmlTable):
         return x, y, z
 
     def metric(self) -> FloatArray:
-        """Matrix Q [1/m^2], shape (3, 3), of the ellipsoid (p - center) Q (p - center) <= 1."""
+        """Matrix Q [1/m^2], shape (3, 3): (p - center) Q (p - center) <= 1 for points p inside."""
         rows = np.array(self.axes)
         scaled = rows / np.array(self.radii)[:, None]
         return np.asarray(scaled.T @ scaled)
@@ -275,7 +276,10 @@ class VoidShapes:
         """
         if np.ndim(radius) == 0:
             if axes is not None:
-                raise ValueError(f"axes must not be given with one radius, got {in_short(axes)}")
+                raise ValueError(
+                    f"axes must not be given for a sphere, which has one radius, got "
+                    f"{in_short(axes)}: omit axes, or give three radii"
+                )
             return self.sphere(center, radius)  # type: ignore[arg-type]
         return self.ellipsoid(center, radius, axes)
 

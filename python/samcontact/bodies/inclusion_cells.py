@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cells of a grid that inclusions fill."""
+"""Grid cells that inclusions fill completely or partly."""
 
 from __future__ import annotations
 
@@ -48,15 +48,17 @@ class InclusionCells(ShortRepr):
     laws : tuple of Material or None
         Distinct materials of the inclusions; None for a void.
     share : ndarray, shape (n, m, l)
-        Fraction of each cell that inclusions fill, 0 to 1.
+        Volume fraction of the inclusions in each cell, 0 to 1.
     phase : ndarray of int, shape (n, m, l)
-        Number of the inclusion that fills most of the cell; -1 in the matrix.
+        Index in `Heterogeneous.phases` of the inclusion that fills the largest part of the cell; -1
+        in the matrix.
     bulk, shear : ndarray, shape (n, m, l)
-        Mixed bulk and shear modulus, relative to the matrix; 0 in a void.
+        Bulk and shear modulus of each cell, mixed from those of matrix and inclusions and divided
+        by those of the matrix; 0 in a void.
     misfit : ndarray, shape (6, n, m, l)
         Misfit strain, weighted by the mixing rule (see `phase_mixing`).
     law : ndarray of int, shape (n, m, l)
-        Index in `laws` of the material that fills most of the cell; -1 in the matrix.
+        Index in `laws` of the material of the inclusion that `phase` names; -1 in the matrix.
     expansion : ndarray, shape (n, m, l)
         Thermal expansion coefficient minus that of the matrix [1/K], weighted like the misfit
         strain.
@@ -74,14 +76,14 @@ class InclusionCells(ShortRepr):
 
     @property
     def is_cut(self) -> BoolArray:
-        """Mask of the cells that are filled only partly, shape (n, m, l)."""
+        """Mask of the cells that inclusions fill only partly, shape (n, m, l)."""
         return is_cut(self.share)
 
     @property
     def is_deformed(self) -> BoolArray:
-        """Mask of the cells with other moduli than the matrix, or with a misfit, shape (n, m, l).
+        """Mask of the cells whose moduli or misfit differ from the matrix, shape (n, m, l).
 
-        The misfit includes a difference in thermal expansion.
+        The misfit includes a difference in thermal expansion; it is 0 in the matrix.
         """
         differs = (self.bulk != 1.0) | (self.shear != 1.0) | self.misfit.any(axis=0)
         return np.asarray(differs | (self.expansion != 0.0))
@@ -89,7 +91,8 @@ class InclusionCells(ShortRepr):
     def over_grid(self, field: NDArray[Any], shape: Counts, outside: float = 0.0) -> NDArray[Any]:
         """Copy a field of the box, shape (n, m, l), to a grid.
 
-        shape: numbers of cells of the grid. Its cells outside the box have the value `outside`.
+        shape: numbers of cells of the grid along its axes. Cells of the grid outside the box have
+        the value `outside`.
         """
         whole = np.full(shape, outside, dtype=field.dtype)
         box, grid = zip(
@@ -119,7 +122,9 @@ def require_volume(grid: VolumeGrid) -> None:
     if not all(hasattr(grid, name) for name in ("nx", "ny", "nz", "dx", "dy", "dz", "periodic")):
         raise TypeError(f"grid must be a samcontact.Grid, got {in_short(grid)}")
     if grid.dz is None:
-        raise ValueError(f"grid must have dz for inclusions, got {grid!r}")
+        raise ValueError(
+            f"grid must have dz, the thickness of its cells, for inclusions, got {grid!r}"
+        )
 
 
 def _axes(grid: VolumeGrid) -> list[tuple[float, float, int, bool]]:
@@ -138,7 +143,7 @@ def _edges(grid: VolumeGrid) -> list[tuple[float, float]]:
 
 
 def _cells_of(grid: VolumeGrid, inclusion: Inclusion) -> list[tuple[int, int]]:
-    """Index of the first cell of an inclusion, and one past its last cell, along x, y and z."""
+    """Indices of the first cell of an inclusion and of the cell after the last, along each axis."""
     ends = []
     for (low, step), c, half in zip(_edges(grid), inclusion.center, inclusion.extent, strict=True):
         first, last = ((c + side * half - low) / step for side in (-1, 1))
@@ -173,12 +178,13 @@ def box_of(
 
 
 def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp]) -> None:
-    """Raise ValueError if all inclusions are outside the grid, or one is wider than its period."""
+    """Raise ValueError if all inclusions are outside the grid, or one is wider than a period."""
     highest = int(ends[:, 2, 0].argmin())
     if grid.nz and ends[highest, 2, 0] >= grid.nz:
         raise ValueError(
-            f"inclusions must lie in the {grid.nz} layers of the grid, got none inside; "
-            f"{names[highest]} begins in layer {ends[highest, 2, 0]}: increase nz, or omit nz"
+            f"at least one inclusion must reach into the {grid.nz} layers of the grid, got none; "
+            f"the highest, {names[highest]}, begins in layer {ends[highest, 2, 0] + 1}: increase "
+            "nz, or omit nz"
         )
     outside = np.zeros(len(names), dtype=bool)
     for axis, (name, (low, step, count, wraps)) in enumerate(
@@ -187,9 +193,9 @@ def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp])
         wide = np.ptp(ends[:, axis], axis=1)
         if wraps and wide.max() > count:
             raise ValueError(
-                f"{names[int(wide.argmax())]} must be narrower than the period of the grid along "
+                f"{names[int(wide.argmax())]} must not be wider than the period of the grid along "
                 f"{name}, {quantity(step * count, 'm')} ({count} cells), "
-                f"got a width of {wide.max()} cells"
+                f"got a width of {wide.max()} cells: enlarge the grid"
             )
         if not wraps:
             beyond = (ends[:, axis, 1] <= 0) | (ends[:, axis, 0] >= count)
@@ -197,12 +203,14 @@ def _check_place(grid: VolumeGrid, names: Sequence[str], ends: NDArray[np.intp])
             if beyond.all():
                 at = low + step * float(ends[0, axis].mean())
                 raise ValueError(
-                    f"inclusions must lie in the grid, within {name} = ±"
-                    f"{quantity(-low, 'm')}, got none inside; {names[0]} is at {name} = {at:.6g} m"
+                    f"at least one inclusion must lie in the grid, within {name} = ±"
+                    f"{quantity(-low, 'm')}, got none; {names[0]} is at {name} = {at:.6g} "
+                    "m: enlarge the grid, or move the inclusions"
                 )
     if outside.all():
         raise ValueError(
-            "inclusions must lie in the grid, got none inside: enlarge the grid, or move them"
+            "at least one inclusion must lie in the grid, got none: enlarge the grid, or move the "
+            "inclusions"
         )
 
 
@@ -211,19 +219,19 @@ def _require_in_period(grid: VolumeGrid, ends: NDArray[np.intp]) -> None:
     for axis, (_, _, count, wraps) in enumerate(_axes(grid)):
         if wraps and (ends[axis, 0] < 0 or ends[axis, 1] > count):
             raise ValueError(
-                f"voxels must lie within the period of the grid along {'xyz'[axis]}, got cells "
-                f"{ends[axis, 0]} to {ends[axis, 1] - 1} of {count}: move the origin of the "
-                "voxels, or enlarge the grid"
+                f"voxels must lie within the period of the grid along {'xyz'[axis]}, cells 0 to "
+                f"{count - 1}, got cells {ends[axis, 0]} to {ends[axis, 1] - 1}: move the origin "
+                "of the voxels, or enlarge the grid"
             )
 
 
 def voxels_on(
     grid: VolumeGrid, box: Box, measured: VoxelBlock
 ) -> Iterator[tuple[int, Index, FloatArray]]:
-    """Iterate over the materials of voxels.
+    """Iterate over the materials of the voxels.
 
-    Each item is the number of the material, the indices of its cells in the box, and the fraction
-    of each of these cells that the material fills.
+    Each item contains the number of the material, the indices of its cells in the box, and the
+    fraction of each of these cells that the material fills.
     """
     for number, ends, share in measured.shares_on(_edges(grid)):
         inside = (np.arange(*pair) - first for pair, first in zip(ends, box.first, strict=True))
@@ -233,11 +241,11 @@ def voxels_on(
 def blocks_on(
     grid: VolumeGrid, box: Box, inclusions: Sequence[Inclusion]
 ) -> Iterator[tuple[int, Index, FloatArray]]:
-    """Iterate over inclusions.
+    """Iterate over the inclusions.
 
-    Each item is the number of the inclusion, the indices of its cells in the box, and the fraction
-    of each of these cells that the inclusion fills. Raises ValueError if a later inclusion covers
-    an earlier one.
+    Each item contains the number of the inclusion, the indices of its cells in the box, and the
+    fraction of each of these cells that the inclusion fills. Raises ValueError if a later inclusion
+    covers an earlier one.
     """
     axes = _axes(grid)
     middles = ((grid.nx - 1) / 2, (grid.ny - 1) / 2, -0.5)  # mirrored cells: opposite numbers
@@ -272,5 +280,6 @@ def _require_uncovered(inclusions: Sequence[Inclusion]) -> None:
             by = n + 1 + int(covered.argmax())
             raise ValueError(
                 f"inclusions[{n}] must not lie within a later inclusion, got inclusions[{by}] "
-                "around it: the later one replaces the earlier one; exchange their order"
+                "around it: where inclusions overlap, the later one replaces the earlier one; "
+                "exchange their order"
             )

@@ -36,6 +36,6 @@ def require_within_layers(
             raise ValueError(
                 f"{names[n]} must lie within one layer, got depths from "
                 f"{quantity(float(tops[n]), 'm')} to {quantity(float(bottoms[n]), 'm')} across "
-                f"the bottom of layers[{number}] at {quantity(depth, 'm')}: an inclusion that "
-                "an interface cuts is not supported; move it, make it smaller, or split it"
+                f"the bottom of layers[{number}] at {quantity(depth, 'm')}: move the inclusion, "
+                "make it smaller, or split it at the interface"
             )

@@ -15,7 +15,7 @@ from .inclusion import Inclusion
 MIN_CELLS = 2.0
 """Minimum number of cells per radius; with fewer cells an inclusion loses its shape."""
 ADVISED_CELLS = 4.0
-"""Number of cells per radius from which pressures and displacements are accurate."""
+"""Minimum number of cells per radius for accurate pressures and displacements."""
 
 
 class CellSizes(Protocol):
@@ -35,7 +35,7 @@ def largest_edge(grid: CellSizes) -> float:
 
 
 def cells_per_radius(grid: CellSizes, inclusions: Sequence[Inclusion]) -> float:
-    """Ratio of the smallest radius of all inclusions to the largest cell edge."""
+    """Ratio of the smallest radius of all inclusions to the largest edge length of a cell."""
     radii = (min(inclusion.radii) for inclusion in inclusions)
     return min(radii, default=math.inf) / largest_edge(grid)
 

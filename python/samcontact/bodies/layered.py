@@ -21,7 +21,7 @@ Body = Material | Layered | Heterogeneous
 
 
 def matrix_of(body: Body) -> Material | Layered:
-    """Return the matrix of a heterogeneous body, and any other body itself."""
+    """Return the matrix of a heterogeneous body; return any other body unchanged."""
     return body.matrix if isinstance(body, Heterogeneous) else body
 
 
@@ -55,7 +55,7 @@ def require_homogeneous(reason: str, *bodies: Any) -> None:
             raise ValueError(f"body{n} must be a Material, got a body with inclusions: {reason}")
         if isinstance(body, Layered):
             raise ValueError(
-                f"body{n} must be a Material, got {len(body.layers)} layer(s): {reason}"
+                f"body{n} must be a Material, got a body with {len(body.layers)} layer(s): {reason}"
             )
         require_type(f"body{n}", body, Material)
     require_endless("ends of bodies are not supported", *bodies)
@@ -102,7 +102,7 @@ def materials_of(body: Body) -> list[Material]:
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
     """Return the thermal constants of all materials of a body from the surface down.
 
-    Returns None if a material has no thermal constants. Inclusions are ignored.
+    Returns None unless all of them have thermal constants. Inclusions are ignored.
     """
     if isinstance(body, Heterogeneous):
         body = body.matrix
@@ -112,7 +112,7 @@ def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
 
 
 def without_softening(body: Body) -> Body:
-    """Return a copy of a body whose materials have no softening law."""
+    """Return a copy of a body without the softening laws of its materials."""
     if isinstance(body, Heterogeneous):
         matrix = without_softening(body.matrix)
         assert not isinstance(matrix, Heterogeneous)
@@ -125,7 +125,7 @@ def without_softening(body: Body) -> Body:
 
 
 def names_of_materials(layers: int) -> list[str]:
-    """Names of the materials of a body in results files.
+    """Names by which results files refer to the materials of a body.
 
     layers: number of layers of the body.
     """

@@ -42,11 +42,15 @@ def _require_no_inclusions(name: str, material: Any) -> None:
 
 def _checked_layers(given: Any) -> tuple[tuple[Material, float], ...]:
     if isinstance(given, (Material, str, np.ndarray)) or not isinstance(given, Iterable):
-        raise TypeError(f"layers must be a list of (material, thickness), got {in_short(given)}")
+        raise TypeError(
+            f"layers must be a list of pairs (material, thickness), got {in_short(given)}"
+        )
     layers = []
     for n, layer in enumerate(given):
         if isinstance(layer, Material) or not isinstance(layer, Sequence) or len(layer) != 2:
-            raise TypeError(f"layers[{n}] must be (material, thickness), got {in_short(layer)}")
+            raise TypeError(
+                f"layers[{n}] must be a pair (material, thickness), got {in_short(layer)}"
+            )
         material, thickness = layer
         _require_no_inclusions(f"material of layers[{n}]", material)
         require_type(f"material of layers[{n}]", material, Material)
@@ -133,7 +137,7 @@ class Layered(HtmlTable):
 
     @property
     def thermal(self) -> tuple[tuple[float, float, float], ...] | None:
-        """Thermal constants of all materials from the surface down; None if a material has none.
+        """Thermal constants of all materials from the surface down; None unless all have them.
 
         Each material has a tuple (conductivity, expansion, diffusivity), see
         `Material.with_thermal`.
@@ -186,7 +190,7 @@ class Layered(HtmlTable):
     def residual_stress_at(self, z: ArrayLike) -> FloatArray:
         """Initial stresses sxx, syy and sxy [Pa] at depths z [m], each with the shape of z.
 
-        The stresses are 0 without residual stress. Raises ValueError if z is negative or not
+        They are 0 in a material without residual stress. Raises ValueError if z is negative or not
         finite.
         """
         depths = checked_depths(z)
@@ -197,8 +201,8 @@ class Layered(HtmlTable):
     ) -> FloatArray:
         """Fill `out` with the values of the function `of(material, depths)` at all depths [m].
 
-        The function is called for each material with the depths in it. The last axes of `out` are
-        the axes of `depths`.
+        The function is called once for each material, with the depths that lie in this material.
+        The last axes of `out` are the axes of `depths`.
         """
         for material, there in layers_at(self, depths):
             out[..., there] = of(material, depths[there])

@@ -146,7 +146,7 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
     def tabulated(
         cls, E: float, nu: float, plastic_strain: ArrayLike, stress: ArrayLike
     ) -> Material:
-        """Hardening from a measured curve: piecewise linear, constant beyond the last point.
+        """Hardening by linear interpolation of a measured curve, constant beyond its last point.
 
         Parameters
         ----------
@@ -254,11 +254,11 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
             once per increment, after the contact has been solved for the first time in this
             increment, with the temperature rise of this solution.
             `samcontact.softening.JohnsonCook` is stored in checkpoints; any other law must be
-            passed to `Simulation.load` again. A run with `checkpoint` resumes only with an
-            identical law: the code of the law and all data used by the code are compared (defaults,
-            closures, globals, attributes). A law with hidden state, such as a compiled object, must
-            have an attribute `identity` that contains all data on which the law depends, e.g.
-            ``law.identity = ("my law", 2e-4)``.
+            passed to `Simulation.load` again. A run with the argument `checkpoint` resumes only
+            with an identical law: the code of the law and all data that the code uses are compared
+            (defaults, closures, globals, attributes). A law with hidden state, such as a compiled
+            object, must have an attribute `identity` that contains all data on which the law
+            depends, e.g. ``law.identity = ("my law", 2e-4)``.
 
         Returns
         -------

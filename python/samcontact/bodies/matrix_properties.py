@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Properties that a heterogeneous body has from its matrix."""
+"""Properties that a heterogeneous body takes from its matrix."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class LikeMatrix:
 
     @property
     def parameters(self) -> Mapping[str, Any]:
-        """Parameters of the matrix."""
+        """Parameters of the matrix, see `Material` and `Layered.parameters`."""
         return self.matrix.parameters
 
     @property
@@ -64,7 +64,7 @@ class LikeMatrix:
 
     @property
     def is_rigid(self) -> bool:
-        """Always False, because the matrix must not be rigid."""
+        """Always False, because the material around the inclusions must not be rigid."""
         return False
 
     @property

@@ -31,9 +31,9 @@ from .inclusion import Inclusion, checked_phase
 from .material import Material
 
 MAX_FRACTION = 0.3
-"""Largest volume fraction: random sequential addition does not find room for more."""
+"""Largest volume fraction for which random sequential addition finds room."""
 MAX_INCLUSIONS = 100_000
-"""Largest expected number of inclusions of one body."""
+"""Largest expected number of inclusions in one body."""
 MAX_SPREAD = 2.0
 """Largest standard deviation of ln(radius)."""
 _TRIES = 2000  # for the place of one inclusion
@@ -70,9 +70,9 @@ class RandomSpheres(NamedTuple):
         count = int(random.poisson(self.expected_number))
         if count == 0:
             raise ValueError(
-                f"fraction must give at least one inclusion in the box, got none with seed {seed}; "
-                f"{self.expected_number:.3g} are expected: use a larger box, or draw the largest "
-                "inclusion with samcontact.inclusions.LargestInclusion"
+                f"fraction must give at least one inclusion in the box, got none with seed {seed} "
+                f"and an expected number of {self.expected_number:.3g}: use a larger box, or draw "
+                "the largest inclusion with samcontact.inclusions.LargestInclusion"
             )
         radii = self.median * np.exp(self.spread * random.normal(size=count))
         radii = np.sort(np.clip(radii, *self.limits))[::-1]
@@ -82,9 +82,9 @@ class RandomSpheres(NamedTuple):
             center = self._free_place(random, places, found, radius)
             if center is None:
                 raise ValueError(
-                    f"fraction must leave room for all inclusions, got {self.fraction!r}: after "
-                    f"{len(found)} of {count} inclusions, one of radius {radius:.3g} m found no "
-                    "place; use a smaller fraction, gap or cover, or a larger box"
+                    f"fraction must leave room for all inclusions, got {self.fraction!r}: only "
+                    f"{len(found)} of {count} were placed before one of radius {radius:.3g} m "
+                    "found no room; use a smaller fraction, gap or cover, or a larger box"
                 )
             found = np.vstack([found, [*center, radius]])
         return found
@@ -117,7 +117,7 @@ class RandomSpheres(NamedTuple):
 
 
 def _mean_cube(median: float, spread: float, limits: tuple[float, float]) -> float:
-    """Mean of the third power of a lognormal radius, clipped to its limits [m^3]."""
+    """Mean of the third power of a lognormal radius that is clipped to limits [m^3]."""
     if spread == 0.0:
         return float(np.clip(median, *limits)) ** 3
     low, high = (
@@ -142,7 +142,10 @@ def checked_box(name: str, box: ArrayLike) -> FloatArray:
     """Return the checked limits ((x0, x1), (y0, y1), (z0, z1)) of a box [m] as an array."""
     ends = finite_array(name, box, (3, 2))
     if not (ends[:, 0] < ends[:, 1]).all():
-        raise ValueError(f"{name} must have increasing ends along x, y and z, got {ends.tolist()}")
+        raise ValueError(
+            f"{name} must have lower limits below the upper limits along x, y and z, got "
+            f"{ends.tolist()}"
+        )
     if ends[2, 0] < 0.0:
         raise ValueError(f"{name} must begin at a depth z >= 0, got {ends[2, 0]!r} m")
     return ends
@@ -151,7 +154,7 @@ def checked_box(name: str, box: ArrayLike) -> FloatArray:
 def _pair(name: str, parts: str, value: Any) -> tuple[float, float]:
     given = finite_array(name, value)
     if given.shape != (2,):
-        raise ValueError(f"{name} must be ({parts}), got {in_short(value)}")
+        raise ValueError(f"{name} must be a pair ({parts}), got {in_short(value)}")
     return float(given[0]), float(given[1])
 
 
@@ -168,8 +171,8 @@ def checked_microstructure(
     share = positive("fraction", fraction)
     if share > MAX_FRACTION:
         raise ValueError(
-            f"fraction must be at most {MAX_FRACTION:g}, got {share!r}: it is a share, not a "
-            "percentage"
+            f"fraction must be at most {MAX_FRACTION:g}, got {share!r}: it is a volume "
+            "fraction, not a percentage"
         )
     given_radius = real_array("radius", radius)
     if given_radius.ndim == 0:
@@ -201,7 +204,7 @@ def checked_microstructure(
     if given.expected_number > MAX_INCLUSIONS:
         raise ValueError(
             f"fraction must give at most {MAX_INCLUSIONS} inclusions, got about "
-            f"{given.expected_number:.3g}: use a smaller box or a larger radius"
+            f"{given.expected_number:.3g}: use a smaller fraction or box, or a larger radius"
         )
     return given
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cells of a grid with the mixed properties of a matrix and its inclusions."""
+"""Cells of a grid with properties mixed from those of a matrix and its inclusions."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ def mixed_cells(
     inclusions: Sequence[Inclusion],
     measured: VoxelBlock | None,
 ) -> InclusionCells:
-    """Return the cells of the smallest box of a grid that contains all inclusions.
+    """Return the mixed cells in the smallest box that contains all inclusions and voxels.
 
-    around: material of the matrix around each inclusion, followed by the material of the matrix
-    around the voxels, once for each material of the voxels.
+    around: material of the matrix around each phase, in the order of `Heterogeneous.phases`: each
+    inclusion, then the voxels with label 1, 2, ...
     """
     box = box_of(grid, inclusions, measured)
     memory.require(
@@ -54,7 +54,7 @@ def mixed_cells(
 def _cells(
     first: tuple[int, int, int], mixture: Mixture, phases: Sequence[Material | None]
 ) -> InclusionCells:
-    """Return the mixed cells, with the distinct materials of the inclusions."""
+    """Return the cells of a mixture, together with the distinct materials of the inclusions."""
     laws = tuple(dict.fromkeys(phases))
     of_phase = np.array([*(laws.index(material) for material in phases), -1], dtype=np.int32)
     law = of_phase[mixture.phase]  # phase -1 is the last entry

@@ -3,10 +3,11 @@
 
 A softer inclusion is mixed with the matrix in parallel (Voigt), a stiffer one in series (Reuss);
 bulk and shear modulus are mixed separately. Let f be the fraction of the cell that the inclusion
-fills, a its modulus and A the mixed modulus, both relative to the matrix: A = f a + 1 - f (softer),
-1/A = f/a + 1 - f (stiffer). The misfit is multiplied by f a/A (softer) or f (stiffer). If a cell
-contains several inclusions, the first equation sums over the softer ones, the second over the
-stiffer ones, and the mixed modulus is the product of both A.
+fills, a the modulus of the inclusion and A the mixed modulus, both divided by that of the matrix.
+Then A = f a + 1 - f (softer) or 1/A = f/a + 1 - f (stiffer). The misfit strain is multiplied by f
+a/A (softer) or f (stiffer). If a cell contains several inclusions, A is computed from all softer
+ones by the first equation and from all stiffer ones by the second; the mixed modulus is the product
+of both.
 """
 
 from __future__ import annotations
@@ -20,18 +21,18 @@ from .._util.checks import FloatArray
 from .material import Material
 
 RIGID_RATIO = 1e3
-"""Moduli of a rigid inclusion relative to the matrix; larger ones only increase the cost."""
+"""Modulus of a rigid inclusion / modulus of the matrix; larger ratios only increase the cost."""
 Index = tuple[NDArray[np.intp], ...]
 """Indices of cells along x, y and z, as `numpy.ix_` returns them."""
 
 
 class Phase(NamedTuple):
-    """Material of inclusions, relative to the matrix."""
+    """Properties of an inclusion relative to the matrix around it."""
 
     bulk: float
-    """Bulk modulus, relative to the matrix."""
+    """Bulk modulus divided by that of the matrix."""
     shear: float
-    """Shear modulus, relative to the matrix."""
+    """Shear modulus divided by that of the matrix."""
     misfit: tuple[float, ...]
     """Misfit strain, six components."""
     expansion: float = 0.0
@@ -41,8 +42,8 @@ class Phase(NamedTuple):
 def relative_phase(matrix: Material, material: Material | None, misfit: tuple[float, ...]) -> Phase:
     """Return the properties of an inclusion relative to the matrix.
 
-    The moduli of a void (material None) are 0. If the material or the matrix has no thermal
-    constants, their thermal expansions are assumed to be equal.
+    The moduli of a void (material None) are 0. If the inclusion or the matrix has no thermal
+    constants, both are assumed to expand equally.
     """
     if material is None:
         return Phase(0.0, 0.0, misfit)
@@ -65,9 +66,10 @@ def _components_at(where: Index) -> tuple[Any, ...]:
 
 
 class Modulus:
-    """Relative bulk or shear modulus of the cells of a box, with a part of their misfit.
+    """Bulk or shear modulus of the cells of a box, and the part of the misfit it acts on.
 
-    The volumetric misfit belongs to the bulk modulus, the deviatoric misfit to the shear modulus.
+    The modulus is divided by that of the matrix. The bulk modulus acts on the volumetric part of
+    the misfit strain, the shear modulus on the deviatoric part.
     """
 
     def __init__(self, shape: tuple[int, int, int], components: int) -> None:
@@ -76,7 +78,7 @@ class Modulus:
         self.stiff_misfit = np.zeros((components, *shape))
 
     def shrink(self, where: Index, factor: FloatArray) -> None:
-        """Multiply the fractions that earlier inclusions fill of the given cells by a factor."""
+        """Multiply the contributions of earlier inclusions to the cells `where` by a factor."""
         self.softer[where] *= factor
         self.stiffer[where] *= factor
         self.soft_misfit[_components_at(where)] *= factor
@@ -85,7 +87,8 @@ class Modulus:
     def add(self, where: Index, share: FloatArray, ratio: float, misfit: FloatArray) -> None:
         """Add an inclusion that fills fractions `share` of the cells `where`.
 
-        ratio: modulus relative to the matrix; misfit: shape (components,).
+        ratio: modulus of the inclusion divided by that of the matrix; misfit: part of its misfit
+        strain that belongs to this modulus, shape (components,).
         """
         weighted = np.multiply.outer(misfit, share) if misfit.any() else None
         if ratio < 1.0:
@@ -98,18 +101,18 @@ class Modulus:
                 self.stiff_misfit[_components_at(where)] += weighted
 
     def mixed(self) -> FloatArray:
-        """Return the relative modulus of all cells."""
+        """Return the mixed modulus of each cell, divided by the modulus of the matrix."""
         return np.asarray(np.maximum(1.0 + self.softer, 0.0) / (1.0 + self.stiffer))
 
     def mixed_misfit(self) -> FloatArray:
-        """Return the misfit of all cells, weighted by the mixing rule, shape (components, ...)."""
+        """Return the mixed misfit strain on which this modulus acts, shape (components, ...)."""
         whole = np.maximum(1.0 + self.softer, np.finfo(float).tiny)
         soft = np.where(self.soft_misfit == 0.0, 0.0, self.soft_misfit / whole)
         return np.asarray(soft + self.stiff_misfit)
 
 
 class Mixture:
-    """Filled fractions, moduli and misfit of the cells of a box; inclusions are added in order."""
+    """Filled fractions, moduli and misfit of the cells of a box, to which inclusions are added."""
 
     def __init__(self, shape: tuple[int, int, int], *, expands: bool) -> None:
         self.share, self.largest = np.zeros(shape), np.zeros(shape)

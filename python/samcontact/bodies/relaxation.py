@@ -44,7 +44,7 @@ def long_time_share(terms: RelaxationTerms) -> float:
 def checked_relaxation(given: Any) -> RelaxationTerms:
     """Check relaxation times and shares, and return them in the order of increasing times."""
     if not isinstance(given, (list, tuple)) or len(given) != 2:
-        raise ValueError(f"relaxation_terms must contain times and shares, got {in_short(given)}")
+        raise ValueError(f"relaxation_terms must be (times, shares), got {in_short(given)}")
     times, shares = (
         finite_array(name, as_list(values))
         for name, values in zip(("times", "shares"), given, strict=True)
@@ -59,17 +59,18 @@ def checked_relaxation(given: Any) -> RelaxationTerms:
     for value in times[(times <= 0) | (times > _MAX_TIME)]:
         raise ValueError(f"times must be > 0 and <= {_MAX_TIME:g} s, got {float(value)!r}")
     for value in shares[shares <= 0]:
-        raise ValueError(f"shares must be > 0, got {float(value)!r}: omit terms without a share")
+        raise ValueError(f"shares must be > 0, got {float(value)!r}: omit terms with share 0")
     order = np.argsort(times)
     times, shares = times[order], shares[order]
     same = np.flatnonzero(np.diff(times) <= 0)
     if same.size:
         raise ValueError(
-            f"times must be different, got {float(times[same[0]])!r} twice: add their shares"
+            f"times must all be different, got {float(times[same[0]])!r} twice: give it once, with "
+            "the sum of the shares"
         )
     total = math.fsum(shares)
     if total > 1.0 + _ROUNDING:
-        remedy = "divide percent by 100" if total > 2 else "they are parts of E at time 0"
+        remedy = "divide percent by 100" if total > 2 else "each share is a part of E at time 0"
         raise ValueError(f"the sum of shares must be <= 1, got {total!r}: {remedy}")
     return tuple(times.tolist()), tuple(shares.tolist())
 
@@ -139,21 +140,22 @@ class HasRelaxation:
     def with_relaxation(self, times: ArrayLike, shares: ArrayLike) -> Self:
         """Return a copy that is linearly viscoelastic, by a generalised Maxwell model.
 
-        After a step of strain, the modulus is
-        E(t) = E (1 - sum(shares) + sum(shares exp(-t/times))). Young's modulus E of the material is
-        therefore the instantaneous modulus, which applies under fast loads. Poisson's ratio is
-        constant. In rubber and other polymers the bulk modulus is constant instead. For them, use
-        the long-time Poisson's ratio: the relative error of a normal contact is then about 1e-3 if
-        the bulk modulus is 1000 times the instantaneous shear modulus. If it is only 10 times this
-        shear modulus, the error is 9 % at short times.
+        After a step of strain, the modulus is E(t) = E (1 - sum(shares) + sum(shares
+        exp(-t/times))). Young's modulus E of the material is therefore the instantaneous modulus,
+        which applies under fast loads. Poisson's ratio is assumed to be constant, whereas in rubber
+        and other polymers the bulk modulus is constant. For these materials, use the long-time
+        Poisson's ratio. The relative error of a normal contact is then about 1e-3 if the bulk
+        modulus is 1000 times the instantaneous shear modulus, but 9 % at short times if it is only
+        10 times the instantaneous shear modulus.
 
         Parameters
         ----------
         times : array_like, shape (n,)
             Relaxation times [s], > 0, all different, at most 64.
         shares : array_like, shape (n,)
-            Share of E that relaxes with each time [-], > 0; their sum is at most 1. With a sum of 1
-            the material is a fluid, which flows without limit under a constant load.
+            Share of E that relaxes with each relaxation time [-], > 0; the sum of all shares is at
+            most 1. With a sum of 1 the material is a fluid, which flows without limit under a
+            constant load.
 
         Returns
         -------
@@ -185,9 +187,10 @@ class HasRelaxation:
         """Return a viscoelastic material fitted to the moduli of a dynamic test.
 
         The relaxation times form a geometric sequence, from 1/omega of the fastest oscillation to
-        1/omega of the slowest. The modulus of each relaxation time is found by non-negative least
-        squares. Each difference between fitted and measured modulus is divided by the magnitude of
-        the measured complex modulus. Relaxation times with zero modulus are omitted.
+        1/omega of the slowest. The modulus that belongs to each relaxation time is found by
+        non-negative least squares, in which each difference between fitted and measured modulus is
+        divided by the magnitude of the measured complex modulus. Relaxation times whose modulus is
+        0 are omitted.
 
         Parameters
         ----------
@@ -204,7 +207,8 @@ class HasRelaxation:
         Returns
         -------
         Material
-            Elastic law with `with_relaxation`; E is the fitted instantaneous modulus.
+            Viscoelastic material as from `Material.elastic` and `with_relaxation`; its E is the
+            fitted instantaneous modulus.
 
         Raises
         ------
@@ -217,7 +221,7 @@ class HasRelaxation:
         Warns
         -----
         UserWarning
-            The fit differs from a measured modulus by more than 5 %.
+            The fit differs from a measured complex modulus by more than 5 %.
         """
         w, measured = _dynamic_moduli(omega, storage, loss)
         if (ratio := poisson_ratio("nu", nu)) >= 0.5:
@@ -300,7 +304,7 @@ def _dynamic_moduli(omega: ArrayLike, storage: ArrayLike, loss: ArrayLike) -> tu
 
 
 def _fitted(omega: FloatArray, measured: Any, count: int) -> tuple[float, FloatArray, FloatArray]:
-    """Return the long-time modulus [Pa], the relaxation times [s] and their moduli [Pa]."""
+    """Return the long-time modulus [Pa], the relaxation times [s] and the modulus of each [Pa]."""
     first, last = -math.log(omega.max()), -math.log(omega.min())
     times = np.exp(np.linspace(first, last, count) if count > 1 else [0.5 * (first + last)])
     x = 1j * omega[:, None] * times
@@ -320,7 +324,7 @@ def _fitted(omega: FloatArray, measured: Any, count: int) -> tuple[float, FloatA
     used = found[1:] > _NEGLIGIBLE * found.sum()
     if not used.any():
         raise ValueError(
-            "loss must be > 0 at some frequency: the fitted material is elastic; use "
-            "Material.elastic, or check loss"
+            "loss must be large enough for a viscoelastic fit, got values that fit an elastic "
+            "material: use Material.elastic, or check loss"
         )
     return float(found[0]), times[used], found[1:][used]

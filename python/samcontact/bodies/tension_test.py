@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 _ELASTIC_PART = (0.1, 0.5)
 """Stresses between which the elastic line is fitted, as fractions of the yield stress."""
 _MAX_ELASTIC_STRAIN = 0.1
-"""Maximum stress / E; a larger ratio means that the strain is in percent."""
+"""Maximum ratio stress / E; a larger one means that the strain is in percent."""
 _MIN_STRESS = 1e5
 """Minimum of the largest stress [Pa]; below it, the stress is probably in MPa or GPa."""
 
 
 class FromTest:
-    """Base class of `Material` with a hardening law from a measured curve."""
+    """Base class of `Material` that creates a material from a measured curve."""
 
     @classmethod
     def from_test(
@@ -50,33 +50,34 @@ class FromTest:
             over the initial area. If False, strain and stress are true values (logarithmic strain,
             force over the current area). Default: True.
         E : float, optional
-            Young's modulus [Pa]. Default: slope of the curve between 10 and 50 % of the yield
-            stress, by least squares. The strain at which this line meets zero stress is subtracted
-            from all strains. In a test without an extensometer, the strain includes the deformation
-            of the machine, so this slope is too small. Give E in this case. The plastic strain
-            remains the deviation of the curve from the fitted line, so the deformation of the
-            machine does not enter it.
+            Young's modulus [Pa]. Default: slope of a line that is fitted by least squares to the
+            curve between 10 and 50 % of the yield stress. The strain at which this line meets zero
+            stress is subtracted from all strains. In a test without an extensometer, the strain
+            includes the deformation of the machine, so the slope is too small: give E in this case.
+            The plastic strain is then still the deviation of the curve from the fitted line, and
+            therefore does not include the deformation of the machine.
         nu : float, optional
             Poisson's ratio, which the test does not measure. Default: 0.3.
         offset : float, optional
-            Plastic strain at which yield begins [-], > 0; 0.002 is the usual proof stress. The
-            curve beyond this strain is used as measured. Default: 2e-4, because the plastic strain
-            of rolling contacts is often below 0.002.
+            Plastic strain at which yield begins [-], > 0 and below 0.05; 0.002 gives the usual
+            proof stress. The curve beyond this strain is used as measured. Default: 2e-4, because
+            the plastic strain of rolling contacts is often below 0.002.
 
         Returns
         -------
         Material
             Material with the law "tabulated". True strain is ln(1 + e) and true stress s (1 + e)
-            for engineering values e and s; the plastic strain is true strain - true stress / E. If
-            strain or stress decreases because of noise, it is replaced by the least-squares fit
-            that does not decrease.
+            for engineering values e and s; the plastic strain is true strain - true stress / E.
+            Where noise makes plastic strain or stress decrease, a non-decreasing least-squares fit
+            replaces the measured values.
 
         Raises
         ------
         ValueError
             The curve is not plausible: strain in percent, stress in MPa, necking, strain or stress
             that decreases by more than the noise of the curve, or too few points for the elastic
-            line. E is not in Pa, or below the slope of the curve.
+            line. E is not in Pa or is below the slope of the curve, or another argument is outside
+            its range.
         TypeError
             An argument is not a number.
         """
@@ -110,7 +111,7 @@ def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray
             f"{e.shape} and {s.shape}"
         )
     if not (np.isfinite(e).all() and np.isfinite(s).all()):
-        raise ValueError("strain and stress must be finite everywhere")
+        raise ValueError("strain and stress must be finite, got NaN or inf")
     largest = float(np.abs(s).max())
     if largest < _MIN_STRESS:
         raise ValueError(
@@ -128,8 +129,8 @@ def _curve(strain: ArrayLike, stress: ArrayLike) -> tuple[FloatArray, FloatArray
     if wrong.any():
         i = int((np.diff(sign * e) <= 0).argmax())
         raise ValueError(
-            f"strain must change in one direction, got strain[{i + 1}] = {e[i + 1]:g} after "
-            f"strain[{i}] = {e[i]:g}: omit unloading"
+            f"strain must either only increase or only decrease, got strain[{i + 1}] = "
+            f"{e[i + 1]:g} after strain[{i}] = {e[i]:g}: omit unloading"
         )
     strains, s = merged(fitted, s)
     e = sign * strains
@@ -176,12 +177,16 @@ def _elastic_line(
             return modulus, 0.0
         if inside.size < 3:
             raise ValueError(
-                f"E is required: fewer than 3 points are between {_ELASTIC_PART[0]:.0%} and "
-                f"{_ELASTIC_PART[1]:.0%} of the yield stress, too few for the elastic line"
+                f"E is required, because fewer than 3 points of the curve lie between "
+                f"{_ELASTIC_PART[0]:.0%} and {_ELASTIC_PART[1]:.0%} of the yield stress, too few "
+                "to fit the elastic line"
             )
         slope, level = np.polyfit(e[inside], s[inside], 1)
         if not slope > 0:
-            raise ValueError("stress must increase with the strain at the beginning of the curve")
+            raise ValueError(
+                "stress must increase with strain at the beginning of the curve, got a slope of "
+                f"{slope:.3g} Pa"
+            )
         last, found = found, (float(slope), float(-level / slope))
         if abs(found[0] / (last[0] or np.inf) - 1) < 1e-9:
             break
@@ -212,7 +217,7 @@ def _require_no_percent(e: FloatArray, s: FloatArray, modulus: float, given: boo
     if top / modulus > _MAX_ELASTIC_STRAIN or (given and early < 0.05 * modulus):
         raise ValueError(
             f"strain must be dimensionless, but the initial slope of the curve, {early:.3g} Pa, is "
-            f"too small for a stress of {top:.3g} Pa"
+            f"too small for stresses up to {top:.3g} Pa"
             f"{f' and E = {modulus:.3g} Pa' if given else ''}: divide strains in percent by 100"
         )
 
@@ -262,8 +267,7 @@ def _require_noise(
     worst = int(np.abs(changes).argmax())
     if abs(changes[worst]) > MAX_DEVIATIONS * noise:
         raise ValueError(
-            f"{name} must not decrease beyond yield by more than the noise of the curve, but it "
+            f"{name} must not decrease after yield by more than the noise of the curve, but it "
             f"does at a plastic strain of {plastic[worst]:.4g} and a stress of "
-            f"{stress[worst]:.4g} Pa: smooth the curve there, or omit an upper yield point, and "
-            "check E"
+            f"{stress[worst]:.4g} Pa: smooth the curve there, omit an upper yield point, or check E"
         )

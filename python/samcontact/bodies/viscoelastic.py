@@ -46,8 +46,8 @@ def relaxed(body: Body) -> Body:
         share = long_time_share(material.relaxation_terms or ((), ()))
         if not share > 0:
             raise ValueError(
-                "the shares of relaxation must sum to less than 1, got a body without a long-time "
-                "modulus"
+                "the shares of relaxation must sum to less than 1, got a fluid, which has no "
+                "long-time modulus"
             )
         return Material.elastic(material.E * share, material.nu)
 
@@ -73,7 +73,7 @@ def softened(body: Body, share: float) -> Body:
 
 
 def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
-    """Apply a change to all materials of a viscoelastic body except a rigid base.
+    """Apply a change to all materials of a viscoelastic body except a rigid substrate.
 
     An elastic body is returned unchanged.
     """

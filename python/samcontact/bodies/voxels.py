@@ -21,7 +21,7 @@ Ends = list[tuple[int, int]]
 
 
 class VoxelBlock:
-    """Block of voxels in a body; each voxel has a material label or a filled fraction.
+    """Block of voxels in a body, which states the material or the filled fraction of each voxel.
 
     Attributes
     ----------
@@ -48,7 +48,8 @@ class VoxelBlock:
             materials = [materials]
         if not isinstance(materials, (list, tuple)) or not materials:
             raise TypeError(
-                f"materials must be a list of Material or None, got {in_short(materials)}"
+                f"materials must be a list of Material, with None for voids, got "
+                f"{in_short(materials)}"
             )
         self.materials = tuple(
             checked_phase(f"materials[{n}]", one) for n, one in enumerate(materials)
@@ -68,8 +69,8 @@ class VoxelBlock:
         bottom = self.origin[2] + self.size[2] * (1 + np.arange(layers))
         if bottom[-1] <= 0.0:
             raise ValueError(
-                f"origin must be so deep that voxels lie below the surface, got {self.origin!r}: "
-                "z is positive into the body"
+                f"origin must be so deep that the block of voxels reaches below the surface, got "
+                f"{self.origin!r}: z is positive into the body"
             )
         top = int(np.argmax(bottom > 0.0))
         if self.origin[2] + self.size[2] * top > 0.0:
@@ -77,19 +78,19 @@ class VoxelBlock:
         for index, material in enumerate(self.materials):
             if material is None and self._share(index)[:, :, top].any():
                 raise ValueError(
-                    "labels must not have voids at the surface, got some in layer "
-                    f"{top}: a void that cuts the surface is a dent; give it as a part of the gap"
+                    f"labels must not have voids at the surface, got voids in labels[:, :, {top}]: "
+                    "model them as dents in the surface, as part of the gap"
                 )
 
     @property
     def depths(self) -> tuple[float, float]:
-        """Depths of the top and the bottom of the block [m]; at least 0 for the top."""
+        """Depths of the top and the bottom of the block [m]; 0 for a top above the surface."""
         top = self.origin[2]
         return max(top, 0.0), top + self.size[2] * self.labels.shape[2]
 
     @property
     def mid_depth(self) -> float:
-        """Depth of the middle of the block below the surface [m]."""
+        """Mean depth of the part of the block that is below the surface [m]."""
         return 0.5 * sum(self.depths)
 
     def _share(self, index: int) -> FloatArray:
@@ -99,7 +100,7 @@ class VoxelBlock:
         return np.asarray(self.labels == index + 1, dtype=np.float64)
 
     def ends(self, axes: Sequence[tuple[float, float]]) -> Ends:
-        """Index of the first cell of the block, and one past its last cell, along x, y and z.
+        """Indices of the first cell of the block and of the cell after its last, along each axis.
 
         axes: lower edge of the grid and length of a cell along each axis [m].
         """
@@ -117,9 +118,9 @@ class VoxelBlock:
     ) -> Iterator[tuple[int, Ends, FloatArray]]:
         """Iterate over the materials that occur in the block.
 
-        Each item is the number of the material, the range of cells along each axis, and the
+        Each item contains the number of the material, the range of cells along each axis, and the
         fraction of each of these cells that the material fills. The fractions are exact, because
-        the overlap of a cell and a voxel is a box.
+        the overlap of a cell and a voxel is a cuboid.
         """
         ends = self.ends(axes)
         weights = [
@@ -156,7 +157,7 @@ class VoxelBlock:
         )
 
     def in_short(self) -> str:
-        """One-line description for tables."""
+        """One-line description of the block, for tables."""
         counts = " × ".join(map(str, self.labels.shape))
         return f"{counts} of {lengths(*self.size)}, {len(self.materials)} material(s)"
 
@@ -167,24 +168,28 @@ def _checked_labels(labels: ArrayLike, count: int) -> NDArray[Any]:
         real_array("labels", labels)
     given = np.asarray(labels)
     if given.ndim != 3 or not given.size:
-        raise ValueError(f"labels must have shape (n, m, l), got {given.shape}")
+        raise ValueError(
+            f"labels must be a three-dimensional array that is not empty, got shape {given.shape}"
+        )
     if given.dtype.kind == "b":
         given = given.astype(np.int32)
     if given.dtype.kind == "f":
         if count != 1:
             raise ValueError(
-                f"labels must be integers with {count} materials, got {given.dtype}: shares are "
-                "possible with one material only"
+                f"with {count} materials, labels must be integers, got {given.dtype}: filled "
+                "fractions of the voxels are possible with a single material only"
             )
         shares = finite_array("labels", given).copy()
         if shares.min() < 0.0 or shares.max() > 1.0:
             raise ValueError(
-                "labels must be shares from 0 to 1, or integers, got values from "
+                "labels must be integers, or the filled fraction of each voxel, from 0 to 1, got "
                 f"{shares.min():g} to {shares.max():g}"
             )
         given = shares
     elif given.dtype.kind not in "iu":
-        raise TypeError(f"labels must be an array of integers or shares, got {given.dtype}")
+        raise TypeError(
+            f"labels must be integers, or the filled fraction of each voxel, got {given.dtype}"
+        )
     elif given.min() < 0 or given.max() > count:
         raise ValueError(
             f"labels must be from 0 (matrix) to {count}, the number of materials, got "
@@ -193,6 +198,6 @@ def _checked_labels(labels: ArrayLike, count: int) -> NDArray[Any]:
     else:
         given = given.astype(np.int32)
     if not given.any():
-        raise ValueError("labels must contain at least one voxel of an inclusion, got none")
+        raise ValueError("labels must contain at least one value other than 0 (matrix), got only 0")
     given.flags.writeable = False
     return given

@@ -20,7 +20,7 @@ _SLICE = 0.5  # half thickness of the section through an inclusion, in radii
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ButterflyMap(ShortRepr, HtmlTable):
-    """Fatigue criterion versus direction from the centre of an inclusion, from `butterflies`.
+    """Fatigue criterion in each direction around inclusions, as computed by `butterflies`.
 
     Attributes
     ----------
@@ -29,10 +29,10 @@ class ButterflyMap(ShortRepr, HtmlTable):
     count : ndarray of int, shape (sectors,)
         Number of inclusions for which the criterion is largest in this sector.
     relative : ndarray, shape (sectors,)
-        Largest value of the criterion in the sector, divided by the largest value around the
-        inclusion; mean over all inclusions. A sector without cells counts as 0.
+        Largest value of the criterion in the sector, divided by the largest value around the same
+        inclusion; mean over the inclusions of the map. A sector without cells counts as 0.
     numbers : tuple of int
-        Indices of the inclusions that the map includes.
+        Indices of the inclusions of the map in `Heterogeneous.inclusions`.
     """
 
     angle: FloatArray
@@ -44,7 +44,8 @@ class ButterflyMap(ShortRepr, HtmlTable):
     def wings(self) -> FloatArray:
         """Angles of the wings [rad].
 
-        A wing is a sector that exceeds both neighbours and 90 % of the maximum.
+        A wing is a sector in which `relative` is not below its value in either neighbouring sector,
+        and above 90 % of its maximum.
         """
         r = self.relative
         above = (r >= np.roll(r, 1)) & (r >= np.roll(r, -1)) & (r > 0.9 * r.max())
@@ -61,8 +62,8 @@ def butterflies(
     """Return a map of the directions around inclusions in which a fatigue criterion is largest.
 
     Butterflies are wings of altered steel at non-metallic inclusions below a raceway. The map uses
-    the cells of the matrix in a section parallel to x and z through each inclusion. Cells up to
-    half a radius on each side of the centre plane belong to the section.
+    the cells of the matrix in a section parallel to x and z through each inclusion. The section
+    contains the cells up to half a radius on each side of the plane through the centre.
 
     Parameters
     ----------
@@ -72,7 +73,7 @@ def butterflies(
     body : Heterogeneous
         Body for which the field was computed.
     within : float, optional
-        Distance from the centre of an inclusion up to which cells count, in radii. Default: 1.5.
+        Distance from the centre of an inclusion up to which cells are used, in radii. Default: 1.5.
     sectors : int, optional
         Number of sectors, from 4 to 360. Default: 36.
 
@@ -83,8 +84,8 @@ def butterflies(
     Raises
     ------
     ValueError
-        The field has axes other than x, y and z, no inclusion is inside the field, or an argument
-        is outside its range.
+        The field has axes other than x, y and z, or is not above 0 in any cell of the matrix around
+        an inclusion; or an argument is outside its range.
     TypeError
         An argument has the wrong type.
     """
@@ -104,7 +105,9 @@ def butterflies(
         sums += found / found.max()
         counts[found.argmax()] += 1
     if not used:
-        raise ValueError("field must contain cells of the matrix around inclusions, got none")
+        raise ValueError(
+            "field must be > 0 in at least one cell of the matrix around an inclusion, got none"
+        )
     middle = -np.pi + 2 * np.pi * (np.arange(number) + 0.5) / number
     return ButterflyMap(middle, counts, sums / len(used), tuple(used))
 

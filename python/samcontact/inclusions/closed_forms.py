@@ -57,7 +57,7 @@ def thermal_misfit(inclusion: Material, matrix: Material, temperature_change: fl
 
 @dataclass(frozen=True, repr=False, eq=False)
 class EshelbySphere(HtmlTable):
-    """Spherical inclusion or void in an infinite body under uniform stress, from `eshelby_sphere`.
+    """Spherical inclusion or void in an infinite body under uniform stress; see `eshelby_sphere`.
 
     Attributes
     ----------
@@ -66,8 +66,8 @@ class EshelbySphere(HtmlTable):
     remote_stress : ndarray, shape (6,)
         Stress far from the sphere [Pa].
     eigenstrain : ndarray, shape (6,)
-        Equivalent uniform eigenstrain [-], which has the same effect as the sphere if the body is
-        homogeneous.
+        Equivalent uniform eigenstrain of the sphere [-]: in a homogeneous body it has the same
+        effect as the sphere.
     radius : float
         Radius [m].
     """
@@ -129,7 +129,7 @@ class EshelbySphere(HtmlTable):
 
 
 def eshelby_factors(nu: float) -> tuple[float, float]:
-    """Factors by which Eshelby's tensor of a sphere scales mean and deviator of an eigenstrain."""
+    """Factors by which Eshelby's tensor of a sphere scales the mean and deviator of a strain."""
     return (1 + nu) / (3 * (1 - nu)), 2 * (4 - 5 * nu) / (15 * (1 - nu))
 
 
@@ -151,7 +151,7 @@ def eshelby_sphere(
     material : Material or None
         Material of the sphere; None for a void. Only the elastic constants are used.
     stress : array_like, shape (6,)
-        Stress far from the sphere, xx, yy, zz, yz, xz, xy [Pa].
+        Stress far from the sphere [Pa], with the components xx, yy, zz, yz, xz, xy.
     misfit : float or array_like, shape (6,), optional
         Misfit strain, see `Inclusion.sphere`. Default: 0.
     radius : float, optional
@@ -170,7 +170,7 @@ def eshelby_sphere(
     """
     require_type("matrix", matrix, Material)
     if matrix.is_rigid:
-        raise ValueError("matrix must not be rigid")
+        raise ValueError("matrix must not be rigid: it must deform around the sphere")
     if material is not None:
         require_type("material", material, Material)
     remote = finite_array("stress", stress, (6,))
@@ -187,8 +187,9 @@ def eshelby_sphere(
 def _equivalent(strain: FloatArray, misfit: FloatArray, ratio: float, factor: float) -> FloatArray:
     """Mean or deviator x of the equivalent eigenstrain.
 
-    It solves ratio (e + S x - misfit) = e + S x - x with the remote strain e, the modulus ratio of
-    inclusion and matrix, and the factor S of Eshelby's tensor.
+    It solves ratio (e + S x - misfit) = e + S x - x, where e is the remote strain (`strain`),
+    `ratio` the modulus of the inclusion divided by that of the matrix, and S the factor of
+    Eshelby's tensor (`factor`).
     """
     return (strain * (1 - ratio) + misfit * ratio) / (1 + factor * (ratio - 1))
 
@@ -201,6 +202,7 @@ def exterior_strain(
     Parameters
     ----------
     eigenstrain : ndarray, shape (6,)
+        Uniform eigenstrain of the sphere [-].
     normal : ndarray, shape (3, ...)
         Unit vectors from the centre to the points.
     ratio : ndarray, shape (...)
@@ -240,7 +242,7 @@ class MisfitSphere:
     E, nu : float
         Young's modulus [Pa] and Poisson's ratio of half-space and sphere.
     misfit : float
-        Linear misfit strain [-].
+        Misfit strain along each direction [-], not the volumetric strain.
     radius : float
         Radius [m], > 0.
     depth : float
@@ -288,7 +290,10 @@ class MisfitSphere:
         return np.asarray(-strength * self.depth / (r**2 + self.depth**2) ** 1.5)
 
     def stress(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
-        """Stress at points [Pa], shape (6, ...); z from the surface into the body [m]."""
+        """Stress at points [Pa], shape (6, ...).
+
+        x and y are measured from the centre of the sphere, z from the surface into the body [m].
+        """
         points = np.stack(together(x=x, y=y, z=z))
         z_axis = np.array([0.0, 0.0, 1.0]).reshape(3, *([1] * (points.ndim - 1)))
         own = points - self.depth * z_axis

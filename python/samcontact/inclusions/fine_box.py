@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stress around small inclusions on fine cells, and fatigue criteria for cycles of this stress."""
+"""Stress in boxes of fine cells around small inclusions, and fatigue criteria for its cycles."""
 
 from __future__ import annotations
 
@@ -25,23 +25,24 @@ from .interface import Interface, interface_of
 
 @dataclass(frozen=True, repr=False, eq=False)
 class FineBox(ShortRepr, HtmlTable):
-    """Stress around small inclusions on fine cells, from `fine_boxes`.
+    """Stress in a box of fine cells around small inclusions, as computed by `fine_boxes`.
 
     Attributes
     ----------
     body : Heterogeneous
-        Matrix and inclusions of the box, at their positions in the state, in the frame of its grid.
+        Matrix, and inclusions of the box at their positions in the state, in the frame of the grid
+        of the state.
     numbers : tuple of int
         Indices of these inclusions in the list given to `fine_boxes`.
     x, y, z : ndarray
-        Cell centres [m] in the frame of the grid.
+        Cell centres [m] in the same frame.
     share : ndarray, shape (nx, ny, nz)
-        Fraction of each cell that the inclusions fill, 0 to 1.
+        Volume fraction of the inclusions in each cell, 0 to 1.
     phase : ndarray of int, shape (nx, ny, nz)
-        Index in `numbers` of the inclusion that fills most of a cell; -1 in the matrix.
+        Index in `numbers` of the inclusion that fills the largest part of a cell; -1 in the matrix.
     given_stress : ndarray, shape (6, nx, ny, nz)
-        Stress of the state, which does not contain these inclusions, interpolated to the cells
-        [Pa].
+        Stress of the state, interpolated to the cells [Pa]. The state does not contain these
+        inclusions.
     stress : ndarray, shape (6, nx, ny, nz)
         Stress with the inclusions [Pa].
     eigenstrain : ndarray, shape (6, nx, ny, nz)
@@ -50,8 +51,8 @@ class FineBox(ShortRepr, HtmlTable):
         Largest difference between cubic and linear interpolation of the given stress, relative to
         the largest component of this stress. It is an upper bound of the interpolation error.
     pressure_change : float
-        Estimate of the largest change of the contact pressure due to the inclusions [Pa], which is
-        neglected.
+        Estimate of the largest change of the contact pressure due to the inclusions [Pa]; this
+        change is neglected.
     evaluations : int
         Number of stress evaluations in the iterative solution.
     """
@@ -87,7 +88,7 @@ class FineBox(ShortRepr, HtmlTable):
 
     @property
     def coordinates(self) -> dict[str, FloatArray]:
-        """Cell centres by the name of their axis [m]."""
+        """Cell centres [m] along each axis, by the name of the axis."""
         return {"x": self.x, "y": self.y, "z": self.z}
 
     @property
@@ -96,7 +97,7 @@ class FineBox(ShortRepr, HtmlTable):
         return float((self.x[1] - self.x[0]) ** 3)
 
     def interfaces(self) -> list[Interface]:
-        """Largest tractions at the interface of each inclusion, see `interfaces`."""
+        """Largest tractions at the interface of each inclusion of the box, see `Interface`."""
         found = []
         for n, number_ in enumerate(self.numbers):
             mine = self.phase == n
@@ -114,12 +115,12 @@ class FineBox(ShortRepr, HtmlTable):
 
         Pass the result to `Simulation.add_eigenstrain` to include the effect of the inclusions on
         the contact. Averaging preserves the volume integral of the eigenstrain, and therefore its
-        effect on the surface displacement. The last layer contains the bottom of the box. Raises
-        ValueError if the grid has no dz or does not contain the box.
+        effect on the surface displacement. The layers of the result extend from the surface to the
+        bottom of the box. Raises ValueError if the grid has no dz or does not contain the box.
         """
         require_type("grid", grid, Grid)
         if grid.dz is None:
-            raise ValueError(f"grid must have dz, got {grid!r}")
+            raise ValueError(f"grid must have dz, the thickness of its cells, got {grid!r}")
         at = [
             np.floor(values / step + middle).astype(int)
             for values, step, middle in (
@@ -132,8 +133,8 @@ class FineBox(ShortRepr, HtmlTable):
         for indices, count, name in zip(at[:2], (grid.nx, grid.ny), "xy", strict=True):
             if indices.min() < 0 or indices.max() >= count:
                 raise ValueError(
-                    f"grid must contain the box along {name}, got cells {indices.min()} to "
-                    f"{indices.max()} of {count}"
+                    f"grid must contain the box along {name}, got a box from cell {indices.min()} "
+                    f"to cell {indices.max()} for a grid with cells 0 to {count - 1}"
                 )
         memory.require_for_grid("an eigenstrain", grid, 48.0 * grid.nx * grid.ny * layers)
         coarse = np.zeros((6, grid.nx, grid.ny, layers))
@@ -165,8 +166,8 @@ def fine_field(
         Boxes around the same inclusions, one for each state of the cycle, e.g. for each position of
         a rolling pass.
     criterion : callable
-        Function that returns the field of a criterion for a stress history, shape
-        (n, 6, nx, ny, nz), e.g. ``lambda s: sc.fatigue.dang_van(s, slope=0.3)``.
+        Function of a stress history (array of shape (n, 6, nx, ny, nz) for n boxes) that returns
+        the field of a fatigue criterion, e.g. ``lambda s: sc.fatigue.dang_van(s, slope=0.3)``.
 
     Returns
     -------
@@ -177,21 +178,24 @@ def fine_field(
     Raises
     ------
     ValueError
-        The boxes contain different inclusions or cells, or there is no box.
+        The boxes contain different inclusions or different numbers of cells, or there is no box.
     TypeError
         An argument has the wrong type.
     """
     require_list("boxes", boxes, FineBox)
     if not callable(criterion):
-        raise TypeError(f"criterion must be a function of the stress, got {in_short(criterion)}")
+        raise TypeError(
+            f"criterion must be a function of a stress history, got {in_short(criterion)}"
+        )
     if not boxes:
         raise ValueError("boxes must contain at least one FineBox, got none")
     last = boxes[-1]
     for n, box in enumerate(boxes):
         if box.numbers != last.numbers or box.share.shape != last.share.shape:
             raise ValueError(
-                f"boxes must contain the same inclusions on equal cells, got {box.numbers} in "
-                f"boxes[{n}] and {last.numbers} in the last one"
+                f"boxes must contain the same inclusions on equal numbers of cells, got inclusions "
+                f"{box.numbers} on {box.share.shape} cells in boxes[{n}], and inclusions "
+                f"{last.numbers} on {last.share.shape} cells in the last box"
             )
     field = criterion(np.stack([box.stress for box in boxes]))
     require_type("the result of criterion", field, FatigueField)

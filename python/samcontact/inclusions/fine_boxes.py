@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small inclusions in boxes of fine cells, under the stress of a state that excludes them."""
+"""Small inclusions in boxes of fine cells, under the stress of a state without them."""
 
 from __future__ import annotations
 
@@ -44,32 +44,34 @@ def fine_boxes(
     within: float = 2.0,
     tol: float = 1e-4,
 ) -> list[FineBox]:
-    """Solve inclusions that are small compared with the cells of a state, in boxes of fine cells.
+    """Compute the stress around inclusions that are too small for the cells of a state.
 
-    The stress of the state, which does not contain these inclusions, acts on them. Their effect on
-    the contact and on the plastic flow of the state is neglected. This effect decreases as
-    (radius/depth)^3. Inclusions whose centres are closer than three times the sum of their radii
-    are solved together. The free surface is taken into account. The cost is proportional to the
-    number of inclusions.
+    The inclusions are solved in boxes of fine cells, under the stress of the state, which does not
+    contain them. The effect of the inclusions on the contact and on the plastic flow of the state
+    is neglected; it decreases as (radius/depth)^3. Two inclusions whose centres are closer than
+    three times the sum of their radii are solved together, in one box. The effect of the free
+    surface is included. The cost is proportional to the number of inclusions.
 
     Parameters
     ----------
     state : State
-        State of a simulation. Its body may be elastic-plastic and contain larger inclusions.
+        State of a simulation. The body may be elastic-plastic and contain larger inclusions.
     inclusions : sequence of Inclusion
         Elastic inclusions and voids, with their positions at the start of the simulation; they move
         with the body.
     body : {1, 2}, optional
-        Body that contains the inclusions; neither rigid nor layered. Default: 2.
+        Body that contains the inclusions. It must be neither rigid nor layered, and have no free
+        faces. Default: 2.
     cells_per_radius : float, optional
-        Number of cells per radius of the smallest inclusion in a box, at least 2; a warning is
+        Number of cells per radius of the smallest inclusion in each box, from 2 to 64; a warning is
         issued below 4. Default: 8.
     within : float, optional
-        Distance from the centre of each inclusion to the sides of its box, in radii, above 1 and at
-        most 10. Default: 2.
+        Minimum distance from the centre of each inclusion to the sides of its box, in radii of the
+        inclusion, above 1 and at most 10. Default: 2.
     tol : float, optional
         Tolerance of the eigenstrain, relative to its norm, in [1e-6, 1e-2]; at least 1e-3 is used
-        if moduli differ by a factor above 20. Default: 1e-4.
+        if a modulus of an inclusion differs from that of the matrix by a factor above 20. Default:
+        1e-4.
 
     Returns
     -------
@@ -79,22 +81,22 @@ def fine_boxes(
     Raises
     ------
     ValueError
-        An inclusion can yield, lies outside the grid, or lies in another inclusion. The body is
-        layered or rigid, or it has moved by a distance that is not a whole number of cells. An
-        argument is outside its range.
+        An inclusion can yield, or its box extends beyond the grid or contains an inclusion of the
+        body. The body is not supported, or has moved by a distance that is not a whole number of
+        cells. An argument is outside its range.
     TypeError
         An argument has the wrong type.
     ConvergenceError
         The eigenstrain did not converge.
     MemoryError
-        A box does not fit into the memory.
+        A box does not fit into memory.
 
     Warns
     -----
     ResolutionWarning
         There are fewer than 4 cells per radius.
     ElasticStrainWarning
-        The stress of the matrix exceeds its yield stress, although the box is solved elastically.
+        The stress in the matrix exceeds its yield stress, but boxes are computed as elastic.
     """
     require_type("state", state, State)
     which = choice("body", body, (1, 2))
@@ -114,7 +116,7 @@ def fine_boxes(
         )
     extent = number("within", within)
     if not 1.0 < extent <= MAX_WITHIN:
-        raise ValueError(f"within must be above 1 and at most {MAX_WITHIN:g}, got {extent!r}")
+        raise ValueError(f"within must be above 1 and at most {MAX_WITHIN:g} radii, got {extent!r}")
     limit = number("tol", tol)
     if not _MIN_TOL <= limit <= _MAX_TOL:
         raise ValueError(f"tol must be in [{_MIN_TOL:g}, {_MAX_TOL:g}], got {limit!r}")
@@ -129,7 +131,7 @@ def fine_boxes(
 
 
 def groups(inclusions: Sequence[Inclusion]) -> list[list[int]]:
-    """Indices of the inclusions in each group that is solved together, because they are close."""
+    """Groups of inclusions that are so close that they are solved together, as lists of indices."""
     left, found = list(range(len(inclusions))), []
     while left:
         group = [left.pop(0)]
@@ -146,33 +148,36 @@ def _are_close(a: Inclusion, b: Inclusion) -> bool:
 
 
 def _matrix_of(state: State, which: int) -> Material:
-    """Return the material of a body or of its matrix; raise an error if it is not supported."""
+    """Return the material of a body or of its matrix; raise ValueError for unsupported bodies."""
     described = state.setup.bodies[which - 1]
     matrix = matrix_of(described)
     if not isinstance(matrix, Material):
         raise ValueError(
-            f"body{which} must be a Material or a Heterogeneous body for fine boxes, got "
-            f"{in_short(described)}: fine boxes do not include the effect of layers; add the "
-            "inclusions to a Heterogeneous body on a fine grid"
+            f"body{which} must not be layered for fine boxes, got {in_short(described)}: fine "
+            "boxes do not include the effect of layers; simulate a Heterogeneous body with these "
+            "inclusions on a fine grid instead"
         )
     if matrix.is_rigid:
-        raise ValueError(f"body{which} must not be rigid: it has no stress")
+        raise ValueError(f"body{which} must not be rigid: the stress in a rigid body is unknown")
     if matrix.free_faces is not None:
-        raise ValueError(f"body{which} must not have free_faces: fine boxes do not include them")
+        raise ValueError(
+            f"body{which} must not have free_faces: fine boxes do not include their effect"
+        )
     if abs(state.offset(which)) > 0.0:
         raise ValueError(
             f"fields of body{which} must lie on the cells of the grid, got an offset of "
-            f"{state.offset(which):.3g} m: move the body by whole cells"
+            f"{state.offset(which):.3g} m: move the body by a whole number of cells"
         )
     return matrix
 
 
 def _at_state(n: int, inclusion: Inclusion, state: State, which: int) -> Inclusion:
-    """Return an inclusion at its position in a state, to which it has moved with the body."""
+    """Return an inclusion at its position in a state, after it has moved with the body."""
     if inclusion.material is not None and inclusion.material.is_plastic:
         raise ValueError(
             f"inclusions[{n}] must be elastic or a void, got {in_short(inclusion.material)}: fine "
-            "boxes are elastic; add it to a Heterogeneous body on a fine grid"
+            "boxes are computed as elastic; simulate a Heterogeneous body with this inclusion on a "
+            "fine grid instead"
         )
     x = inclusion.center[0]
     moved = x - state._core.first_cell[which - 1] * state.grid.dx
@@ -183,14 +188,14 @@ def _at_state(n: int, inclusion: Inclusion, state: State, which: int) -> Inclusi
 
 
 class _Lattice(NamedTuple):
-    """Cells of a box."""
+    """Fine cells of a box."""
 
     middle: FloatArray
-    """x and y of the centre [m]."""
+    """Coordinates x and y of the centre of the box [m]."""
     plane: Grid
-    """Cells of one layer, with the centre of the box at the origin."""
+    """Grid of one layer of cells, with its origin at the centre of the box."""
     above: int
-    """Number of layers above the box."""
+    """Number of layers of cells between the surface and the box."""
     layers: int
 
     @property
@@ -265,7 +270,7 @@ def _solved(
 
 
 def _moduli(cells: InclusionCells, shape: tuple[int, int, int]) -> tuple[Any, Moduli]:
-    """Indices k, i and j of the cells that differ from the matrix, and the moduli of the cells."""
+    """Indices k, i and j of the cells that differ from the matrix, and their moduli."""
     differs = np.moveaxis(cells.over_grid(cells.is_deformed, shape, False), -1, 0)
     where = np.nonzero(differs)
 
@@ -277,7 +282,7 @@ def _moduli(cells: InclusionCells, shape: tuple[int, int, int]) -> tuple[Any, Mo
 
 
 def _warn_of_yield(boxes: Sequence[FineBox], matrix: Material) -> None:
-    """Warn if the matrix would yield in elastic boxes."""
+    """Warn if the matrix would yield in boxes that are computed as elastic."""
     if not matrix.is_plastic:
         return
     excess = [(box.von_mises[box.is_matrix].max() / matrix.yield_stress(0.0), box) for box in boxes]
@@ -285,9 +290,9 @@ def _warn_of_yield(boxes: Sequence[FineBox], matrix: Material) -> None:
     if worst > 1.0:
         warnings.warn(
             f"the matrix would yield near {sum(ratio > 1 for ratio, _ in excess)} of {len(boxes)} "
-            f"groups of inclusions: its largest von Mises stress is {worst:.3g} times the yield "
-            f"stress (inclusions {box.numbers}), but fine boxes are elastic; add these inclusions "
-            "to a Heterogeneous body on a fine grid",
+            f"groups of inclusions, but fine boxes are computed as elastic: the von Mises stress "
+            f"reaches {worst:.3g} times the yield stress near inclusions {box.numbers}; simulate a "
+            "Heterogeneous body with these inclusions on a fine grid",
             ElasticStrainWarning,
             stacklevel=3,
         )

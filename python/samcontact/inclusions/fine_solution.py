@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Elastic solution of inclusions in a box of cells under a given stress.
 
-The equations are (1) to (3) of docs/theory/inclusions.md without plastic flow; the box may begin
-below the surface.
+The equations are (1) to (3) of docs/theory/inclusions.md without plastic flow. The top of the box
+may be below the surface of the body.
 """
 
 from __future__ import annotations
@@ -24,24 +24,24 @@ _IMAGE_TOL = 1e-4
 
 
 class Moduli(NamedTuple):
-    """Elastic constants and misfit strain of the cells that differ from the matrix."""
+    """Moduli and misfit strain of the cells that differ from the matrix."""
 
     bulk: FloatArray
-    """Bulk modulus, relative to the matrix, shape (n,)."""
+    """Bulk modulus divided by that of the matrix, shape (n,)."""
     shear: FloatArray
-    """Shear modulus, relative to the matrix, shape (n,)."""
+    """Shear modulus divided by that of the matrix, shape (n,)."""
     misfit: FloatArray
     """Misfit strain, shape (6, n)."""
 
     @property
     def are_strong(self) -> bool:
-        """Whether moduli differ from those of the matrix by a large factor."""
+        """Whether a modulus differs from that of the matrix by a factor above 20."""
         both = np.concatenate([self.bulk, self.shear])
         return bool(both.max() > _LARGE_RATIO or both.min() < 1 / _LARGE_RATIO)
 
 
 class Solution(NamedTuple):
-    """Eigenstrain of the inclusions, shape (6, n), and stress in the box [Pa]."""
+    """Eigenstrain of n cells, shape (6, n), stress in the box [Pa], and number of evaluations."""
 
     eigenstrain: FloatArray
     stress: FloatArray
@@ -51,7 +51,7 @@ class Solution(NamedTuple):
 class _Law:
     """Update of the eigenstrain e* of all cells at constant s + p C e*.
 
-    Here s is the stress, C the stiffness of the matrix and p a factor, see `MixedLaw` in the
+    Here s is the stress, C the stiffness of the matrix and p a factor; see `MixedLaw` in the
     compiled core.
     """
 
@@ -67,7 +67,7 @@ class _Law:
     def _kept(
         ratio: FloatArray, sphere: float, stiffness: float, strong: bool
     ) -> tuple[FloatArray, FloatArray]:
-        """Return p C, and the ratio of the updated s to s + p C e* without misfit [-]."""
+        """Return p C, and the ratio [-] of the updated s to s + p C e* for a misfit of 0."""
         p = np.full_like(ratio, sphere)
         if strong:
             p = np.where(ratio < 1, 1.0, np.where(ratio > 1, 0.5 * sphere, p))
@@ -93,7 +93,7 @@ class _Anderson:
         self.steps: list[FloatArray] = []
 
     def next(self, x: FloatArray, step: FloatArray) -> FloatArray:
-        """Return the next estimate from the last estimate x and the step of the iteration at x."""
+        """Return the next estimate, from the last estimate x and the step of the iteration at x."""
         self.points = [*self.points, x][-_DEPTH - 1 :]
         self.steps = [*self.steps, step][-_DEPTH - 1 :]
         if len(self.points) == 1:
@@ -108,21 +108,22 @@ def solve(
     box: Any, above: int, given: FloatArray, where: Any, cells: Moduli, E: float, nu: float,
     tol: float,
 ) -> Solution:  # fmt: skip
-    """Solve the inclusions of a box.
+    """Compute the eigenstrain of the inclusions in a box, and the stress in the box.
 
     Parameters
     ----------
     box : _core.Grid
-        Cells of the box, with layers.
+        Cells of the box in all its layers.
     above : int
-        Number of layers of the same thickness between the surface and the box.
+        Number of layers of cells between the surface and the box.
     given : ndarray, shape (6, nz, nx, ny)
         Stress without the inclusions [Pa].
     where : tuple of ndarray
         Indices k, i and j of the n cells that differ from the matrix.
     cells : Moduli
+        Moduli and misfit strain of these cells.
     E, nu : float
-        Elastic constants of the matrix [Pa], [-].
+        Young's modulus [Pa] and Poisson's ratio of the matrix.
     tol : float
         Tolerance of the eigenstrain, relative to its norm.
     """
@@ -143,7 +144,8 @@ def solve(
             return Solution(x, stress, count)
         x = accelerated.next(x, step)
     raise _core.ConvergenceError(
-        f"inclusions did not converge: relative change {np.linalg.norm(step) / size:.2g} after "
-        f"{_MAX_EVALUATIONS} evaluations, tol {limit:g}: solve fewer inclusions together, use "
-        "inclusions with moduli closer to those of the matrix, or increase tol"
+        f"inclusions did not converge: after {_MAX_EVALUATIONS} evaluations, the eigenstrain still "
+        f"changes by {np.linalg.norm(step) / size:.2g} of its norm, more than tol = {limit:g}; "
+        "increase tol, use inclusions with moduli closer to those of the matrix, or solve "
+        "fewer inclusions in one box"
     )

@@ -26,7 +26,7 @@ from ..solutions.state import State
 from .tensors import as_matrix, as_six, fibonacci_directions, strain_of
 
 DIRECTIONS = 2000
-"""Number of points of an interface at which its tractions are computed."""
+"""Number of points at which the tractions of an interface are computed."""
 
 
 def interface_stress(
@@ -39,12 +39,12 @@ def interface_stress(
     stress : array_like, shape (6,)
         Stress inside the inclusion at the interface, or mean stress of the inclusion [Pa].
     eigenstrain : array_like, shape (6,)
-        Equivalent eigenstrain, which has the effect of the inclusion in a homogeneous body [-], see
+        Equivalent eigenstrain [-], which in a homogeneous body has the effect of the inclusion, see
         `State.eigenstrain`.
     normal : array_like, shape (3, n)
         Unit normals of the interface.
     matrix : Material
-        Material of the matrix; elastic at the interface.
+        Material of the matrix, which is assumed to be elastic at the interface.
 
     Returns
     -------
@@ -62,7 +62,9 @@ def interface_stress(
     inner = finite_array("stress", stress, (6,))
     n = finite_array("normal", normal)
     if n.ndim != 2 or len(n) != 3 or np.abs((n**2).sum(axis=0) - 1.0).max(initial=0.0) > 1e-6:
-        raise ValueError(f"normal must be unit vectors of shape (3, n), got shape {n.shape}")
+        raise ValueError(
+            f"normal must contain n unit vectors as columns, shape (3, n), got {in_short(normal)}"
+        )
     E, nu = matrix.E, matrix.nu
     total = strain_of(inner, E, nu) + finite_array("eigenstrain", eigenstrain, (6,))
     plane = np.eye(3)[..., None] - n[:, None] * n[None]  # projector onto the interface
@@ -80,19 +82,19 @@ def interface_stress(
 
 @dataclass(frozen=True)
 class Interface(HtmlTable):
-    """Largest tractions at the interface of one inclusion, from `interfaces`.
+    """Largest tractions at the interface of one inclusion, as computed by `interfaces`.
 
     Attributes
     ----------
     number : int
-        Number of the inclusion in `Heterogeneous.inclusions`.
+        Index of the inclusion in `Heterogeneous.inclusions`.
     max_tension : float
-        Largest normal stress of the interface [Pa]; negative if the interface is compressed
+        Largest normal stress at the interface [Pa]; negative if the interface is compressed
         everywhere.
     tension_normal : tuple of float
         Outward normal at the place of the largest normal stress.
     max_shear : float
-        Largest shear stress of the interface [Pa].
+        Largest shear stress at the interface [Pa].
     max_von_mises : float
         Largest von Mises stress of the matrix at the interface [Pa].
     von_mises_normal : tuple of float
@@ -149,20 +151,19 @@ def interface_of(
 def interfaces(
     state: State, body: int = 2, numbers: Sequence[int] | None = None
 ) -> list[Interface]:
-    """Largest tractions at the interfaces of the inclusions of a body in one state.
+    """Largest tractions at the interface of each inclusion in a body, for one state.
 
     The tractions follow from the mean stress inside each inclusion and from the mean of its
-    eigenstrain. Tension opens an interface: compare it with the strength of the bond.
+    eigenstrain. Tension can open an interface: compare `max_tension` with the strength of the bond.
 
     Parameters
     ----------
     state : State
-        State of a simulation; the body may have moved by whole cells.
+        State of a simulation. The body may have moved by a whole number of cells.
     body : {1, 2}, optional
-        Heterogeneous body. Default: 2.
+        Number of the heterogeneous body. Default: 2.
     numbers : sequence of int, optional
-        Indices of the inclusions. Default: all inclusions that lie entirely in the fields of the
-        state.
+        Indices of the inclusions. Default: all inclusions that lie entirely within the grid.
 
     Returns
     -------
@@ -172,7 +173,7 @@ def interfaces(
     ------
     ValueError
         The body has moved by a distance that is not a whole number of cells, or an inclusion in
-        `numbers` is not entirely inside the fields.
+        `numbers` does not lie entirely within the grid.
     TypeError
         The body is not heterogeneous.
     """
@@ -184,7 +185,7 @@ def interfaces(
     if abs(state.offset(which)) > 0.0:
         raise ValueError(
             f"fields of body{which} must lie on the cells of the grid, got an offset of "
-            f"{state.offset(which):.3g} m: move the body by whole cells"
+            f"{state.offset(which):.3g} m: move the body by a whole number of cells"
         )
     means = MeanFields(described, state, which)
     if numbers is not None and not isinstance(numbers, (list, tuple, range)):
@@ -193,13 +194,13 @@ def interfaces(
     for number in range(len(described.inclusions)) if numbers is None else numbers:
         at = integer("numbers", number, 0)
         if at >= len(described.inclusions):
-            raise ValueError(f"numbers must be < {len(described.inclusions)}, got {at}")
+            raise ValueError(f"numbers must be indices < {len(described.inclusions)}, got {at}")
         if not means.contains(at):
             if numbers is None:
                 continue
             raise ValueError(
-                f"numbers must be indices of inclusions inside the fields of the state, got {at}: "
-                "omit it, or enlarge the grid"
+                f"numbers must be indices of inclusions that lie entirely within the grid, got "
+                f"{at}: omit this index, or enlarge the grid"
             )
         around = material_around(described, at)
         found.append(interface_of(at, described.inclusions[at], *means.of(at), around))
@@ -224,21 +225,25 @@ class MeanFields:
         self.complete = (every == inside)[1:]
 
     def contains(self, number: int) -> bool:
-        """Whether all cells of an inclusion are within the fields."""
+        """Whether an inclusion lies entirely within the grid."""
         return bool(self.complete[number])
 
     def of(self, number: int) -> tuple[FloatArray, FloatArray]:
-        """Mean stress of the full cells [Pa], and mean eigenstrain of all cells [-].
+        """Mean stress [Pa] of the cells completely in an inclusion, and mean eigenstrain [-].
 
-        The mean eigenstrain is the sum over full and cut cells divided by the filled volume. The
-        sum does not include the plastic strain of the matrix in cut cells. This mean eigenstrain is
-        more accurate than the mean of the full cells, and unique in a void.
+        The mean eigenstrain of the inclusion is the sum over completely and partly filled cells,
+        divided by the filled volume. This sum does not include the plastic strain of the matrix in
+        partly filled cells. The mean eigenstrain is more accurate than a mean over the completely
+        filled cells and, in contrast to such a mean, unique in a void.
         """
         mine = self.phase == number
         share = self.share[mine]
         full = share >= 1.0
         if not full.any():
-            raise ValueError(f"inclusions[{number}] must fill at least one cell, got none")
+            raise ValueError(
+                f"inclusions[{number}] must fill at least one cell completely, got none: use "
+                "smaller cells"
+            )
         inner = self.stress[:, mine][:, full].mean(axis=1)
         of_matrix = (1.0 - share) * self.plastic[:, mine]
         total = (self.eigenstrain[:, mine] - of_matrix).sum(axis=1) / share.sum()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Largest inclusion of a volume of steel, by statistics of extreme values.
+"""Largest inclusion in a volume of steel, by statistics of extreme values.
 
-The largest inclusions of equal inspected areas follow a Gumbel distribution (Murakami, 2019,
-*Metal Fatigue*, 2nd edition, chapter 6; ASTM E2283).
+The sizes of the largest inclusions in equal inspected areas follow a Gumbel distribution (Murakami,
+2019, *Metal Fatigue*, 2nd edition, chapter 6; ASTM E2283).
 """
 
 from __future__ import annotations
@@ -22,17 +22,18 @@ _EULER = 0.5772156649015329
 
 @dataclass(frozen=True)
 class LargestInclusion(HtmlTable):
-    """Gumbel distribution of the square root of the area of the largest inclusion.
+    """Gumbel distribution of the size of the largest inclusion.
 
-    Create it with `LargestInclusion.fit` from measured maxima.
+    The size of an inclusion is the square root of its area in a section. Create the distribution
+    with `LargestInclusion.fit` from measured maxima.
 
     Parameters
     ----------
     location, scale : float
-        Constants of the Gumbel distribution of the largest inclusion in one inspected area [m]:
-        location > 0, scale > 0.
+        Constants > 0 of the Gumbel distribution of the size of the largest inclusion in one
+        inspected area [m].
     area : float
-        Inspected area of each maximum [m^2], > 0.
+        Area that was inspected for each maximum [m^2], > 0.
     fields : int, optional
         Number of measured maxima, which `interval` needs; 0 if unknown.
 
@@ -78,9 +79,13 @@ class LargestInclusion(HtmlTable):
         """
         x = finite_array("maxima", maxima)
         if x.ndim != 1 or x.size < MIN_AREAS:
-            raise ValueError(f"maxima must be at least {MIN_AREAS} numbers, got shape {x.shape}")
+            raise ValueError(
+                f"maxima must be a list of at least {MIN_AREAS} numbers, got shape {x.shape}"
+            )
         if x.min() <= 0.0 or np.ptp(x) <= 1e-9 * x.max():
-            raise ValueError(f"maxima must be > 0 and differ, got {x.min():g} to {x.max():g} m")
+            raise ValueError(
+                f"maxima must be > 0 and not all equal, got {x.min():g} to {x.max():g} m"
+            )
         low = float(x.min())
         spread = x - low
         scale = float(x.std(ddof=1) * math.sqrt(6) / math.pi)
@@ -104,30 +109,32 @@ class LargestInclusion(HtmlTable):
         return self.location + _EULER * self.scale
 
     def return_period(self, volume: float) -> float:
-        """Number of inspected areas that correspond to a volume [m^3].
+        """Number of inspected areas that are equivalent to a volume [m^3] of steel.
 
-        One inspected area represents a volume equal to this area times `mean` (Murakami).
+        One inspected area represents a volume equal to this area times `mean` (Murakami). Raises
+        ValueError unless `volume` is larger.
         """
         periods = positive("volume", volume) / (self.area * self.mean)
         if periods <= 1.0:
             raise ValueError(
-                f"volume must be above the inspected volume {self.area * self.mean:.3g} m^3 of one "
-                f"area, got {volume!r} m^3"
+                f"volume must exceed {self.area * self.mean:.3g} m^3, the volume that one "
+                f"inspected area represents, got {volume!r} m^3"
             )
         return periods
 
     def expected_in(self, volume: float) -> float:
-        """Expected square root of the area of the largest inclusion in a volume of steel [m]."""
+        """Expected size of the largest inclusion in a volume [m^3] of steel: sqrt(area) [m]."""
         return self.location + self.scale * self._reduced(volume)
 
     def _reduced(self, volume: float) -> float:
         return -math.log(-math.log1p(-1.0 / self.return_period(volume)))
 
     def interval(self, volume: float) -> tuple[float, float]:
-        """Confidence interval (about 95 %) of `expected_in` [m], according to ASTM E2283."""
+        """Confidence interval (about 95 %, ASTM E2283) of `expected_in` [m] for a volume [m^3]."""
         if self.fields == 0:
             raise ValueError(
-                "fields must be known for an interval, got 0: use LargestInclusion.fit"
+                "fields, the number of maxima, must be > 0 for an interval, got 0: use "
+                "LargestInclusion.fit"
             )
         y = self._reduced(volume)
         error = self.scale * math.sqrt((1.109 + 0.514 * y + 0.608 * y * y) / self.fields)
@@ -135,7 +142,7 @@ class LargestInclusion(HtmlTable):
         return middle - 2 * error, middle + 2 * error
 
     def draw(self, volume: float, count: int, seed: int) -> FloatArray:
-        """Draw random radii of spheres that represent the largest inclusion of a volume.
+        """Draw random radii of spheres that represent the largest inclusion in a volume.
 
         Parameters
         ----------
@@ -149,7 +156,7 @@ class LargestInclusion(HtmlTable):
         Returns
         -------
         ndarray, shape (count,)
-            Radii [m] of the spheres whose sections have the drawn areas: sqrt(area/pi).
+            Radii [m] of the spheres whose central sections have the drawn areas: sqrt(area/pi).
 
         Raises
         ------

@@ -36,9 +36,10 @@ class Peak(HtmlTable):
     position : tuple of float
         Coordinates x, y and z [m].
     number : int
-        Number of the nearest inclusion; -1 if none is near.
+        Index of the nearest inclusion in `Heterogeneous.inclusions`; -1 if none is near, i.e.
+        within the distance `within` of `peaks` or `statistics`.
     distance : float
-        Distance from the centre of the nearest inclusion, in radii of the inclusion; infinite if
+        Distance from the centre of the nearest inclusion, in radii of this inclusion; infinite if
         none is near.
     angle : float
         Direction from this centre in the plane x-z [rad]: 0 along x, pi/2 towards the surface; NaN
@@ -63,15 +64,17 @@ class Peak(HtmlTable):
 
 @dataclass(frozen=True)
 class MatrixStatistics(HtmlTable):
-    """Largest values of the matrix over a cycle, from `statistics`.
+    """Largest stresses and strains of the matrix over a cycle, as computed by `statistics`.
 
     Attributes
     ----------
     near, anywhere : mapping of str to Peak
-        Peaks near inclusions, and in the whole matrix: "von_mises" [Pa], "dang_van" [Pa] if a slope
-        was given, "plastic_strain" (magnitude, [-]) if there is any.
-    percentiles : mapping of float to float
-        Percentiles of the von Mises stress [Pa] of the matrix near inclusions.
+        Peaks near inclusions, and peaks in the whole matrix. The keys are "von_mises" [Pa],
+        "dang_van" [Pa] if a slope was given, and "plastic_strain" (magnitude, [-]) if the matrix
+        has yielded.
+    percentiles : mapping of str to float
+        Percentiles of the von Mises stress [Pa] of the matrix near inclusions, with the keys "50",
+        "90", "99" and "99.9".
     cells : int
         Number of cells of the matrix near inclusions.
     """
@@ -100,21 +103,22 @@ def statistics(
     """Largest von Mises stress, Dang Van stress and plastic strain of the matrix.
 
     Only cells that contain no part of an inclusion are considered, because the stress of a partly
-    filled cell is a mean over both materials. The maxima depend on the number of cells per radius;
-    compare bodies on equal grids.
+    filled cell is a mean over both materials. The maxima depend on the number of cells per radius,
+    so compare bodies on equal grids.
 
     Parameters
     ----------
     states : State, sequence of State, or samcontact.fatigue.Cycle
         States of a simulation with a heterogeneous body, e.g. of a rolling pass.
     body : {1, 2}, optional
-        Heterogeneous body. Default: 2. Not used for a cycle, which refers to one body.
+        Number of the heterogeneous body. Ignored for a `Cycle`, which contains one body only.
+        Default: 2.
     within : float, optional
         Distance from the centre up to which a cell counts as near an inclusion, in radii. Default:
         1.5.
     slope : float, optional
-        Weight of the mean normal stress in `samcontact.fatigue.dang_van`. Default: without this
-        criterion.
+        Weight of the mean normal stress in `samcontact.fatigue.dang_van`. Default: the Dang Van
+        stress is not computed.
 
     Returns
     -------
@@ -123,10 +127,9 @@ def statistics(
     Raises
     ------
     ValueError
-        The body is not heterogeneous, no cell of the matrix is near an inclusion, or an argument is
-        outside its range.
+        No cell of the matrix is near an inclusion, or an argument is outside its range.
     TypeError
-        An argument has the wrong type.
+        The body is not heterogeneous, or an argument has the wrong type.
     """
     ratio = checked_within(within)
     choice("body", body, (1, 2))
@@ -143,7 +146,7 @@ def statistics(
     if not is_near.any():
         raise ValueError(
             f"states must contain cells of the matrix within {ratio:g} radii of an inclusion, got "
-            "none: the inclusions are outside of the grid"
+            "none: check that the inclusions lie inside the grid"
         )
     values = {name: field.values for name, field in fields.items()}
     strain = _plastic_magnitude(of)
@@ -176,7 +179,7 @@ def peaks(field: FatigueField, body: Heterogeneous, within: float = 1.5) -> list
     Returns
     -------
     list of Peak
-        One peak for each inclusion that has cells of the matrix around it, in the order of the
+        One peak for each inclusion with cells of the matrix near it, in the order of the
         inclusions.
 
     Raises
@@ -201,12 +204,14 @@ def _as_cycle(states: Any, body: int) -> Cycle:
     if isinstance(states, State):
         return cycle([states, states], body)
     if not isinstance(states, Sequence):
-        raise TypeError(f"states must be states of a simulation, got {in_short(states)}")
+        raise TypeError(
+            f"states must be a State, a list of them or a Cycle, got {in_short(states)}"
+        )
     return cycle(states if len(states) != 1 else [states[0], states[0]], body)
 
 
 def _plastic_magnitude(of: Cycle) -> FloatArray:
-    """Largest magnitude of the plastic strain over a cycle, sqrt(2/3 e:e)."""
+    """Largest magnitude of the plastic strain e over a cycle, sqrt(2/3 e:e), at each point."""
     layers = []
     for k in range(of.points_shape[-1]):
         e = plastic_strain_in(of, slice(k, k + 1))

@@ -25,7 +25,7 @@ class StressAtPoints:
         self._state, self._which, self._grid = state, which, state.grid
 
     def require_matrix(self, ends: Sequence[FloatArray], numbers: Sequence[int]) -> None:
-        """Raise ValueError if a box extends beyond the grid or contains inclusions of the state."""
+        """Raise ValueError if a box extends beyond the grid or contains inclusions of the body."""
         low, high = ends
         grid = self._grid
         sides = (("x", grid.nx * grid.dx, grid.along_x), ("y", grid.ny * grid.dy, grid.along_y))
@@ -33,17 +33,16 @@ class StressAtPoints:
             outside = max(-low[axis], high[axis]) > length / 2 * (1 + 1e-9)
             if outside and not periodic:
                 raise ValueError(
-                    f"inclusions must lie inside the grid, within {name} = "
-                    f"±{quantity(length / 2, 'm')} with their surroundings, got {name} = "
-                    f"{low[axis]:.4g} to {high[axis]:.4g} m around inclusions {list(numbers)}"
+                    f"the fine box around inclusions {list(numbers)} must lie inside the grid, "
+                    f"within {name} = ±{quantity(length / 2, 'm')}, got {name} = {low[axis]:.4g} "
+                    f"to {high[axis]:.4g} m: use a smaller value of within, or enlarge the grid"
                 )
         x, y, z = (self._cells(axis, low[axis], high[axis], 0) for axis in range(3))
         share = self._at_layers(int(z[-1]) + 1).share(self._which)
         if share[np.ix_(x, y, z)].any():
             raise ValueError(
-                f"inclusions {list(numbers)} must lie in the matrix of the state, but their box of "
-                "fine cells contains an inclusion of the body: use a smaller value of within, or "
-                "omit these inclusions"
+                f"the fine box around inclusions {list(numbers)} must not contain inclusions of "
+                "the body: use a smaller value of within, or omit these inclusions"
             )
 
     def at(self, x: FloatArray, y: FloatArray, z: FloatArray) -> tuple[FloatArray, float]:
@@ -75,7 +74,7 @@ class StressAtPoints:
         return step, count, periodic, -count / 2 * step
 
     def _cells(self, axis: int, low: float, high: float, margin: int) -> np.ndarray:
-        """Indices of the cells of the state between two coordinates, with a margin."""
+        """Indices of the cells between two coordinates, and of `margin` more cells at each end."""
         step, count, periodic, edge = self._step(axis)
         first = math.floor((low - edge) / step + 1e-9) - margin
         last = math.ceil((high - edge) / step - 1e-9) + margin
@@ -86,7 +85,7 @@ class StressAtPoints:
         return cells if axis == 2 else cells[cells < count]
 
     def _axis(self, axis: int, points: FloatArray) -> tuple[np.ndarray, FloatArray, FloatArray]:
-        """Cells of the state near some points, and their cubic and linear interpolation weights.
+        """Cells of the state near points, and the weights of cubic and of linear interpolation.
 
         The weights have the shape (points, cells).
         """

@@ -24,7 +24,7 @@ MAX_WITHIN = 10.0
 
 
 def checked_within(within: float) -> float:
-    """Check a distance from the centre of an inclusion, in radii: its surface is at 1."""
+    """Check a distance from the centre of an inclusion in radii; it must exceed 1, the surface."""
     ratio = number("within", within)
     if not 1.0 < ratio <= MAX_WITHIN:
         raise ValueError(
@@ -41,9 +41,9 @@ class Surroundings(NamedTuple):
     """
 
     number: NDArray[np.int32]
-    """Number of the nearest inclusion; -1 if none is near."""
+    """Index of the nearest inclusion; -1 if none is near."""
     distance: FloatArray
-    """Distance from the centre of this inclusion, 1 at its surface; infinite if none is near."""
+    """Distance from its centre in radii, 1 at its surface; infinite if no inclusion is near."""
     is_matrix: BoolArray
     """Whether the cell around the point contains the matrix only."""
 
@@ -71,7 +71,7 @@ def surroundings(
     body: Heterogeneous,
     within: float = 1.5,
 ) -> Surroundings:
-    """Find the nearest inclusion of each point, up to a distance of `within` radii.
+    """Find the inclusion that is nearest to each point, up to a distance of `within` radii.
 
     coordinates: evenly spaced cell centres along x, y and z [m].
     """
@@ -103,7 +103,7 @@ def surroundings(
 
 
 def _distance(inclusion: Inclusion, local: Sequence[FloatArray]) -> FloatArray:
-    """Distance of points from the centre of an ellipsoid in radii, 1 at its surface."""
+    """Distance of points from the centre of an ellipsoid, in radii: 1 at its surface."""
     points = np.stack(np.meshgrid(*local, indexing="ij"), -1)
     return np.asarray(np.linalg.norm(points @ np.linalg.cholesky(inclusion.metric()), axis=-1))
 
@@ -127,11 +127,11 @@ def _exclude_voxels(
 def matrix_field(
     field: FatigueField, body: Heterogeneous, within: float | None = None
 ) -> FatigueField:
-    """Restrict the field of a criterion to the matrix: 0 in cells with any part of an inclusion.
+    """Return a copy of a field that is 0 in each cell that contains any part of an inclusion.
 
     Pass the result to `samcontact.fatigue.life`, whose integral then extends over the matrix only.
-    The ratio of this life to the life of the same body without inclusions shows how clean a steel
-    must be. The integral depends less on the cell size than the maximum does.
+    Divide this life by the life of the same body without inclusions to see how much the inclusions
+    shorten it. The integral depends less on the cell size than the maximum of the criterion does.
 
     Parameters
     ----------
@@ -140,8 +140,8 @@ def matrix_field(
     body : Heterogeneous
         Body for which the field was computed.
     within : float, optional
-        Distance from the centres of inclusions, in radii, > 1. Cells farther away are set to 0 as
-        well. Default: no limit.
+        Distance from the centre of an inclusion in radii, above 1 and at most 10. Cells that are
+        farther away from all inclusions are set to 0 as well. Default: no limit.
 
     Returns
     -------

@@ -11,7 +11,7 @@ _ROW, _COLUMN = np.array([0, 1, 2, 1, 0, 0]), np.array([0, 1, 2, 2, 2, 1])
 
 
 def mean(six: FloatArray) -> FloatArray:
-    """Mean part of a tensor, shape (6, ...)."""
+    """Isotropic part of a tensor (its mean normal component), shape (6, ...)."""
     part = np.zeros_like(six)
     part[:3] = six[:3].mean(axis=0)
     return part

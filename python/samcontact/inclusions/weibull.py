@@ -3,8 +3,8 @@
 
 The confidence limits are exact. They follow from the quantities b*/b and b* ln(x*/x), where b is
 the shape, x a quantile, and * marks estimates. The distributions of both quantities depend only on
-the number of lives (Thoman, Bain and Antle, 1969, doi:10.1080/00401706.1969.10490706), and are
-simulated here.
+the number of lives (Thoman, Bain and Antle, 1969, doi:10.1080/00401706.1969.10490706). They are
+found by simulation.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _STEPS = 100  # of Newton's iteration
 
 @dataclass(frozen=True, repr=False, eq=False)
 class WeibullFit(ShortRepr, HtmlTable):
-    """Two-parameter Weibull distribution of lives, from `weibull_fit`.
+    """Two-parameter Weibull distribution of lives, as fitted by `weibull_fit`.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class WeibullFit(ShortRepr, HtmlTable):
 
     @cached_property
     def median_ranks(self) -> FloatArray:
-        """Fraction that has failed at each of `lives`, by Benard's formula (i - 0.3)/(n + 0.4)."""
+        """Failed fraction at life i of n, by Benard's formula (i - 0.3)/(n + 0.4)."""
         n = len(self.lives)
         return np.asarray((np.arange(1, n + 1) - 0.3) / (n + 0.4))
 
@@ -102,8 +102,9 @@ def weibull_fit(lives: ArrayLike) -> WeibullFit:
     Parameters
     ----------
     lives : array_like, shape (n,)
-        At least three lives in any unit, > 0 and not all equal. Each life must end with a failure.
-        Example: the lives of random microstructures with different seeds, all under the same load.
+        At least three lives in any unit, > 0 and not all equal. Each life must end with a failure;
+        tests stopped before failure are not supported. Example: the lives of random microstructures
+        with different seeds, all under the same load.
 
     Returns
     -------
@@ -118,12 +119,14 @@ def weibull_fit(lives: ArrayLike) -> WeibullFit:
     """
     given = finite_array("lives", lives)
     if given.ndim != 1 or given.size < MIN_LIVES:
-        raise ValueError(f"lives must be at least {MIN_LIVES} numbers, got shape {given.shape}")
+        raise ValueError(
+            f"lives must be a list of at least {MIN_LIVES} numbers, got shape {given.shape}"
+        )
     given = np.sort(given)
     if given[0] <= 0.0:
         raise ValueError(f"lives must be > 0, got {given[0]!r}")
     if given[-1] <= given[0] * (1 + 1e-9):
-        raise ValueError(f"lives must differ, got {given.size} times {given[0]!r}")
+        raise ValueError(f"lives must not all be equal, got {given.size} times {given[0]!r}")
     shape, log_scale = _fitted(np.log(given)[None])
     given.flags.writeable = False
     return WeibullFit(float(shape[0]), float(np.exp(log_scale[0])), given)

@@ -6,9 +6,9 @@
     steel.material("swift")     # with a hardening law
     steel.source("E")           # where the value is from
 
-The library contains no constants without a source: a request for such a constant raises ValueError.
-Strength depends on the treatment of a part, so prefer values of your own tests
-(`Material.from_test`).
+Each constant in the library has a source. A request for a constant that the library does not
+contain raises ValueError. Strength depends on the treatment of a part, so prefer values from your
+own tests (`Material.from_test`).
 """
 
 from .entry import MaterialData, SourcedValue

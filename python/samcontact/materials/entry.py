@@ -98,9 +98,9 @@ class MaterialData(HtmlTable):
         if isinstance(constant, str) and constant in self.values:
             return self.values[constant]
         raise ValueError(
-            f"constant must be one of {', '.join(self.values)} for {self.name}, got "
+            f"constant of {self.name} must be one of {', '.join(self.values)}, got "
             f"{in_short(constant)}: other constants of this material are not in the library, "
-            "because no source is known"
+            "because no source is known for them"
         )
 
     @property
@@ -155,11 +155,11 @@ class MaterialData(HtmlTable):
         constants = self.constants(law)
         missing = [name for name in LAWS[law].constants if name not in constants]
         if missing:
-            allowed = f"be one of {', '.join(self.laws)} for" if self.laws else "have the values of"
+            allowed = f"be one of {', '.join(self.laws)}" if self.laws else "have known constants"
             raise ValueError(
-                f"law must {allowed} {self.name}, got {law!r}: the library has no "
-                f"{', '.join(missing)}; use Material.{law} with your own values, or "
-                "Material.from_test with a measured curve"
+                f"law must {allowed} for {self.name}, got {law!r}: the library has no value of "
+                f"{', '.join(missing)} for this material; use Material.{law} with your own values, "
+                "or Material.from_test with a measured curve"
             )
         made = Material(law, constants)
         return made if self.thermal is None else made.with_thermal(*self.thermal)

@@ -171,12 +171,12 @@ def test_inclusions_may_cross_the_sides_and_the_surface():
     ("make", "text"),
     [
         (lambda: sphere(0.0), "radius must be a finite number > 0"),
-        (lambda: sphere(center=(0.0, 0.0, -2e-5)), "center must be below the surface.*z is pos"),
+        (lambda: sphere(center=(0.0, 0.0, -2e-5)), "reaches below the surface, got.*z is pos"),
         (lambda: sphere(center=(0.0, 0.0)), r"center must have shape \(3,\)"),
-        (lambda: sphere(misfit=-2.0), "misfit must be within 0.1.*not a percentage"),
-        (lambda: sphere(misfit=[1e-3] * 3), "misfit must be one strain or six"),
-        (lambda: sc.Inclusion.void(PLACE, 21e-6), "void that cuts the surface is a dent"),
-        (lambda: sc.Inclusion.void(PLACE, 1e-6, TURNED), "axes must not be given with one radius"),
+        (lambda: sphere(misfit=-2.0), "misfit must be at most 0.1.*not a percentage"),
+        (lambda: sphere(misfit=[1e-3] * 3), "misfit must be one number or the six"),
+        (lambda: sc.Inclusion.void(PLACE, 21e-6), "void must not reach the surface"),
+        (lambda: sc.Inclusion.void(PLACE, 1e-6, TURNED), "axes must not be given for a sphere"),
         (
             lambda: sc.Inclusion.ellipsoid(PLACE, (1e-6,) * 3, ALUMINA, axes=np.ones((3, 3))),
             "axes must be three perpendicular unit vectors",
@@ -191,15 +191,15 @@ def test_inclusions_may_cross_the_sides_and_the_surface():
         (lambda: body(sphere()).cells_on(sc.Grid(9, 9, 1e-6, 1e-6)), "grid must have dz"),
         (
             lambda: body(sphere()).cells_on(sc.Grid(9, 9, 1e-6, 1e-6, nz=10, dz=1e-6)),
-            "inclusions must lie in the 10 layers of the grid, got none inside",
+            "must reach into the 10 layers of the grid, got none",
         ),
         (
             lambda: body(sphere(center=(1e-3, 0.0, 2e-5))).cells_on(GRID),
-            "inclusions must lie in the grid, within x = ±15.5 µm",
+            "at least one inclusion must lie in the grid, within x = ±15.5 µm",
         ),
         (
             lambda: body(sphere()).cells_on(sc.Grid(8, 40, 1e-6, 1e-6, dz=1e-6, periodic="x")),
-            r"inclusions\[0\] must be narrower than the period",
+            r"inclusions\[0\] must not be wider than the period",
         ),
     ],
 )

@@ -20,8 +20,8 @@ RIGID = sc.Material.rigid()
     ("layers", "substrate", "error", "text"),
     [
         ([], STEEL, ValueError, "at least one layer"),
-        (STEEL, STEEL, TypeError, "list of .material, thickness."),
-        ([STEEL], STEEL, TypeError, r"layers\[0\] must be .material, thickness."),
+        (STEEL, STEEL, TypeError, "list of pairs .material, thickness."),
+        ([STEEL], STEEL, TypeError, r"layers\[0\] must be a pair .material, thickness."),
         ([(STEEL, 1e-6), (STEEL, 0.0)], STEEL, ValueError, r"thickness of layers\[1\].*> 0.*got 0"),
         ([(STEEL, np.inf)], STEEL, ValueError, r"thickness of layers\[0\].*finite"),
         ([(STEEL, "1 um")], STEEL, TypeError, r"thickness of layers\[0\] must be a number"),
@@ -226,7 +226,7 @@ def test_a_simulation_with_layers_is_the_contact_of_its_solver(tmp_path):
     assert state.stress(2) == pytest.approx(direct, abs=1e-9 * np.abs(direct).max())
     sides = solver.stress(state.pressure, [np.nextafter(4e-6, 0.0), 4e-6])
     assert np.array_equal(state.interface_stress(), np.moveaxis(sides, -1, 0)[..., None])
-    with pytest.raises(ValueError, match="body1 must be layered to have interfaces"):
+    with pytest.raises(ValueError, match="body1 must be layered for the stress at interfaces"):
         state.interface_stress(1)
     simulation.save(tmp_path / "coated.h5")
     again = sc.Simulation.load(tmp_path / "coated.h5")
@@ -272,7 +272,7 @@ SOFT = sc.Material.perfect_plastic(210e9, 0.3, 1e9)
 @pytest.mark.parametrize(
     ("body", "more", "text"),
     [
-        (sc.Layered([(SOFT, 1e-6)], RIGID), {}, "layers of body2 must be elastic on a rigid"),
+        (sc.Layered([(SOFT, 1e-6)], RIGID), {}, "the layers of body2 must be elastic and free"),
         (
             sc.Layered([(STEEL, 1e-6)], SOFT),
             {"residual_stress": "exact"},

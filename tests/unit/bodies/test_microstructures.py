@@ -142,10 +142,10 @@ ONES = np.ones((2, 2, 2), dtype=int)
 @pytest.mark.parametrize(
     ("make", "text"),
     [
-        (lambda: drawn(5.0), "fraction must be at most 0.3, got 5.0: it is a share"),
+        (lambda: drawn(5.0), "fraction must be at most 0.3, got 5.0: it is a volume fraction"),
         (lambda: drawn(1e-9), "fraction must give at least one inclusion.*got none with seed 1"),
-        (lambda: drawn(0.3, (8e-6, 0.0), gap=3.0), "fraction must leave room.*found no place"),
-        (lambda: drawn(radius=(5e-6, 5e-6, 1)), r"radius must be .median .m., standard dev"),
+        (lambda: drawn(0.3, (8e-6, 0.0), gap=3.0), "fraction must leave room.*found no room"),
+        (lambda: drawn(radius=(5e-6, 5e-6, 1)), r"radius must be a pair .median .m., standard dev"),
         (lambda: drawn(radius=(5e-6, 3.0)), r"spread of radius must be at most 2.*ln.radius"),
         (lambda: drawn(0.1, (1e-8, 0.0)), "fraction must give at most 100000 inclusions"),
         (lambda: drawn(radius_limits=(6e-6, 7e-6)), "radius_limits must enclose the median"),
@@ -153,13 +153,19 @@ ONES = np.ones((2, 2, 2), dtype=int)
         (lambda: drawn(seed=-1), "seed must be an integer >= 0"),
         (
             lambda: sc.Heterogeneous.random(STEEL, None, 0.1, 1e-6, ((0, 1), (1, 0), (0, 1)), 1),
-            "box must have increasing ends",
+            "box must have lower limits below the upper limits",
         ),
-        (lambda: voxels(ONES[0]), r"labels must have shape \(n, m, l\)"),
+        (lambda: voxels(ONES[0]), "labels must be a three-dimensional array"),
         (lambda: voxels(2 * ONES), "labels must be from 0 .matrix. to 1, the number of mat"),
-        (lambda: voxels(0 * ONES), "labels must contain at least one voxel"),
-        (lambda: voxels(1.5 * ONES), "labels must be shares from 0 to 1"),
-        (lambda: voxels(0.5 * ONES, [ALUMINA, None]), "labels must be integers with 2 materials"),
+        (lambda: voxels(0 * ONES), "labels must contain at least one value other than 0"),
+        (
+            lambda: voxels(1.5 * ONES),
+            "labels must be integers, or the filled fraction of each voxel, from 0 to 1",
+        ),
+        (
+            lambda: voxels(0.5 * ONES, [ALUMINA, None]),
+            "with 2 materials, labels must be integers",
+        ),
         (lambda: voxels(ONES, [None], (0.0, 0.0, 0.0)), "labels must not have voids at the surf"),
         (lambda: voxels(ONES, origin=(0.0, 0.0, -1e-5)), "origin must be so deep"),
         (

@@ -59,14 +59,14 @@ def test_a_dynamic_test_is_fitted():
     np.testing.assert_allclose(fitted.loss(omega), body.loss(omega), rtol=0.02)
     with pytest.warns(UserWarning, match=r"differs from the measured modulus by up to .* %: use"):
         sc.Material.from_dynamic(omega, body.storage(omega), body.loss(omega), 2)
-    with pytest.raises(ValueError, match="loss must be > 0 at some frequency"):
+    with pytest.raises(ValueError, match="loss must be large enough for a viscoelastic fit"):
         sc.Material.from_dynamic(omega, np.full(60, 1e9), np.zeros(60), 3)
 
 
 @pytest.mark.parametrize(
     ("times", "shares", "message"),
     [
-        ([1.0, 1.0], [0.1, 0.1], "times must be different, got 1.0 twice"),
+        ([1.0, 1.0], [0.1, 0.1], "times must all be different, got 1.0 twice"),
         ([1.0], [20.0], "sum of shares must be <= 1, got 20.0: divide percent by 100"),
         ([1.0], [0.1, 0.1], "times and shares must be lists of the same length"),
         ([0.0], [0.1], "times must be > 0"),

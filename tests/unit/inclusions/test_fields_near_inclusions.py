@@ -111,7 +111,7 @@ def test_a_cleaner_body_lives_longer():
             lambda: sc.inclusions.butterflies(
                 TENSION, sc.Heterogeneous(STEEL, [sc.Inclusion.void((1e-3, 0, 1e-4), 8e-6)])
             ),
-            "field must contain cells of the matrix around inclusions",
+            "field must be > 0 in at least one cell of the matrix around an inclusion",
         ),
     ],
 )

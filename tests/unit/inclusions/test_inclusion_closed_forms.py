@@ -144,7 +144,7 @@ def test_a_thermal_misfit_is_the_difference_of_the_expansions():
         ),
         (
             lambda: sc.inclusions.interface_stress(STRESS, STRESS, np.ones((3, 2)), STEEL),
-            "normal must be unit vectors",
+            "normal must contain n unit vectors",
         ),
     ],
 )

@@ -81,23 +81,29 @@ def test_the_largest_inclusion_is_a_gumbel_distribution():
 @pytest.mark.parametrize(
     ("make", "text"),
     [
-        (lambda: sc.inclusions.weibull_fit([1.0, 2.0]), "lives must be at least 3 numbers"),
+        (
+            lambda: sc.inclusions.weibull_fit([1.0, 2.0]),
+            "lives must be a list of at least 3 numbers",
+        ),
         (lambda: sc.inclusions.weibull_fit([0.0, 2.0, 3.0]), "lives must be > 0"),
-        (lambda: sc.inclusions.weibull_fit([2.0, 2.0, 2.0]), "lives must differ"),
+        (lambda: sc.inclusions.weibull_fit([2.0, 2.0, 2.0]), "lives must not all be equal"),
         (lambda: sc.inclusions.weibull_fit(LIVES).life(10.0), r"failed must be in \(0, 1\)"),
         (
             lambda: sc.inclusions.weibull_fit(LIVES).shape_interval(95.0),
             r"confidence must be in \(0, 1\)",
         ),
-        (lambda: sc.inclusions.LargestInclusion.fit([1e-5] * 3, A0), "maxima must be at least 6"),
-        (lambda: sc.inclusions.LargestInclusion.fit([1e-5] * 8, A0), "maxima must be > 0 and dif"),
+        (
+            lambda: sc.inclusions.LargestInclusion.fit([1e-5] * 3, A0),
+            "maxima must be a list of at least 6",
+        ),
+        (lambda: sc.inclusions.LargestInclusion.fit([1e-5] * 8, A0), "maxima must be > 0 and not"),
         (
             lambda: sc.inclusions.LargestInclusion.fit(MAXIMA, A0).expected_in(1e-12),
-            "volume must be above the inspected volume",
+            "volume must exceed .* the volume that one inspected area represents",
         ),
         (
             lambda: sc.inclusions.LargestInclusion(2e-5, 5e-6, A0).interval(1.0),
-            "fields must be known",
+            "fields, the number of maxima, must be > 0",
         ),
     ],
 )
