@@ -52,7 +52,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     Parameters
     ----------
     name : str
-        Name of the quantity, as returned by `resolved`.
+        Name of the quantity, as returned by `load_search_cases.resolved`.
     target : float
         Target value in SI units.
     simulation : Simulation
@@ -66,7 +66,7 @@ def require_attainable(name: str, target: float, simulation: Simulation, max_loa
     shown = f"value = {target!r} of {name.replace(',', ' or ')}"
 
     def unit_hint() -> str:
-        """Return text that suggests the first unit in which the number would be attainable."""
+        """Return text that suggests the likeliest unit in which the target would be attainable."""
         for other, factor in _UNIT_ERROR_FACTORS.get(unit, {}).items() if kind != YIELD else ():
             value = factor * target
             if (largest is None or value <= largest.value) and not _reason_too_small(
@@ -126,8 +126,8 @@ def _strength_bound(kind: str, bodies: Sequence[Body]) -> _Limit | None:
 def _grid_bound(kind: str, simulation: Simulation) -> _Limit | None:
     """Return the upper bound that the size of the grid sets, or None without such a bound.
 
-    The bound is the grid width for a depth. For the contact area, it is the area of the grid,
-    unless the grid can be enlarged.
+    For a depth, the bound is the width of the grid. For the contact area, the bound is the area of
+    the grid, unless the grid can be enlarged.
     """
     grid = simulation.grid
     if kind in _DEPTH_QUANTITIES:
@@ -165,7 +165,7 @@ def _hertz_bound(kind: str, simulation: Simulation, expected: ExpectedContact) -
 
 
 def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str | None:
-    """Return the reason why `target` is too small for the grid as text, or None if it is not."""
+    """Return why `target` is too small for the grid, as text, or None if it is large enough."""
     grid, estimate = simulation.grid, simulation.engine.estimate
     if kind == "contact_area" and target < grid.cell_area:
         return f"one cell has an area of {quantity(grid.cell_area, 'm²')}"
@@ -183,4 +183,4 @@ def _reason_too_small(kind: str, target: float, simulation: Simulation) -> str |
     if expected is None or 2 * expected.semi_axes[0] >= max(grid.dx, grid.dy):
         return None
     across = quantity(2 * expected.semi_axes[0], "m")
-    return f"the Hertz contact is {across} wide, less than one cell"
+    return f"the Hertz contact would be {across} wide, less than one cell"

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 NO_LIMIT = "does not converge"
-"""Text for the infinite error at a sharp edge."""
+"""Text instead of an infinite error, e.g. that of the maximum pressure at a sharp edge."""
 
 
 class ErrorRow(NamedTuple):
@@ -34,7 +34,7 @@ class ErrorRow(NamedTuple):
     relative: float
     target: float | None = None
     by_increments: float | None = None
-    """Relative change with more increments; None if unknown or already included in `relative`."""
+    """Relative error due to increments; None if unknown or already included in `relative`."""
 
     @property
     def percent(self) -> str:

@@ -27,7 +27,7 @@ MIN_RELATIVE_ERROR = 0.002
 """Minimum estimated relative error on the coarsest grid. It is needed because a difference between
 grids may vanish by chance. On finer grids the minimum decreases with the order of convergence."""
 _ROUNDING_ERROR = 1e-12
-"""Relative difference of a quantity between grids below which the quantity counts as prescribed."""
+"""Relative difference between grids below which a quantity counts as prescribed, i.e. exact."""
 MIN_EXTRAPOLATION_ERROR = 0.5
 """Minimum error of an extrapolated value, as a fraction of the change due to extrapolation."""
 MIN_CORRECTION_CHANGE = 0.03
@@ -65,16 +65,17 @@ def extrapolate_grids(series: ArrayLike, lowest: ArrayLike = ASSUMED_ORDER) -> E
     series : array_like, shape (grids, ...)
         Values from the coarsest to the finest grid. With a single grid, errors are infinite.
     lowest : array_like, optional
-        Lowest order of convergence of each quantity (last axis). Values with an order below
-        `ASSUMED_ORDER` are not extrapolated, because their differences scatter.
+        Lowest order of convergence of each quantity (last axis). Quantities whose lowest order is
+        below `ASSUMED_ORDER` are not extrapolated, because their differences scatter.
 
     Returns
     -------
     Estimate
-        Extrapolated values, if the last three differences between successive grids have one sign
-        and their ratios give convergence orders from `MIN_ORDER` to `MAX_ORDER`; otherwise, the
-        values of the finest grid. The error of an extrapolated value is its change since the
-        previous grid, but at least `MIN_EXTRAPOLATION_ERROR` times the extrapolation.
+        Extrapolated values, if the last three differences between successive grids have the same
+        sign and their ratios give convergence orders from `MIN_ORDER` to `MAX_ORDER`; otherwise,
+        the values of the finest grid. The error of an extrapolated value is its difference from the
+        value extrapolated without the finest grid, but at least `MIN_EXTRAPOLATION_ERROR` times the
+        change due to extrapolation.
 
         The error of a value that is not extrapolated is a factor times the maximum of the last
         three differences, each scaled to the finest grid with the lowest order m. The factor is
@@ -200,7 +201,7 @@ def irregular(more: FloatArray, doubled: FloatArray, max_order: int = 1) -> Floa
 def combined(found: Estimate, parts: Sequence[int]) -> Estimate:
     """Return the maximum of each group of values, and the error of this maximum.
 
-    The error follows from the values and errors of the whole group.
+    The error accounts for the values and errors of the whole group.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 PREFIX = "fatigue_"
 PARTS = 2
-"""Number of values per criterion, below and at the surface; their maximum is reported."""
+"""Number of values per criterion, one maximum below the surface and one at the surface."""
 ORDER = 1.0
 """Lowest order of convergence in the cell size. It is only 1 because the maximum moves between
 cells and between instants as the grid is refined."""

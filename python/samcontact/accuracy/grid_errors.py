@@ -43,8 +43,8 @@ __all__ = ["GridErrors", "estimate_errors"]
 MAX_RELATIVE_ERROR = 0.2
 """Estimated relative error above which the error check of a report fails."""
 MAX_SLOPE_FRACTION = 0.25
-"""Limit of the fraction of the mean-square slope at the shortest wavelengths of a grid (below four
-cells). Above this limit, most of the slope may be at wavelengths that the grid does not contain."""
+"""Largest acceptable fraction of the mean-square slope at wavelengths below four cells. With a
+larger fraction, most of the slope may be at wavelengths that the grid does not contain."""
 _KINDS = (
     ("approach", "max_pressure", "max_von_mises"),
     (
@@ -55,11 +55,12 @@ _KINDS = (
     ),
 )
 _MIN_ERROR_OF_KIND = 0.2
-"""Minimum relative error, as a fraction of the largest relative difference in a group of `_KINDS`.
-It is needed because the values of a quantity on two grids may agree by chance."""
+"""Minimum relative error of a quantity, as a fraction of the largest relative difference between
+the two grids among the quantities of its group in `_KINDS`. It is needed because the values of a
+quantity on two grids may agree by chance."""
 _AREA_ERROR_FACTOR = 0.7
 """Factor C of the bound C (cells per radius)^-1.5 on the relative error of the area of round spots.
-The factor applies to wavy surfaces; the error for balls is half as large."""
+The factor applies to wavy surfaces; the error for a sphere is half as large."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,11 +70,11 @@ class GridErrors(HtmlTable):
     Attributes
     ----------
     values, errors : dict of ndarray, shape (increments,)
-        Values and absolute errors by name in results files, in SI units. Values are interpolated
-        between cells, see docs/theory/accuracy.md. Stresses, strains and imprint depths,
-        with their errors, are given at the increment of maximum stress and at the last increment;
-        they are NaN elsewhere. Errors are infinite for quantities that do not converge: maximum
-        pressure, stresses and strains at a sharp edge, see `SingularPressureWarning`.
+        Values and absolute errors in SI units, by the name of the quantity in results files. Values
+        are interpolated between cells, see docs/theory/accuracy.md. Stresses, strains and imprint
+        depths, with their errors, are given at the increment of maximum stress and at the last
+        increment; they are NaN elsewhere. At a sharp edge, maximum pressure, stresses and strains
+        do not converge, and their errors are infinite, see `SingularPressureWarning`.
     states : list of State
         States of the run itself, not of the coarser solution.
     slope_beyond : float
@@ -106,8 +107,8 @@ class GridErrors(HtmlTable):
         """Add ``X_error`` to a dataset for each quantity X, and X itself if it is missing.
 
         ``X_error`` is the error of X as stored in the dataset. It includes the difference between X
-        and the value interpolated between cells. The relative error due to increments is the
-        attribute ``by_increments`` of ``X_error``, or, for whole fields, the attribute
+        and the value interpolated between cells. The relative error due to increments is stored as
+        the attribute ``by_increments`` of ``X_error`` or, for whole fields, as the attribute
         ``increment_error_FIELD`` of the dataset.
         """
         if not hasattr(dataset, "attrs"):
@@ -137,7 +138,7 @@ def estimate_errors(
 ) -> GridErrors:
     """Estimate the grid errors of a run.
 
-    The run is repeated with half as many cells along x, y and z and the same increments. This takes
+    The run is repeated with the same increments and half as many cells along x, y and z. This takes
     about 1/8 of the time of the run. For elastic-plastic layers, the coarser cells are two to three
     times as deep, so that each layer has a whole number of cells. Surfaces given as functions are
     evaluated on the coarser grid; heights known on one grid only are averaged.
@@ -147,7 +148,7 @@ def estimate_errors(
     run : Case or Simulation
         Case, which is solved first; or a simulation after a run, together with `path` and `states`.
     path : list of dict
-        Argument of `Simulation.run`, starting from undeformed bodies.
+        Argument of the call of `Simulation.run`, which must have started from undeformed bodies.
     states : sequence of State
         States returned by `Simulation.run`.
 
@@ -162,16 +163,16 @@ def estimate_errors(
     Raises
     ------
     ValueError
-        The grid cannot be coarsened, a simulation is given without path and states, or its plastic
-        strain was prescribed by `Simulation.set_plastic_strain`.
+        The grid cannot be coarsened, a simulation is given without path and states, path and states
+        differ in length, or a plastic strain was prescribed by `Simulation.set_plastic_strain`.
     ConvergenceError, MemoryError, GridTooSmallError
         One of the two solutions failed.
 
     Warns
     -----
     ResolutionWarning
-        The elastic-plastic layers cannot be divided into a whole number of deeper cells: the errors
-        do not include the effect of dz.
+        The errors do not include the effect of dz, because the elastic-plastic layers cannot be
+        divided into a whole number of deeper cells.
     IncrementWarning
         More increments would change fields by more than 5 %. The warning is not repeated if the
         simulation has already issued it.
@@ -191,9 +192,9 @@ def estimate_errors(
         )
     if run.engine.history.has_given_strain:
         raise ValueError(
-            "run must be a simulation without set_plastic_strain, got one with a prescribed "
-            "plastic strain, which is known on its own grid only: repeat the run on a grid with "
-            "half as many cells, and compare"
+            "run must be a simulation without a plastic strain prescribed by set_plastic_strain, "
+            "because this strain is known on one grid only: repeat the run on a grid with half as "
+            "many cells along each axis, and compare the results"
         )
     if path is None or states is None:
         raise ValueError("path and states are required if run is a samcontact.Simulation")
@@ -223,7 +224,7 @@ def estimated(
     states: Sequence[State],
     solve: Callable[[Simulation, Sequence[Mapping[str, Any]]], list[State]],
 ) -> GridErrors:
-    """Estimate the grid errors of a run.
+    """Estimate the grid errors of a simulation from its path and states.
 
     solve: function that solves a simulation on the coarser grid and returns its states.
     """
@@ -285,9 +286,10 @@ def _differences(
 ) -> dict[str, float]:
     """Return the difference of each quantity between two grids, by name.
 
-    Two grids may agree by chance. Therefore, each relative difference is raised to at least
-    20 % of the largest in its group of `_KINDS`, and that of the contact area to at least
-    `of_outline`. The difference is infinite for quantities that are singular at a sharp edge.
+    Because values on two grids may agree by chance, each relative difference is raised to at least
+    20 % of the largest in its group of `_KINDS`. The relative difference of the contact area is
+    raised to at least the error that `of_outline` returns. The difference is infinite for
+    quantities that are singular at a sharp edge.
     """
     found = {name: abs(value - coarse[name]) for name, value in fine.items()}
     endless = {name for name in fine if sharp and sharp_edges.is_singular(name)}
@@ -306,7 +308,7 @@ def _differences(
 
 
 def of_outline(state: State) -> float:
-    """Return the relative error of the contact area due to the cells along the outline of spots."""
+    """Return the relative error of the contact area due to cells at the edges of contact spots."""
     share = area_uncertainty(state.repulsion, state.grid.periodic)
     of_area = _AREA_ERROR_FACTOR * (2 * share / ROUND_SPOT_AREA_ERROR) ** 1.5
     of_area += perimeter_correction(state.repulsion, state.grid.periodic)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sequences of finer and finer grids on which a case is solved."""
+"""Sequences of successively finer grids on which a case is solved."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Grids(Protocol):
         ...
 
     def settle(self, level: int, half: tuple[float, float]) -> None:
-        """Fit the extent of later grids to the half-widths [m] of contact and plastic strain."""
+        """Fit the extent of finer grids to the half-widths [m] of contact and plastic strain."""
         ...
 
 
@@ -141,8 +141,8 @@ class GivenGrids:
     def __init__(self, case: Case, bodies: Sequence[Body]) -> None:
         if case.grid is None:
             raise ValueError(
-                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid]; its cells "
-                "are used on the first grid, and its extent on all grids"
+                f"{case.reason_for_grid}, so that accuracy requires [grid]: add [grid] with the "
+                "extent of all grids and the cells of the first, coarsest grid"
             )
         self.case, self.grid = case, case.grid
         widest = max(d for n, d in self._axes if n > 1)
@@ -257,8 +257,8 @@ def interpolated_surface(case: Case) -> str:
         return ""
     along = [quantity(min(axis), "m", 3) for axis in zip(*steps, strict=True)]
     return (
-        f"heights interpolated between samples {along[0]} (x) and {along[1]} (y) apart; errors do "
-        "not include shorter waves of the real surface"
+        f"heights interpolated between samples that are {along[0]} (x) and {along[1]} (y) apart; "
+        "errors do not include waves of the real surface that are shorter than this"
     )
 
 
@@ -282,7 +282,7 @@ def slope_between_samples(case: Case) -> float:
 
 
 def common_part(lengths: Sequence[float]) -> float | None:
-    """Return the largest common divisor of lengths, or None if below 1/64 of the first length."""
+    """Return the largest common divisor of lengths; None if it is below 1/64 of the first one."""
     for parts in range(1, 65):
         part = lengths[0] / parts
         counts = [length / part for length in lengths]

@@ -34,7 +34,7 @@ class Correction(NamedTuple):
     doublings: list[Doubling]
     """Doublings from which the correction is computed."""
     by_grid: list[FloatArray]
-    """For each doubling, possible error of the correction when it is applied to the finest grid."""
+    """For each doubling, possible error that results from using its change on the finest grid."""
     irregular: FloatArray
     """Part of the correction that does not follow a regular order of convergence."""
 

@@ -49,7 +49,7 @@ if TYPE_CHECKING:
 __all__ = ["FoundLoad", "find_load"]
 
 _MAX_FACTOR, _MIN_FACTOR = 100.0, 1e-9
-"""Upper limit of the load / maximum load of the case; lower limit / first load tried."""
+"""Maximum load divided by the load of the case; minimum load divided by the first load tried."""
 _RTOL = 1e-2  # relative tolerance of the load on the coarse grid
 _MAX_FINE_SOLVES = 12  # maximum number of solutions on the fine grid
 
@@ -64,7 +64,7 @@ class FoundLoad(HtmlTable):
         Name in results files, "permanent_deformation" or "yield". Two names separated by a comma
         mean the larger value of both bodies.
     load, load_error : float
-        Load and load error [N], which is `(error + abs(value - target))/(d(value)/d(load))`.
+        Load [N], and its error `(error + abs(value - target))/(d(value)/d(load))` [N].
     value, error : float
         Value of the quantity at this load, and estimated grid error of the value, in SI units.
     states : list of State
@@ -215,27 +215,26 @@ def find_load(
 ) -> FoundLoad:
     """Find the load at which a quantity reaches a value.
 
-    The load is first located on a grid coarsened by two (Brent's method), then refined on the fine
-    grid by the secant method, which takes three or four solutions.
+    The load is located by Brent's method on a grid with cells twice as large, and then refined by
+    the secant method on the grid itself, which takes three or four solutions.
 
     Parameters
     ----------
     case : Case, path, dict or callable
-        Case, path of a case file, or dictionary of the same layout, whose forces are multiplied by
-        one factor. Or a function of the maximum load [N] that returns simulation and path.
+        Case, path of a case file, or dictionary of the same layout; the search scales all forces of
+        the case. Or a function that takes the maximum load [N] and returns simulation and path.
     quantity : str
         Name of a quantity whose error is in results files, e.g. "max_pressure" or
         "imprint_depth_body2". A name without body number means the larger value of both bodies. The
-        larger of the values at maximum load and at the end of the path is used. Special
-        names: "permanent_deformation", the sum of the residual imprint depths of both bodies at the
-        end of the path; "yield", the maximum ratio of von Mises stress to local yield stress in an
-        elastic solution (1 at first yield).
+        larger of the values at maximum load and at the end of the path is used. Special names:
+        "permanent_deformation", the sum of both residual imprint depths at the end of the path;
+        "yield", the maximum of von Mises stress / yield stress in an elastic solution.
     value : float, optional
         Target value in SI units, > 0. Default: 1.
     tolerance : float, optional
         Relative tolerance on the quantity [-], in [1e-8, 0.1].
     largest_load : float, optional
-        Maximum contact load [N]. Default: 100 times the load of the case. Required with a function.
+        Maximum contact load [N], required for a function. Default: 100 times the load of the case.
     progress : bool, optional
         Print one line per trial load to stderr.
     checkpoint : path, optional
@@ -251,7 +250,7 @@ def find_load(
     ------
     ValueError
         No load reaches the value; the message gives the maximum, or a bound found before the
-        search. An argument is out of range, the quantity is unknown, the case has no loads or has
+        search. An argument is out of range, the quantity is unknown, the case lacks loads or has
         wear, or `checkpoint` belongs to another call. With "yield": no body is elastic-plastic, or
         a body that can yield is layered, softens, or first yields in the deepest grid layer.
     """
@@ -282,7 +281,7 @@ def prepare_search(
     build: Callable[[float], Built]
     if callable(case):
         if largest_load is None:
-            raise ValueError("largest_load must be > 0 [N] if case is a function, got None")
+            raise ValueError("if case is a function, largest_load must be given [N], got None")
         build, start = case, positive("largest_load", largest_load)
     else:
         from .given_case import case_of_contact
@@ -306,7 +305,7 @@ def _checked_build(build: Callable[[float], Built], load: float) -> Built:
 
 
 def _marks(states: Sequence[State]) -> set[int]:
-    """Return the indices of the last increment at maximum load and the last one of the path."""
+    """Return the indices of the last increment at maximum load and the last of all increments."""
     loads = [state.load for state in states]
     max_load = max(loads) * (1 - 1e-9)
     return {max(n for n, load in enumerate(loads) if load >= max_load), len(states) - 1}
@@ -324,7 +323,7 @@ def _enclosed(search: LoadSearch, start: float, max_load: float) -> float:
         deviation = search.on_coarse
     except ValueError:
         deviation = search.on_grid
-    reason: list[object] = [f"increase largest_load, now a contact load of {max_load:.6g} N"]
+    reason: list[object] = [f"increase largest_load, which is {max_load:.6g} N"]
 
     def trial_value(load: float) -> float | None:
         """Return (value - target)/target for a load [N]; None if the solution failed."""
@@ -366,11 +365,12 @@ def _refined(search: LoadSearch, near: float, tolerance: float) -> FoundLoad:
         load += min(max(step if step else tolerance * load, -0.5 * load), load)
         if not low < load < high:
             load = 0.5 * (low + high)
-    raise search.refuse(f"tolerance = {tolerance!r} not reached in {_MAX_FINE_SOLVES} solutions")
+    missed = f"{tolerance!r} was not reached in {_MAX_FINE_SOLVES} solutions"
+    raise search.refuse(f"tolerance = {missed}: increase tolerance")
 
 
 def _slope(points: Sequence[tuple[float, float]]) -> float:
-    """Return the slope of (value - target)/target between the last load and the nearest other."""
+    """Return the slope of (value - target)/target from the nearest other load to the last load."""
     *others, (load, deviation) = points
     other, value = min(others, key=lambda point: abs(point[0] - load))
     slope = (deviation - value) / (load - other)

@@ -43,7 +43,10 @@ class ScaledCase:
 
 def max_load(case: Case) -> float:
     if case.wear is not None:
-        raise ValueError("wear has no load search: remove [wear], or solve it for several loads")
+        raise ValueError(
+            "a load search does not support wear: remove [wear], or solve the case for several "
+            "loads"
+        )
     loads = [segment.load for segment in case.path]
     given = [load for load in loads if load is not None]
     if len(given) < len(loads) or not max(given) > 0:
@@ -67,8 +70,9 @@ def require_known(name: object) -> None:
     kind = name.partition("_body")[0] if isinstance(name, str) else ""
     if kind in WEAR and kind not in CONTACT:
         raise ValueError(
-            f"quantity must be a contact quantity, got {in_short(name)}: wear has no load search; "
-            "solve the wear for several loads, e.g. by samcontact sweep without --find"
+            f"quantity must be a contact quantity, got {in_short(name)}: a load search does not "
+            "support wear; solve the case for several loads, e.g. by samcontact sweep without "
+            "--find"
         )
     word = name.lower() if isinstance(name, str) else ""
     near = difflib.get_close_matches(word, known, 1, cutoff=0.5)
@@ -98,8 +102,8 @@ def resolved(name: str, simulation: Simulation) -> str:
         for n, body in enumerate(bodies, 1):
             if isinstance(body, Layered) and body.is_plastic:
                 raise ValueError(
-                    f'quantity = "yield" does not support layers, which body{n} has: use a small '
-                    "value of max_equivalent_plastic_strain, e.g. 1e-6"
+                    f'quantity = "yield" does not support layers, got layers in body{n}: search '
+                    "for a small value of max_equivalent_plastic_strain instead, e.g. 1e-6"
                 )
         if not simulation.grid.has_volume:
             raise ValueError('quantity = "yield" requires a grid with layers: set grid.dz')
@@ -118,8 +122,8 @@ def resolved(name: str, simulation: Simulation) -> str:
     if not found:
         allowed = [one for one in known if one != "load"]
         raise ValueError(
-            "quantity must be available for these bodies and this grid "
-            f"({', '.join(allowed)}), got {in_short(name)}"
+            f"for these bodies and this grid, quantity must be one of {', '.join(allowed)}, got "
+            f"{in_short(name)}"
         )
     return name if name in found else ",".join(found)
 
@@ -143,8 +147,8 @@ def elastic(simulation: Simulation) -> Simulation:
     """
     if simulation.engine.preparation is not None:
         raise ValueError(
-            "yield cannot be sought with dents, where body 2 has yielded before: use another "
-            "quantity, e.g. max_pressure or max_equivalent_plastic_strain"
+            'quantity = "yield" does not support dents, because body 2 has already yielded in '
+            "them: use another quantity, e.g. max_pressure or max_equivalent_plastic_strain"
         )
     bodies = {}
     for name in ("body1", "body2"):
@@ -174,7 +178,7 @@ def used_strength(state: State, n: int, body: Material) -> float:
     over_depth = used.max(axis=(0, 1))
     if over_depth.argmax() == len(over_depth) - 1:
         raise ValueError(
-            f"body{n} first yields in or below the deepest layer of the grid, at a depth "
-            f"of {state.depths[-1]:.4g} m: increase nz"
+            f"body{n} first yields in or below the deepest layer of the grid, which is at z = "
+            f"{state.depths[-1]:.4g} m: increase nz"
         )
     return max(error_controlled_quantities.below_and_at_surface(used))

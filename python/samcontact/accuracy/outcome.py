@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 class AccuracyResult(HtmlTable):
     """Values with errors, and the simulation of the finest grid.
 
-    For each quantity, by its name in results files, ``values[name]`` is the maximum of the run and
-    ``errors[name]`` its estimated error, both in SI units. ``series[name]`` and
-    ``series_errors[name]`` are values and errors at selected increments: the end of each path
-    segment and, for passes, also the last loaded increment. ``increments`` contains the indices of
-    these increments in ``states``.
+    ``values[name]`` is the maximum of a quantity in the run and ``errors[name]`` its estimated
+    error, both in SI units; ``name`` is the name of the quantity in results files.
+    ``series[name]`` and ``series_errors[name]`` are values and errors at selected increments: the
+    end of each path segment and, for passes, also the last loaded increment. ``increments``
+    contains the indices of these increments in ``states``.
     """
 
     values: dict[str, float]
@@ -57,10 +57,10 @@ class AccuracyResult(HtmlTable):
     needs: str = ""
     """Reason why the prescribed accuracy was not reached, as text; empty if it was reached."""
     surface: str = ""
-    """Surface to which the errors refer, if its heights are interpolated between samples."""
+    """Note on the surface to which the errors refer, if heights are interpolated; else empty."""
     slope_beyond: float = math.nan
-    """Fraction of the mean-square slope of this surface at wavelengths below four samples; NaN for
-    a surface that is given as a function."""
+    """Fraction of the mean-square slope of an interpolated surface at wavelengths below four
+    samples; NaN for a surface that is given as a function."""
     _study: Study = field(kw_only=True, repr=False)
     _solution: GridSolution = field(kw_only=True, repr=False)
 

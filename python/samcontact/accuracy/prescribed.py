@@ -55,8 +55,8 @@ def to_accuracy(
     max_memory : float, optional
         Memory limit of the finest grid [bytes]. Default: available memory.
     max_time : float, optional
-        Limit of the total time [s]. Default: 3600. At least three or four grids are solved, even if
-        they take longer.
+        Limit of the total time [s]. Default: 3600. At least three grids are solved, or four for
+        slowly converging quantities, even if they take longer.
     progress : bool, optional
         Print one line per grid to stderr.
     checkpoint : path, optional
@@ -74,8 +74,8 @@ def to_accuracy(
     ------
     ValueError
         An argument is out of range, `checkpoint` was written for another case, the case lacks a
-        [grid] that it needs, or its results have no limit on finer grids. The message names the
-        cause and a remedy.
+        [grid] that it needs, or the results of the case have no limit on finer grids. The message
+        names the cause and a remedy.
 
     Warns
     -----
@@ -132,7 +132,8 @@ def _prescribed_accuracy(
     given = case.accuracy if accuracy is None else accuracy
     if given is None:
         raise ValueError(
-            "accuracy must be a number in (0, 1), e.g. 0.01, or a dict of such numbers by quantity"
+            "accuracy must be a number in (0, 1), e.g. 0.01, or a dict with such a number for each "
+            "quantity, got None"
         )
     chosen = case.quantities if quantities is None else quantities
     if chosen is not None and not (
@@ -156,8 +157,8 @@ def _prescribed_accuracy(
     for name, value in targets.items():
         if name not in refinable.names:
             raise ValueError(
-                "quantities must be names of quantities of this case "
-                f"({', '.join(refinable.names)}), got {in_short(name)}"
+                f"for this case, quantities must be any of {', '.join(refinable.names)}, got "
+                f"{in_short(name)}"
             )
         positive("accuracy", value)
         if not value < 1:

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from ..cases import Case
 
 TOL_SHARE = 0.01
-"""Tolerance of the contact solver divided by the prescribed accuracy. The tolerance causes an error
-of the values of about a tenth of the tolerance."""
+"""Tolerance of the contact solver divided by the prescribed accuracy. The relative error that a
+tolerance causes is about a tenth of this tolerance."""
 _FRESH_START_FACTOR = 8
 """Factor on the number of increments of a segment with a `start`. The first increment leads from
 the end of the previous segment to a value beyond `start`; the factor makes this increment
@@ -54,7 +54,7 @@ class GridRun:
     margins: FloatArray | float = 0.0
     """Errors that a comparison of grids may miss, in the shape of `values`."""
     note: str = ""
-    """Result, as text, that must be equal on the finest grids."""
+    """Result, as text, that must be the same on the two finest grids."""
     solved: GridSolution | None = None
 
     @property
@@ -68,7 +68,7 @@ def name_of(level: int, increments: int) -> str:
 
 
 class RefinableCase:
-    """Case that is solved on grids and with numbers of increments chosen by the search."""
+    """Case that is solved with the grids and the numbers of increments that the search chooses."""
 
     def __init__(self, case: Case) -> None:
         require_refinable(case)
@@ -140,7 +140,7 @@ class RefinableCase:
         return case.model_copy(update={"heat": heat.model_copy(update={"history": history})})
 
     def _count(self, number: int, increments: int) -> int:
-        """Return the increments of a segment: 1 if elastic, or else a multiple of `increments`."""
+        """Return the increments in a segment: 1 if elastic, else a multiple of `increments`."""
         if number in self.elastic:
             return 1
         return increments * (1 if self.case.path[number].start is None else _FRESH_START_FACTOR)
@@ -177,7 +177,7 @@ class RefinableCase:
         return GridRun(level, increments, **given, solved=solved)
 
     def settle(self, run: GridRun) -> None:
-        """Choose the extent of later grids and the elastic segments from the results of a run."""
+        """Choose elastic segments, and the extent of finer grids, from the results of a run."""
         self.grids.settle(run.level, run.half)
         if not self._all_increments:
             path = self.case.path
@@ -193,8 +193,8 @@ def require_refinable(case: Case) -> None:
     """Raise ValueError, with a remedy, for a case whose grid errors cannot be estimated."""
     if case.wear is not None and case.wear.window is not None:
         raise ValueError(
-            "wear.window is a number of cells, so that the results depend on the grid: use "
-            "wear.smoothing_length to prescribe accuracy"
+            "accuracy cannot be prescribed with wear.window, a number of cells, because the "
+            "results then depend on the grid: use wear.smoothing_length"
         )
     if case.heat is not None and case.heat.history is not None and case.moves:
         raise ValueError(
@@ -204,14 +204,14 @@ def require_refinable(case: Case) -> None:
     if case.relaxes and case.moves:
         raise ValueError(
             "relaxation of a body requires that the bodies move by whole cells, so that the path "
-            "depends on the grid: specify [grid] instead of accuracy, and compare with half the "
-            "cell size"
+            "depends on the grid: specify [grid] instead of accuracy, and compare with a run with "
+            "half the cell size"
         )
     surface: Any = case.surface
     straight = surface.radii() is not None and not all(map(math.isfinite, surface.radii()))
     endless = surface.shape == "cylinder" or straight
     if endless and not (case.grid is not None and case.grid.periodic):
         raise ValueError(
-            f"surface.shape = {surface.shape!r} gives a contact of infinite length: add [grid] "
-            'with periodic = "y" (or "x") along the axis to prescribe accuracy'
+            f"surface.shape = {surface.shape!r} gives a contact of infinite length: to prescribe "
+            'accuracy, add [grid] with periodic = "y" (or "x"), along the axis of the body'
         )

@@ -179,7 +179,7 @@ class AccuracySearch:
                 break
 
     def _join(self, values: FloatArray, errors: FloatArray) -> Estimate:
-        """Return the estimate of each quantity, the maximum over its parts (e.g. materials)."""
+        """Return the estimate of each quantity: the maximum over its parts (e.g. materials)."""
         return combined(Estimate(values, errors, np.zeros(values.shape, dtype=bool)), self.parts)
 
     def _more_increments(self) -> bool:

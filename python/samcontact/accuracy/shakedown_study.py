@@ -40,7 +40,7 @@ class ShakedownStudy:
         self.names = [*self.default_names, *_OF_CONTACT, *_PER_CYCLE]
 
     def parts(self, name: str) -> int:
-        return error_controlled_quantities.has_parts(name, self.bodies)
+        return error_controlled_quantities.count_parts(name, self.bodies)
 
     def order(self, name: str) -> float:
         return 1.0 if name in _PER_CYCLE else 2.0

@@ -25,7 +25,7 @@ def orders_of(names: Sequence[str], *, moves: bool) -> dict[str, float]:
     """Return the lowest orders of convergence in the cell size, for quantities with orders below 2.
 
     The shear traction has a cusp at the edge of the stick zone, where it changes as the square root
-    of the distance to this edge. The von Mises stress may have its maximum there. The stick
+    of the distance to this edge. The von Mises stress may have its maximum at this edge. The stick
     fraction changes by whole cells. The frictional work of moving bodies converges with order 1.
     """
     stresses = [name for name in names if name.startswith("max_von_mises")]

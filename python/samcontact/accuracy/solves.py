@@ -86,7 +86,7 @@ class Solves:
         *,
         progress: bool = False,
     ) -> list[State]:
-        """Solve the increments of a path that are not stored; return all states on one grid."""
+        """Solve those increments of a path that are not stored; return all states on one grid."""
         solve = self._solves[name] = _Solve(simulation, describe(simulation.engine, path=path), [])
         folder = None if self._folder is None else self._folder / name
         engine, monitor, step = simulation.engine, simulation.monitor, simulation.step

@@ -72,7 +72,7 @@ class Study(Protocol):
         ...
 
     def note(self, solution: GridSolution) -> str:
-        """Return a result, as text, that must be equal on the finest grids; "" if there is none."""
+        """Return a result, as text, that must be the same on the two finest grids, or ""."""
         ...
 
     def to_dataset(self, solution: GridSolution, volume: str | None) -> xr.Dataset:
@@ -115,7 +115,7 @@ class PathStudy:
     def parts(self, name: str) -> int:
         if name in self._criteria:
             return fatigue_quantities.PARTS
-        return error_controlled_quantities.has_parts(name, self.bodies)
+        return error_controlled_quantities.count_parts(name, self.bodies)
 
     def order(self, name: str) -> float:
         return self._orders.get(name, SPOTS_ORDER if self._has_spots else DEFAULT_ORDER)
@@ -150,7 +150,7 @@ class PathStudy:
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
         """Return the errors of contact areas that consist of many spots; 0 for other quantities.
 
-        The outlines of the spots change by whole cells.
+        These errors are due to the outlines of the spots, which change by whole cells.
         """
         columns: list[FloatArray] = []
         for name in names:

@@ -103,7 +103,7 @@ class WearStudy:
     def margins(self, solution: GridSolution, names: Sequence[str]) -> FloatArray:
         """Return errors of the contact area; 0 for other quantities.
 
-        The outline of the contact changes by whole cells.
+        These errors are due to the outline of the contact, which changes by whole cells.
         """
         found = np.zeros((self.count, len(names)))
         loaded = max(solution.states, key=lambda state: state.load)

@@ -29,28 +29,29 @@ if TYPE_CHECKING:
     import xarray as xr
 
 _JUMP_SHARE, _JUMP_RATIO = 0.2, 4.0
-"""Criteria of a jump between two increments: the change of the load exceeds this fraction of the
-largest tension, and this multiple of the median change of the load between increments."""
+"""A change of load between two increments is a jump if it exceeds both limits: the first number
+times the largest tension, and the second number times the median change of load."""
 _LAWS: tuple[dict[str, Any], ...] = (
     {"color": "0.35", "linewidth": 1.0, "linestyle": "-", "label": "JKR"},
     {"color": "0.35", "linewidth": 1.0, "linestyle": ":", "label": "Maugis, equal peak"},
     {"color": "0.6", "linewidth": 1.0, "linestyle": "-.", "label": "DMT"},
 )
 _RADII = 160
-"""Number of contact radii at which the theoretical curves are evaluated."""
+"""Number of points of each theoretical curve."""
 
 
 def is_adhesive(dataset: xr.Dataset) -> bool:
-    """Whether the results are from a run in which the attraction depends on the gap."""
+    """Whether results are from a run with a law of adhesion (attraction depending on the gap)."""
     return "adhesion_stress" in dataset
 
 
 def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     """Draw the load–approach curve of a contact with adhesion; see also `load_approach`.
 
-    Approach and retraction have different colours, and jumps (`jumps_of`) are dashed. For a sphere,
-    three theoretical curves are added: Johnson, Kendall & Roberts; Maugis, with the maximum
-    attraction of the law; Derjaguin, Muller & Toporov.
+    Approach and retraction have different colours. A dashed line joins two increments between which
+    the load jumps, see `jumps_of`. For a sphere, three theoretical curves are added: those of
+    Johnson, Kendall & Roberts (JKR), of Maugis, for the maximum attraction of the law of adhesion,
+    and of Derjaguin, Muller & Toporov (DMT).
     """
     ax = axes_or_new(ax)
     load, approach = dataset["load"].values, dataset["approach"].values
@@ -81,10 +82,10 @@ def adhesion_curve(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
 
 
 def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
-    """Return, for each increment after the first, whether the load has jumped in it.
+    """Return whether the load jumps between successive increments, shape (increments - 1,).
 
-    In a jump, the load changes by more than `_JUMP_SHARE` times the largest tension and by more
-    than `_JUMP_RATIO` times the median change. load: load of each increment [N].
+    In a jump, the load changes by more than a fifth of the largest tension and by more than four
+    times the median change between increments. load: load of each increment [N].
     """
     change = np.abs(np.diff(load))
     if not change.size:
@@ -99,7 +100,7 @@ def jumps_of(load: FloatArray) -> NDArray[np.bool_]:
 def _closed_forms(dataset: xr.Dataset) -> Iterator[tuple[FloatArray, FloatArray]]:
     """Iterate over the JKR, Maugis and DMT curves as pairs of approach [m] and load [N].
 
-    Nothing is yielded for a body that is not a sphere, or on a periodic grid.
+    There are no curves on a periodic grid or for bodies other than a sphere.
     """
     attrs = dataset.attrs
     if "radius_used" not in attrs or attrs.get("periodic"):
@@ -119,8 +120,8 @@ def _closed_forms(dataset: xr.Dataset) -> Iterator[tuple[FloatArray, FloatArray]
 def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | None = None) -> Axes:
     """Draw pressure, repulsion and attraction along x.
 
-    The profile normally lies in the middle row of cells. If the attraction there is below 90 % of
-    the maximum, it lies in the row with the maximum attraction.
+    The profile lies in the middle row of cells if the attraction in this row reaches at least 90 %
+    of the maximum attraction; otherwise it lies in the row with the maximum attraction.
 
     Parameters
     ----------
@@ -142,8 +143,8 @@ def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | N
     """
     if not is_adhesive(dataset):
         raise ValueError(
-            "dataset must have a law of adhesion, got results without adhesion_stress: use "
-            "pressure_profile"
+            "dataset must be from a run with a law of adhesion, got results without "
+            "adhesion_stress: draw them with pressure_profile"
         )
     index = int(dataset["load"].values.argmin()) if index is None else index
     grid = grid_of(dataset)
@@ -170,15 +171,17 @@ def cohesive_zone(dataset: xr.Dataset, ax: Axes | None = None, *, index: int | N
 
 
 def pull_off_over_tabor(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the pull-off force of a sphere as a point at its Tabor number, with Maugis' curve.
+    """Draw the pull-off force of a sphere at its Tabor number, in comparison with Maugis' curve.
 
-    The pull-off force is the largest tension of the run, divided by pi w R, where w is the work of
-    adhesion and R the radius. Horizontal lines show the limits of JKR (1.5) and DMT (2).
+    The pull-off force is the largest tension of the run. It is divided by pi w R, where w is the
+    work of adhesion and R the radius of the sphere. Horizontal lines show the limits of JKR (1.5)
+    and DMT (2).
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results of `samcontact.results.to_dataset` for a sphere with adhesion that carried tension.
+        Results of `samcontact.results.to_dataset` from a run in which an adhesive sphere came under
+        tension.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
 
@@ -194,8 +197,8 @@ def pull_off_over_tabor(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     attrs = dataset.attrs
     if "tabor" not in attrs or "pull_off" not in attrs:
         raise ValueError(
-            "dataset must be the result of an adhering sphere under tension, got results without "
-            "tabor or pull_off"
+            "dataset must be from a run in which an adhesive sphere came under tension, got "
+            "results without tabor or pull_off"
         )
     ax = axes_or_new(ax)
     unit = np.pi * float(attrs["work_used"]) * float(attrs["radius_used"])

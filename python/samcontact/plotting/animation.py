@@ -32,32 +32,35 @@ def rolling_animation(
 ) -> FuncAnimation:
     """Animate a moving contact: pressure, longitudinal section and residual imprint of each state.
 
-    All fields are shown in the plane y = 0 and in the frame of reference of the body. In this frame
-    the contact moves, and the residual imprint is at rest.
+    All fields are shown in the plane y = 0 and in the frame of reference of the chosen body. In
+    this frame the contact moves, and the residual imprint is at rest.
 
     Parameters
     ----------
     states : sequence of State
-        States on a grid with layers, in the order of the path; ``states[::2]`` halves the computing
-        time.
+        States on a grid with layers, in the order of the path. To halve the computing time, pass
+        ``states[::2]``.
     body : {1, 2}
         Body whose frame of reference, section and residual imprint are shown.
     quantity : {"von_mises", "residual_von_mises", "equivalent_plastic_strain"}
         Quantity shown in the section. With "von_mises", the stress under load is shown inside the
-        grid, which moves with the contact and is marked by a frame. Outside the grid, the residual
-        stress is shown where the body has yielded. Cells without a computed stress are grey.
+        grid, which moves with the contact and whose edges are dotted lines. Outside the grid, the
+        residual stress is shown where the body has yielded. Cells without a computed stress are
+        grey.
     interval : float, optional
         Interval between frames during playback [ms], > 0.
 
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable:
+        Matplotlib deletes animations that no variable refers to.
 
     Raises
     ------
     ValueError
-        There are no states or no layers, or body or quantity is unknown.
+        `states` is empty, the grid has no layers, `body` or `quantity` is unknown, or `interval` is
+        not positive.
     """
     if len(states) == 0:
         raise ValueError("states must contain at least one state, got none")
@@ -167,8 +170,9 @@ def _section(
 ) -> FloatArray:
     """Return a field of the body in the plane y = 0 at positions x, shape (len(x), nz).
 
-    Stresses that were not computed are NaN; strains outside the track are 0. row: index along y of
-    the row of cells. window: x positions, on the body, of the cells of the grid [m].
+    Stresses that were not computed are NaN. Strains outside the track (the region that the contact
+    has passed) are 0. row: index along y of the row of cells. window: x positions of the cells of
+    the grid in the frame of reference of the body [m].
     """
     # outside the track nothing has yielded, but stresses exist
     beyond = 0.0 if quantity == "equivalent_plastic_strain" else np.nan
@@ -199,9 +203,9 @@ def save_animation(
     Parameters
     ----------
     animation : matplotlib.animation.FuncAnimation
-        Result of `rolling_animation` or `partial_slip_animation`.
+        Result of `rolling_animation`, `partial_slip_animation` or `film_animation`.
     path : str or Path
-        File name ending in .gif, written by Pillow, or .mp4, which requires the program ffmpeg.
+        File name that ends in .gif or .mp4. Writing .mp4 requires the program ffmpeg.
     fps : float, optional
         Frames per second, > 0.
     dpi : float, optional
@@ -215,7 +219,7 @@ def save_animation(
     Raises
     ------
     ValueError
-        The file name has another suffix, or a number is out of range.
+        The file name ends in neither .gif nor .mp4, or `fps` or `dpi` is not positive.
     RuntimeError
         The program ffmpeg, required for .mp4, is missing.
     OSError
@@ -229,7 +233,7 @@ def save_animation(
         if not FFMpegWriter.isAvailable():
             raise RuntimeError(
                 "writing .mp4 requires the program ffmpeg, which was not found: install ffmpeg, or "
-                "use .gif"
+                "write a file that ends in .gif"
             )
         writer = FFMpegWriter(fps=rate)  # type: ignore[arg-type]
     else:

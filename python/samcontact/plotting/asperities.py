@@ -2,8 +2,8 @@
 """Figures of one or several asperity collisions.
 
 Each function draws on the axes `ax` and returns them. If `critical` is given (e.g. from
-`samcontact.critical.green`), values are divided by the values at first yield, as in Boucly (2008),
-figures 4.7 to 4.11.
+`samcontact.critical.green`), each quantity is divided by its value at first yield, as in Boucly
+(2008), figures 4.7 to 4.11.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Results = Sequence["xr.Dataset"]
 
 
 def _offset(series: xr.Dataset) -> FloatArray:
-    """Return the offset X of the sphere centres divided by the equivalent radius R [-]."""
+    """Return X/R [-]: the offset X of the sphere centres, divided by the equivalent radius R."""
     first, second = (float(series.attrs[name]) for name in ("R1", "R2"))
     offset: FloatArray = series["offset"].values / (first * second / (first + second))
     return offset
@@ -46,7 +46,7 @@ def _label(series: xr.Dataset, critical: CriticalSphere | None) -> str:
 def _one_pass(series: xr.Dataset, number: int) -> xr.Dataset:
     passes = series.sizes["pass"]
     if not 1 <= number <= passes:
-        raise ValueError(f"number must be a pass number, 1 to {passes}, got {number!r}")
+        raise ValueError(f"number must be that of a pass, from 1 to {passes}, got {number!r}")
     one: xr.Dataset = series.sel({"pass": number})
     return one
 
@@ -74,8 +74,8 @@ def force(
     number : int
         Number of the pass, from 1.
     critical : CriticalSphere, optional
-        Critical values: the force is divided by the critical load. If omitted, the force is in N
-        with a suitable prefix.
+        Critical values of the spheres; the force is divided by the critical load. If omitted, the
+        force is drawn in newtons with a suitable prefix, e.g. mN.
     """
     choice("component", component, ("x", "z"))
     name = f"force_{component}"
@@ -117,9 +117,11 @@ def load_ratio(
 def over_passes(
     series: xr.Dataset, ax: Axes | None = None, *, quantity: str, max_lines: int = 6
 ) -> Axes:
-    """Draw force_x, force_z or load_ratio versus the offset of the centres / R, for each pass.
+    """Draw force_x, force_z or load_ratio versus the offset X/R, with one line for each pass.
 
-    If there are more than `max_lines` passes, passes at equal distances are drawn.
+    X is the offset of the sphere centres, R the equivalent radius. If there are more than
+    `max_lines` passes, only `max_lines` of them are drawn, evenly spaced from the first to the
+    last.
     """
     ax, count = axes_or_new(ax), series.sizes["pass"]
     values, factor, label = series[quantity].values, 1.0, "tangential force / normal force [-]"
@@ -142,7 +144,9 @@ def over_passes(
 def net_energy(
     results: Results, ax: Axes | None = None, *, critical: CriticalSphere | None = None
 ) -> Axes:
-    """Draw two energies of each pass versus interference: net energy, energy of residual stress.
+    """Draw the net energy of each pass and the energy of residual stress versus interference.
+
+    The energy of residual stress is drawn after the first pass only.
 
     Parameters
     ----------
@@ -152,8 +156,8 @@ def net_energy(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     critical : CriticalSphere, optional
-        Critical values, by which energy and interference are divided. If omitted, energy is in J
-        and interference in m.
+        Critical values of the spheres, by which energy and interference are divided. If omitted,
+        energy is in J and interference in m.
     """
     unit = 1.0 if critical is None else critical.energy
     ax = axes_or_new(ax)
@@ -173,7 +177,7 @@ def residual_displacement(
 ) -> Axes:
     """Draw the residual imprint depth of each body after each pass, versus interference.
 
-    Arguments as in `net_energy`.
+    The arguments are those of `net_energy`.
     """
     unit = 1.0 if critical is None else critical.interference
     ax = axes_or_new(ax)

@@ -35,9 +35,9 @@ if TYPE_CHECKING:
 
 HertzContact = PointContact | EllipticContact
 _MIN_CHANGE = 1e-3
-"""Change of load or approach, relative to the maximum, above which increments form a curve."""
+"""Range of the loads or approaches, relative to their maximum, above which a curve is drawn."""
 _MAX_MARKERS = 150
-"""Cells of a profile up to which each has a marker."""
+"""Number of cells above which a profile is drawn without a marker at each cell."""
 
 
 def pressure_profile(
@@ -61,7 +61,7 @@ def pressure_profile(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact, drawn as a dashed line along the row of cells of the profile.
+        Hertz contact whose pressure is drawn as a dashed line along the same row of cells.
     axis : {"x", "y"}
         Direction of the profile.
     position : float
@@ -92,7 +92,7 @@ def draw_pressure(
     position: float,
     label: str | None = "computed",
 ) -> Axes:
-    """Draw a profile like `pressure_profile`; values may be negative, e.g. prescribed tractions."""
+    """Draw a pressure as `pressure_profile` does, but accept negative values (tractions)."""
     s = np.asarray(grid.x if axis == "x" else grid.y)
     style: dict[str, Any] = {"marker": "o", "markersize": 3} if s.size <= _MAX_MARKERS else {}
     ax = _profile(field, "pressure", grid, ax, axis, position, label, **style)
@@ -139,18 +139,18 @@ def _profile(
 def load_approach(
     dataset: xr.Dataset, ax: Axes | None = None, *, hertz: HertzContact | None = None
 ) -> Axes:
-    """Draw the load–approach curve, with the Hertz curve (load ~ approach^1.5).
+    """Draw the load–approach curve and, for comparison, the Hertz curve (load ~ approach^1.5).
 
-    Each point is an increment. The thin line between two points is drawn as for an elastic contact,
-    in which the approach is linear in load^(2/3). This is also true for the elastic unloading of an
-    imprint (Johnson 1985, section 6.4). On periodic grids the line is straight and only shows the
-    order of the increments.
+    Each point is an increment. Thin lines join the points; on these lines, the approach is linear
+    in load^(2/3), as in elastic contact and during the elastic unloading of an imprint (Johnson
+    1985, section 6.4). On periodic grids the lines are straight and only show the order of the
+    increments.
 
-    With a law of adhesion, approach and retraction have different colours. A line between two
-    increments is dashed, as a jump, if the load changes by more than a fifth of the largest tension
-    and by more than four times the median change. For a sphere, three theoretical curves are added:
-    Johnson, Kendall & Roberts; Maugis, with the maximum attraction of the law; Derjaguin, Muller &
-    Toporov.
+    With a law of adhesion, approach and retraction have different colours. A dashed line between
+    two increments marks a jump, in which the load changes by more than a fifth of the largest
+    tension and by more than four times the median change between increments. For a sphere, three
+    theoretical curves are added: those of Johnson, Kendall & Roberts (JKR), of Maugis, for the
+    maximum attraction of the law of adhesion, and of Derjaguin, Muller & Toporov (DMT).
 
     Parameters
     ----------
@@ -159,7 +159,8 @@ def load_approach(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     hertz : PointContact or EllipticContact, optional
-        Hertz contact of the two bodies, at any load; the curve is calculated from it.
+        Hertz contact of the two bodies, from which the Hertz curve is calculated; its load may be
+        any load of these bodies. Not used with a law of adhesion.
 
     Returns
     -------
@@ -186,7 +187,7 @@ def load_approach(
 
 
 def has_curve(dataset: xr.Dataset) -> bool:
-    """Whether results have a `load_approach` curve: increments that differ in load or approach."""
+    """Whether the loads or approaches of the increments differ enough to draw `load_approach`."""
     for name in ("load", "approach"):
         values = dataset[name].values
         values = values[np.isfinite(values)]
@@ -198,7 +199,7 @@ def has_curve(dataset: xr.Dataset) -> bool:
 
 
 def _between(points: FloatArray) -> FloatArray:
-    """Return a curve with linearly interpolated points between its points, shape (2, points)."""
+    """Insert linearly interpolated points between the points of a curve, shape (2, points)."""
     count, parts = points.shape[1], 24
     fine = np.linspace(0.0, count - 1.0, parts * (count - 1) + 1)
     return np.stack([np.interp(fine, np.arange(count), row) for row in points])
@@ -213,7 +214,7 @@ def imprint_profile(
     position: float = 0.0,
     label: str | None = None,
 ) -> Axes:
-    """Draw the residual imprint along an axis: residual normal displacement, depth downward.
+    """Draw the residual imprint (residual normal displacement) along an axis, depth downward.
 
     Parameters
     ----------
@@ -238,8 +239,8 @@ def imprint_profile(
     Raises
     ------
     ValueError
-        The field has the wrong shape or exceeds a thousand times the grid size, or the axis is
-        unknown.
+        The field has the wrong shape, a value exceeds a thousand times the longer side of the grid,
+        or the axis is unknown.
     """
     _require_quantity(field, "residual_displacement", grid)
     ax = _profile(field, "residual_displacement", grid, ax, axis, position, label)
@@ -298,7 +299,7 @@ def axis_profile(
     body: Body | None = None,
     interfaces: ArrayLike = (),
 ) -> Axes:
-    """Draw the stresses below the centre of the grid versus depth.
+    """Draw the stresses below the point x = y = 0 versus depth.
 
     Parameters
     ----------
@@ -311,7 +312,7 @@ def axis_profile(
     components : sequence of str
         Any of "von_mises", "hydrostatic", "xx", "yy", "zz", "yz", "xz", "xy".
     body : Material or Layered, optional
-        Body whose initial yield stress and initial residual stresses are added.
+        Body whose initial yield stress and initial residual stresses are also drawn.
     interfaces : array_like, shape (n,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`.
 

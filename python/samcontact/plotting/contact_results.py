@@ -40,7 +40,7 @@ class ContactResults:
 
     @cached_property
     def peak(self) -> int:
-        """Index (from 0) of the increment with the maximum stress."""
+        """Index (from 0) of the increment with the maximum von Mises stress."""
         return peak_of_dataset(self.dataset)
 
     @cached_property
@@ -56,7 +56,7 @@ class ContactResults:
 
     @cached_property
     def graded(self) -> Body | None:
-        """Body if its strength or stress varies with depth, otherwise None; see `graded_of`."""
+        """Body if its yield stress or initial stress varies with depth, otherwise None."""
         return graded_of(self.dataset, self.body)
 
     def number(self, position: int) -> int:
@@ -66,7 +66,7 @@ class ContactResults:
     def surface(self, name: str, position: int) -> FloatArray:
         """Return a surface field at an increment; `position` is the index (from 0).
 
-        name: name of the variable without the suffix of the body.
+        name: name of the variable, without the suffix _body1 or _body2.
         """
         if name == "repulsion":
             known: FloatArray = repulsion_of(self.dataset).values[position]
@@ -76,9 +76,10 @@ class ContactResults:
         return field
 
     def has(self, name: str, number: int) -> bool:
-        """Whether a volume field of the body is stored for all cells at an increment.
+        """Whether a volume field of the body is known in all cells at an increment.
 
-        number: number of the increment (from 1).
+        Strains are known in all cells, because they are 0 where they are not stored. name: name of
+        the variable, without the suffix _body1 or _body2. number: number of the increment (from 1).
         """
         stored = self.dataset.get(f"{name}_body{self.body}")
         if stored is None or number not in self.dataset["output_increment"].values:
@@ -86,7 +87,7 @@ class ContactResults:
         return "x" in stored.dims or "strain" in name  # strains are zero where not stored
 
     def field(self, name: str, number: int) -> FloatArray:
-        """Return a stored volume field of the body at an increment number (from 1)."""
+        """Return a stored volume field of the body at an increment; `number` counts from 1."""
         if name == "residual_von_mises":
             return von_mises(self.field("residual_stress", number))
         stored = self.dataset[f"{name}_body{self.body}"].sel(output_increment=number)
@@ -99,7 +100,8 @@ class ContactResults:
     def row(self, field: FloatArray, across: str = "y") -> float:
         """Return the position [m] at which a profile or section of a field is drawn.
 
-        `row_of_interest` selects the row of cells. across: coordinate of this position, "x" or "y".
+        This is the middle row of cells or the row with the maximum, see `row_of_interest`. across:
+        coordinate of the returned position, "x" or "y".
         """
         axis = "xy".index(across)
         others = tuple(n for n in range(field.ndim) if n != axis)
@@ -113,7 +115,7 @@ class ContactResults:
 
     @property
     def has_map(self) -> bool:
-        """Whether maps show more than profiles, unlike for a line contact with one row of cells."""
+        """Whether the grid has several cells along both x and y, so that maps are of use."""
         return min(self.grid.nx, self.grid.ny) > 1
 
     @property

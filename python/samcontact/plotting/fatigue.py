@@ -31,12 +31,12 @@ def fatigue_depth(
     *,
     limit: float | None = None,
 ) -> Axes:
-    """Draw the maximum criterion value in each layer versus depth, for one or several criteria.
+    """Draw the maximum of a criterion in each layer of cells versus depth; one line per criterion.
 
     Parameters
     ----------
     fields : FatigueField, or several
-        Fields computed from states, with a common unit. The maximum of each field is marked.
+        Fields computed from states, all with the same unit. The maximum of each field is marked.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     limit : float, optional
@@ -57,7 +57,10 @@ def fatigue_depth(
     for field in several:
         _require_axes(field, "z")
     if len({field.unit for field in several}) > 1:
-        raise ValueError("fields must have the same unit: draw stress and strain in two figures")
+        raise ValueError(
+            "fields must have the same unit: draw criteria of stress and of strain in separate "
+            "figures"
+        )
     factor, unit = _quantity(several[0]).factor, _UNITS[several[0].unit]
     ax = axes_or_new(ax)
     for field in several:
@@ -79,7 +82,7 @@ def fatigue_depth(
 
 
 def exposure_depth(found: Exposure, ax: Axes | None = None) -> Axes:
-    """Draw the exposure of a hardened case versus depth, and mark the maxima.
+    """Draw the exposure of a case-hardened body versus depth, and mark the maxima.
 
     The exposure is the equivalent stress of a criterion divided by the local strength. A dot marks
     the maximum of each criterion, and a circle marks the governing criterion. The dashed line shows
@@ -132,9 +135,9 @@ def fatigue_section(
         Axes to draw on; default: a new figure.
     plane : {"y", "x"}, optional
         Coordinate that is constant on the section. Default: "y". A field from a `steady_cycle` has
-        only one section, across the direction of motion.
+        only one section, perpendicular to the direction of motion.
     position : float, optional
-        Value of this coordinate [m]. Default: the position of the maximum of the field.
+        Value of the constant coordinate [m]; default: its value at the maximum of the field.
 
     Returns
     -------
@@ -143,7 +146,7 @@ def fatigue_section(
     Raises
     ------
     ValueError
-        The field has no coordinates, or the plane is unknown.
+        The field has no coordinates because it was computed from arrays, or the plane is unknown.
     """
     _require_axes(field, "z")
     values, note = field.values, ""
@@ -157,7 +160,8 @@ def fatigue_section(
         values = values[:, index] if chosen == "y" else values[index]
         note = f", {place(chosen, float(there[index]))}"
     elif plane not in (None, "xy".replace(across, "")):
-        raise ValueError(f"plane must be {'xy'.replace(across, '')!r}, got {in_short(plane)}")
+        only = "xy".replace(across, "")
+        raise ValueError(f"plane must be {only!r} or None for this field, got {in_short(plane)}")
     ax = _coloured(field, ax, f"{across}z", values, note)
     ax.set_ylabel("depth z [µm]")
     ax.invert_yaxis()
@@ -193,8 +197,8 @@ def _require_axes(field: FatigueField, *axes: str) -> None:
     missing = [axis for axis in axes if axis not in field.coordinates]
     if missing:
         raise ValueError(
-            f"field must have the axes {', '.join(axes)}, got "
-            f"{', '.join(field.coordinates) or 'none: the stress was given as an array'}"
+            f"field must have the coordinates {', '.join(axes)}, got "
+            f"{', '.join(field.coordinates) or 'none: compute it from states, not from arrays'}"
         )
 
 

@@ -71,9 +71,9 @@ def show_section(
     """Draw a plane section of a volume field with a colour bar; depth points downward.
 
     values: field in SI units. name: name of the horizontal coordinate. titled: whether the name of
-    the quantity is shown as title of the figure instead of as label of the colour bar. In a flat
-    section it is always shown as title. equal: whether both axes have equal scales. cells: whether
-    to show one colour per cell.
+    the quantity is shown as the title and not along the colour bar; in a flat section it is always
+    the title. equal: whether both axes have the same scale. cells: whether to show one colour per
+    cell.
     """
     ax = axes_or_new(ax)
     titled = titled or plane.ratio < _FLAT_SECTION_RATIO
@@ -100,7 +100,8 @@ def show_surface(
     """Draw a map of a surface field with a colour bar.
 
     name: name of the horizontal coordinate. note: text after the name of the quantity. inside:
-    field that is positive where the map is drawn; the rest of the map is white.
+    field that is positive where the map is drawn; the rest of the map is white. cells: whether to
+    show one colour per cell.
     """
     ax = axes_or_new(ax)
     if inside is not None and cells:
@@ -151,7 +152,7 @@ def inside_of_slip(slip: FloatArray, touching: BoolArray) -> FloatArray:
     """Return a field that is positive in the slip zone, and zero at the edge of the stick zone.
 
     The field is based on slip^(2/3), because the slip is approximately proportional to the power
-    3/2 of the distance from the stick zone. slip: magnitude of the slip.
+    3/2 of the distance from the stick zone. slip: magnitude of the slip. touching: contact cells.
     """
     return _crossing(np.cbrt(np.square(spread(slip, touching))))
 
@@ -192,9 +193,10 @@ def spread(kinds: FloatArray, touching: BoolArray) -> FloatArray:
 def touching_along(
     ax: Axes, across: FloatArray, touching: BoolArray, height: float = 0.0, **options: Any
 ) -> None:
-    """Draw a bar along the contact cells of a row, by default at the surface of a section.
+    """Draw a bar along the contact cells of a row.
 
-    across: cell edges along the row [m]. height: vertical position of the bar.
+    across: cell edges along the row [m]. height: vertical position of the bar; 0 is the surface in
+    a section.
     """
     for run in scipy.ndimage.find_objects(scipy.ndimage.label(touching)[0]):
         ends = across[[run[0].start, run[0].stop]] * 1e6

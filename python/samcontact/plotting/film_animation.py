@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Animation of a lubricated contact in time: map of the film, pressure and film along x."""
+"""Animation of a lubricated contact in time: map of the film thickness, and profiles along x."""
 
 from __future__ import annotations
 
@@ -16,27 +16,32 @@ from .parts import new_figure
 
 
 def film_animation(films: Sequence[FilmSolution], *, interval: float = 100.0) -> FuncAnimation:
-    """Animate a lubricated contact in time: map of the film, and pressure and film along x.
+    """Animate a lubricated contact in time: map of the film thickness, and profiles along x.
 
-    There is no map for a line contact. All frames have equal scales.
+    The profiles show pressure and film thickness.
+
+    There is no map for a line contact. The scales are the same in all frames.
 
     Parameters
     ----------
     films : sequence of FilmSolution
-        Films in the order of time, from `lubrication.transient`; ``films[::2]`` halves the
-        computing time.
+        Films in the order of time, from `lubrication.transient`. To halve the computing time, pass
+        ``films[::2]``.
     interval : float, optional
         Interval between frames during playback [ms], > 0.
 
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable:
+        Matplotlib deletes animations that no variable refers to.
 
     Raises
     ------
-    ValueError, TypeError
-        There are no films, or other objects; the interval is not positive.
+    ValueError
+        `films` is empty, or `interval` is not positive.
+    TypeError
+        `films` contains an object that is not a film.
     """
     if len(films) == 0:
         raise ValueError("films must contain at least one film, got none")

@@ -27,8 +27,8 @@ def film_over_time(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
     """
     if "time" not in dataset:
         raise ValueError(
-            "dataset must have times, got films without a history: use samcontact.lubrication."
-            "transient"
+            "dataset must contain times, got films of steady contacts: compute films over time "
+            "with samcontact.lubrication.transient"
         )
     ax = axes_or_new(ax)
     factor, seconds = prefixed(float(dataset["time"].max()), "s")
@@ -68,17 +68,17 @@ def film_stress_figure(dataset: xr.Dataset, grid: Grid) -> Figure:
 
 
 def film_imprint(dataset: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """Draw the residual height along x, summed over both bodies, with one line for each load.
+    """Draw the residual height under a film along x, with one line for each load.
 
-    The residual height is the sum of the residual displacements of both bodies, positive out of the
-    bodies. The profile passes through the cell with the smallest initial gap. dataset: dataset of
+    The residual height is the sum of the residual displacements of both bodies, positive outward.
+    The profile passes through the cell with the smallest initial gap. dataset: dataset of
     `samcontact.results.films_dataset` from the films of `samcontact.lubrication.press_loads`; ax:
     axes to draw on, default a new figure. Returns the axes. Raises ValueError for other datasets.
     """
     if "residual_displacement" not in dataset:
         raise ValueError(
-            "dataset must have residual displacements, got films on elastic bodies: use "
-            "samcontact.lubrication.press_loads"
+            "dataset must contain residual displacements, got films between elastic bodies: "
+            "compute films between elastic-plastic bodies with samcontact.lubrication.press_loads"
         )
     ax = axes_or_new(ax)
     moved = -dataset["residual_displacement"].sum("body").values

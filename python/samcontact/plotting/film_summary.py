@@ -45,9 +45,10 @@ class FilmFigure(NamedTuple):
 def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[FilmFigure]:
     """Iterate over the figures of a run with a lubricated contact.
 
-    Maps and profiles show one film. This is the film at the last speed or load or, for films over
-    time, the film with the largest pressure. dataset: dataset from `results.films_dataset`. case:
-    case of the run; without a case, the chart of lubrication regimes is omitted.
+    Maps and profiles show one film. For films over time, this is the film with the largest
+    pressure; otherwise it is the film at the last speed or load. dataset: dataset from
+    `results.films_dataset`. case: case of the run; without a case, the chart of lubrication regimes
+    is omitted.
     """
     films = films_of(dataset)
     chosen, when = _shown(dataset)
@@ -55,11 +56,11 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
     if min(film.film.shape) > 1:
         figure = new_figure(*_TALL)
         film_map(film, figure.subplots())
-        text = f"Map of the film; minimum {quantity(film.minimum_film, 'm', 3)}."
+        text = f"Map of the film thickness; minimum {quantity(film.minimum_film, 'm', 3)}."
         yield FilmFigure("film_map", f"Film thickness, {when}", text, figure)
     figure = new_figure()
     film_profile(film, figure.subplots())
-    text = "Pressure and film along x through the smallest undeformed gap."
+    text = "Pressure and film thickness along x, through the smallest undeformed gap."
     yield FilmFigure("film_profile", f"Pressure and film along x, {when}", text, figure)
     if min(film.film.shape) > 1:
         figure = new_figure(*_TALL)
@@ -69,7 +70,7 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
     if film.heat is not None:
         figure = new_figure()
         film_temperature(film, figure.subplots())
-        text = "Temperature rise of film and surfaces along x through the smallest gap."
+        text = "Temperature rise of film and surfaces along x, through the smallest undeformed gap."
         yield FilmFigure("film_temperature", f"Temperature along x, {when}", text, figure)
     if case is not None and (chart := _chart(case, film.load)) is not None:
         text = "Lubrication regimes by load number and lubricant number; a dot marks the contact."
@@ -80,12 +81,12 @@ def film_figures(dataset: xr.Dataset, case: FilmCase | None = None) -> Iterator[
         figure = new_figure()
         share, mu = (dataset[name].values for name in ("boundary_share", "friction_coefficient"))
         stribeck_lines(dataset["speed"].values, share, mu, figure.subplots())
-        text = "Share of the load on the boundary layer, and friction, over the mean speed."
+        text = "Share of the load on the boundary layer, and friction, versus the mean speed."
         yield FilmFigure("stribeck", "Stribeck curve", text, figure)
 
 
 def _shown(dataset: xr.Dataset) -> tuple[int, str]:
-    """Return the index of the film that maps and profiles show; its speed, load or time as text."""
+    """Return the index of the film that maps and profiles show, and its speed, load or time."""
     if "time" in dataset and dataset.sizes["increment"] > 1:
         chosen = int(np.argmax(dataset["max_pressure"].values))
         return chosen, f"after {quantity(float(dataset['time'][chosen]), 's')}"
@@ -99,11 +100,11 @@ def _courses(dataset: xr.Dataset, film: FilmSolution) -> Iterator[FilmFigure]:
     if "time" in dataset and dataset.sizes["increment"] > 1:
         figure = new_figure()
         film_over_time(dataset, figure.subplots())
-        text = "Central film, minimum film and largest pressure over time."
+        text = "Central and minimum film thickness, and maximum pressure, over time."
         yield FilmFigure("film_over_time", "Film over time", text, figure)
     if "imprint" in dataset:
         figure = film_stress_figure(dataset, _with_layers(dataset, film))
-        text = "Von Mises stress, plastic strain and residual stress of the body that yields most."
+        text = "Stress, plastic strain and residual stress of the body with more plastic strain."
         yield FilmFigure("film_stress", "Stress and plastic strain", text, figure)
         figure = new_figure()
         film_imprint(dataset, figure.subplots())
@@ -120,7 +121,7 @@ def _with_layers(dataset: xr.Dataset, film: FilmSolution) -> Grid:
 def _chart(case: FilmCase, load: float) -> Figure | None:
     """Return the chart of lubrication regimes at a load [N].
 
-    Return None if the case has no elliptic Hertz contact, or no film formula.
+    Return None if the bodies form no elliptic Hertz contact, or if no film formula applies.
     """
     ellipse, (first, second) = case.ellipse(load), case.velocities
     if ellipse is None or case.estimate(load, case.velocities) is None:

@@ -53,8 +53,10 @@ def film_map(film: FilmSolution, ax: Axes | None = None, *, max_film: float | No
 
     Raises
     ------
-    ValueError, TypeError
-        An argument is outside its range or not a film.
+    ValueError
+        `film` is the film of a line contact, or `max_film` is not positive.
+    TypeError
+        `film` is not a `FilmSolution`.
     """
     require_type("film", film, FilmSolution)
     limit = (
@@ -90,7 +92,8 @@ def film_profile(
     solution of `samcontact.lubrication.steady`; ax: axes to draw on, default a new figure;
     max_film: largest film thickness shown [m], default three times the central film; max_pressure:
     largest pressure shown [Pa], default the maximum pressure of the film. Returns the axes of the
-    pressure. Raises TypeError for other objects, ValueError for limits that are not positive.
+    pressure. Raises TypeError if `film` is not a `FilmSolution`, and ValueError if `max_film` or
+    `max_pressure` is not positive.
     """
     require_type("film", film, FilmSolution)
     ax = axes_or_new(ax)
@@ -127,12 +130,14 @@ def film_temperature(film: FilmSolution, ax: Axes | None = None) -> Axes:
 
     The profile passes through the cell with the smallest gap of the undeformed surfaces. film:
     solution of `samcontact.lubrication.steady` with `thermal=True`; ax: axes to draw on, default a
-    new figure. Returns the axes. Raises TypeError for other objects, ValueError for a film solved
-    without heat.
+    new figure. Returns the axes. Raises TypeError if `film` is not a `FilmSolution`, and ValueError
+    if it was solved without `thermal=True`.
     """
     require_type("film", film, FilmSolution)
     if film.heat is None:
-        raise ValueError("film must be heated, got one without heat: solve it with thermal = True")
+        raise ValueError(
+            "film must have temperatures, got an isothermal film: solve it with thermal = True"
+        )
     ax = axes_or_new(ax)
     row = _middle_row(film)
     length, metres = prefixed(float(np.abs(film.grid.x).max()), "m")
@@ -180,8 +185,10 @@ def interferogram(
 
     Raises
     ------
-    ValueError, TypeError
-        An argument is outside its range or not a film.
+    ValueError
+        `film` is the film of a line contact, or a number is outside its range.
+    TypeError
+        `film` is not a `FilmSolution`.
     """
     require_type("film", film, FilmSolution)
     wave = positive("wavelength", wavelength)
@@ -206,8 +213,8 @@ def stribeck_curve(curve: StribeckCurve, ax: Axes | None = None) -> Axes:
 
     curve: result of `samcontact.lubrication.stribeck`; friction is drawn only if the slide-to-roll
     ratio is not 0. ax: axes to draw on, default a new figure. Returns the axes that show the share
-    of the load. Raises TypeError for other objects, ValueError as `samcontact.lubrication.friction`
-    does.
+    of the load. Raises TypeError if `curve` is not a `StribeckCurve`, and ValueError in the cases
+    in which `samcontact.lubrication.friction` does.
     """
     require_type("curve", curve, StribeckCurve)
     coefficients = np.array([friction(film).coefficient for film in curve.solutions])
@@ -242,7 +249,7 @@ def traction_curve(
     """Draw the friction coefficient versus slide-to-roll ratio.
 
     slide_to_roll, coefficient: arrays of `samcontact.lubrication.TractionCurve` [-]; ax: axes to
-    draw on, default a new figure. Returns the axes. Raises ValueError for unequal shapes.
+    draw on, default a new figure. Returns the axes. Raises ValueError if the shapes differ.
     """
     ratio = finite_array("slide_to_roll", slide_to_roll)
     values = finite_array("coefficient", coefficient, ratio.shape)
@@ -261,7 +268,7 @@ def regime_chart(
 
     The limits of the regimes are calculated for the ratio of radii of this contact. contact, speed,
     lubricant: as for `samcontact.lubrication.regime`; ax: axes to draw on, default a new figure.
-    Returns the axes. Raises TypeError or ValueError as `samcontact.lubrication.regime` does.
+    Returns the axes. Raises the errors of `samcontact.lubrication.regime`.
     """
     here = regime(contact, speed, lubricant)  # refuses other contacts
     found = film_groups(contact, speed, lubricant)
@@ -301,11 +308,11 @@ def _middle_row(film: FilmSolution) -> int:
 def _label_place(
     loads: FloatArray, oils: FloatArray, dot: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return the position of a label in a region of the chart; it should not hide the dot.
+    """Return the position of the label of a region of the chart, away from the dot if possible.
 
-    The label is placed in the middle of the region. If it would overlap the dot there, it is placed
-    in the middle of the part of the region above or below the dot. loads, oils: Moes' numbers M and
-    L of the points of the region. dot: M and L of the contact.
+    The label is placed in the middle of the region. If it would hide the dot there, it is placed in
+    the middle of the part of the region above or below the dot. loads, oils: Moes' numbers M and L
+    of the points of the region. dot: M and L of the contact.
     """
     away = np.abs(np.log10(oils / dot[1])) > _LABEL_HEIGHT
     for part in (np.full(loads.shape, True), away & (oils > dot[1]), away & (oils < dot[1])):
@@ -327,7 +334,8 @@ class _Plane:
     def __init__(self, film: FilmSolution, ax: Axes | None) -> None:
         if min(film.film.shape) < 2:
             raise ValueError(
-                "film must have cells along x and y, got a line contact: use film_profile"
+                "film must have several cells along x and y, got a line contact: draw it with "
+                "film_profile"
             )
         grid = film.grid
         self.is_turned = grid.ny * grid.dy > MIN_LONG_CONTACT_RATIO * grid.nx * grid.dx
@@ -342,14 +350,15 @@ class _Plane:
         self.ax.set_ylabel(f"{names[1]} [{metres}]")
 
     def oriented(self, field: FloatArray) -> FloatArray:
-        """Return a field as drawn: the first index is vertical, the second index horizontal."""
+        """Return a field as drawn: its first index runs vertically, its second horizontally."""
         return field if self.is_turned else field.T
 
 
 def _contrast(path: FloatArray) -> FloatArray:
     """Return the fringe contrast [-] that remains after averaging over a pixel of the figure.
 
-    path: argument of the cosine in the intensity 0.5 (1 + cos(path)), at the image points [rad].
+    path: values of the argument of the cosine in the intensity 0.5 (1 + cos(path)) at the image
+    points [rad].
     """
     pixel = max(1.0, max(path.shape) / _PIXELS)
     slopes = np.gradient(path)

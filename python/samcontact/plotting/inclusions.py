@@ -52,10 +52,10 @@ def inclusion_outlines(
     plane : {"y", "x"}
         Coordinate that is constant on the section.
     position : float
-        Value of this coordinate [m].
+        Value of the constant coordinate [m].
     share : array_like, shape (nx, ny, nz), optional
         Fraction of each cell that is filled by inclusions, from `State.share`. Partly filled cells
-        are hatched, because their stress is a mean over both materials.
+        are hatched, because their stress is a mean over inclusion and matrix.
     grid : Grid, optional
         Grid of `share`; required if `share` is given.
 
@@ -66,8 +66,8 @@ def inclusion_outlines(
     Raises
     ------
     ValueError
-        The plane is unknown, `share` has the wrong shape, or `share` is given without a grid that
-        has layers.
+        The plane is unknown, `share` has the wrong shape, or `share` is given but `grid` is missing
+        or has no layers.
     TypeError
         The body is not heterogeneous.
     """
@@ -76,7 +76,10 @@ def inclusion_outlines(
     at = finite("position", position)
     if share is not None:
         if grid is None or grid.dz is None:
-            raise ValueError("grid must be given, with dz, if share is given")
+            raise ValueError(
+                "if share is given, grid must be the grid of share, with layers (dz), got "
+                f"{'none' if grid is None else 'a grid without dz'}"
+            )
         given = finite_array("share", share)
         if given.ndim != 3 or given.shape[:2] != (grid.nx, grid.ny):
             raise ValueError(f"share must have shape ({grid.nx}, {grid.ny}, nz), got {given.shape}")
@@ -105,7 +108,7 @@ def _hatch(ax: Axes, share: FloatArray, grid: Grid, plane: str, at: float) -> No
 
 
 def _outline(ax: Axes, inclusion: Inclusion, plane: str, at: float) -> None:
-    """Draw the ellipse along which a plane cuts an inclusion; draw nothing if it misses it."""
+    """Draw the ellipse along which a plane cuts an inclusion, if the plane cuts the inclusion."""
     q = inclusion.metric()
     n = 1 if plane == "y" else 0
     shown = [0, 2] if plane == "y" else [1, 2]
@@ -127,8 +130,8 @@ def _outline(ax: Axes, inclusion: Inclusion, plane: str, at: float) -> None:
 def outline_in_section(results: ContactResults, ax: Axes, y: float, number: int) -> None:
     """Draw the outlines of the inclusions of a body into a section along x.
 
-    Nothing is drawn if the body has no inclusions or has moved. results: results and body. y:
-    position of the section [m]. number: number of the increment.
+    Nothing is drawn if the body has no inclusions or has moved. results: results, with the body to
+    be shown. y: position of the section [m]. number: number of the increment.
     """
     dataset, name = results.dataset, f"body{results.body}"
     if f"inclusion_center_{name}" not in dataset or results.track is not None:
@@ -148,10 +151,10 @@ def outline_in_section(results: ContactResults, ax: Axes, y: float, number: int)
 def butterfly(of: ButterflyMap, ax: Axes | None = None) -> Axes:
     """Draw a butterfly map: a fatigue criterion versus the direction from the inclusion centres.
 
-    The line shows the criterion relative to the maximum around each inclusion, as a mean over all
-    inclusions. Bars show in which directions the maxima lie. The length of a bar is the number of
-    inclusions that have their maximum in this sector, relative to the sector with the most
-    inclusions.
+    Around each inclusion, the criterion is divided by its maximum around this inclusion; the line
+    shows the mean of all inclusions. Bars show in which directions the maxima lie: the length of a
+    bar is proportional to the number of inclusions with their maximum in the sector of the bar, and
+    the longest bar has the length 1.
 
     Parameters
     ----------
@@ -217,9 +220,9 @@ def weibull(
     Raises
     ------
     ValueError
-        The confidence is outside its range.
+        `confidence` is not between 0 and 1.
     TypeError
-        An object is not a `WeibullFit`.
+        `fits` is not a `WeibullFit`, or contains another object.
     """
     named = _named(fits)
     ax = axes_or_new(ax)
@@ -256,5 +259,5 @@ def _named(
 
 
 def _paper(failed: FloatArray) -> FloatArray:
-    """Return the ordinate ln(-ln(1 - failed)), in which a Weibull distribution is a line."""
+    """Return the ordinate of Weibull paper, ln(-ln(1 - failed)); failed: failed fraction [-]."""
     return np.log(-np.log1p(-failed))

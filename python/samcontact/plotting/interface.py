@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 _MAX_PANELS = 3
 _TENSION_LABEL = "maximum tension"
 _MIN_MARKED_TENSION = 1e-2
-"""Tension, relative to the maximum stress drawn, below which the maximum tension is not marked."""
+"""Smallest maximum tension that is marked, relative to the maximum stress drawn."""
 _SIDE_STYLES = (("above", "C0", "-"), ("below", "C1", "--"))
 _LEGEND_ABOVE: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "frameon": False}
 
@@ -51,10 +51,10 @@ def interface_profile(
 ) -> Axes:
     """Draw normal, shear and in-plane stress at an interface.
 
-    The in-plane stress is discontinuous: it is drawn for the layers above and below. Normal and
-    shear traction are continuous, except for a small difference due to the discretised plastic
-    strain: the mean of both sides is drawn. A side without stress, such as a rigid substrate, is
-    omitted. The maximum tension is marked.
+    The in-plane stress is discontinuous; one curve is drawn for the layer above the interface and
+    one for the layer below. Normal and shear traction are continuous, except for a small difference
+    due to the discretised plastic strain; the mean of both sides is drawn. A side without stress,
+    such as a rigid substrate, is omitted. The maximum tension is marked.
 
     Parameters
     ----------
@@ -65,7 +65,7 @@ def interface_profile(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     interface : int
-        Index of the interface; 0 is next to the surface.
+        Index of the interface, from 0; interface 0 is nearest to the surface.
     interfaces : array_like, shape (m,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`; used in the label.
     axis : {"x", "y"}
@@ -146,9 +146,10 @@ def _draw_lines(ax: Axes, s: FloatArray, sides: FloatArray, axis: str) -> None:
 def interface_figure(results: ContactResults, number: int) -> Figure:
     """Return a figure of the stress at the interfaces of a body, with one panel per interface.
 
-    Profiles are along x. They lie in the row of cells that `row_of_interest` selects: the middle
-    row, or the row in which the in-plane stress varies most along x. If there are more than three
-    interfaces, the three with the highest tension are shown. number: number of the increment.
+    All profiles run along x in the same row of cells. This is the row in which the in-plane stress
+    varies most along x, or the middle row if the variation there is at least 90 % of this. If there
+    are more than three interfaces, the three with the highest tension are shown. number: number of
+    the increment.
     """
     stress, grid = results.field("interface_stress", number), results.grid
     tension = stress[:, [0, 2]].max(axis=(0, 1, 2, 3))

@@ -39,7 +39,7 @@ def surface_map(
     across: str = "x",
     cells: bool = False,
 ) -> Axes:
-    """Draw a map of pressure, gap or residual imprint, with a colour bar and the contact edge.
+    """Draw a map of a surface field, e.g. the pressure, with a colour bar and the contact edge.
 
     Parameters
     ----------
@@ -50,16 +50,16 @@ def surface_map(
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     quantity : {"pressure", "gap", "imprint", "shear_x", "shear_y", "temperature"}, optional
-        Quantity shown, which determines name, unit and colours. The map is white where the pressure
-        or the gap is zero. If omitted, values are shown without conversion, with a diverging colour
-        map if both signs occur.
+        Quantity shown, which determines name, unit and colours. A map of pressure or gap is white
+        where its values are zero. If `quantity` is omitted, values are shown without conversion,
+        with a diverging colour map if any value is negative.
     label : str, optional
-        Text that replaces the name of the quantity in the label.
+        Text to be shown instead of the name of the quantity.
     contact : array_like, shape (nx, ny), optional
-        Field that is positive in contact cells, from which the contact edge is drawn. If the field
-        is the pressure, the edge is located between cell centres. Default for a pressure: cells
-        with pressure. Default for a gap: cells with a gap below 1e-6 of the maximum gap. For other
-        quantities, the edge is drawn only if this argument is given.
+        Field that is positive in contact cells, from which the contact edge is drawn. Give the
+        pressure to have the edge interpolated between cell centres. Default for a map of pressure:
+        the pressure. Default for a map of the gap: 1 in cells with a gap below 1e-6 of the maximum
+        gap. For other quantities, the edge is drawn only if this argument is given.
     across : {"x", "y"}, optional
         Coordinate that runs from left to right. "y" rotates the map by 90°, with x downward, for
         contacts that are long along y.
@@ -73,8 +73,9 @@ def surface_map(
     Raises
     ------
     ValueError
-        The field has the wrong shape, quantity or coordinate is unknown, or values are impossible:
-        negative pressure, gap or temperature rise, or a length above 1000 times the grid size.
+        The field has the wrong shape, `quantity` or `across` is unknown, or values are impossible:
+        a negative pressure, gap or temperature rise, a temperature rise above 1e6 K, or a length
+        above 1000 times the longer side of the grid.
     """
     name = None if quantity is None else SURFACES[choice("quantity", quantity, tuple(SURFACES))]
     if quantity == "gap":  # white outside the body
@@ -89,7 +90,7 @@ def surface_map(
 
 
 def peak_map(results: ContactResults, name: str, ax: Axes) -> Axes:
-    """Draw a `surface_map` of pressure or gap at the increment with the maximum stress."""
+    """Draw a `surface_map` of pressure or gap at the increment `peak` of the results."""
     values = results.surface(name, results.peak)
     values = np.where(np.isfinite(values), values, np.nan)  # white outside the body
     repulsion = results.surface("repulsion", results.peak)

@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
 QUANTITIES = ("approach", "contact_radius", "max_pressure", "load")
 _MIN_DECADES = 1.5
-"""Number of decades from which the time axis is logarithmic."""
+"""Smallest number of decades of time for which the time axis is logarithmic."""
 
 
 def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "approach") -> Axes:
     """Draw a quantity of a contact over time.
 
-    The time axis is logarithmic if the times after the start span 1.5 decades or more. A
-    logarithmic axis cannot show time 0: a dotted line marks the value at that time, after the
-    elastic steps of zero duration.
+    The time axis is logarithmic if the times after the start span 1.5 decades or more. Because a
+    logarithmic axis cannot show time 0, a dotted line then marks the last value at time 0, i.e.
+    after the initial elastic steps, which have no duration.
 
     Parameters
     ----------
@@ -49,8 +49,8 @@ def over_time(dataset: xr.Dataset, ax: Axes | None = None, *, quantity: str = "a
     choice("quantity", quantity, QUANTITIES)
     if "time" not in dataset:
         raise ValueError(
-            "dataset must have times, got a run without durations: use viscoelastic bodies or "
-            "heat.history"
+            "dataset must contain times, got results of a run without durations: run it with "
+            "viscoelastic bodies or heat.history"
         )
     time, (values, label) = dataset["time"].values, _values(dataset, quantity)
     ax = axes_or_new(ax)
@@ -75,7 +75,7 @@ def is_logarithmic(time: FloatArray) -> bool:
 
 
 def has_times(dataset: xr.Dataset) -> bool:
-    """Whether results have a figure over time: several increments of viscoelastic bodies."""
+    """Whether a figure over time is possible: viscoelastic bodies with several increments."""
     viscous = any(f"viscous_work_body{body}" in dataset for body in (1, 2))
     return viscous and dataset.sizes["increment"] > 1
 

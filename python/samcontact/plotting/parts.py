@@ -34,7 +34,7 @@ SURFACES = {
     "pressure": "pressure", "gap": "gap", "imprint": "residual_displacement", "shear_x": "shear_x",
     "shear_y": "shear_y", "temperature": "surface_temperature",
 }  # fmt: skip
-"""Names of the surface fields in the figure functions, and in a `State` or dataset."""
+"""Names of surface fields in the figure functions (keys), and in a `State` or dataset (values)."""
 INTERFACE_STYLE: dict[str, Any] = {"color": "0.55", "linewidth": 0.9, "linestyle": (0, (5, 3))}
 MIN_SECTION_RATIO = 0.2
 """Minimum ratio of height to width of a section; the depth of flatter sections is stretched."""
@@ -55,12 +55,12 @@ _in_column: ContextVar[str] = ContextVar("_in_column", default="screen")
 
 @contextmanager
 def journal_column(width: str = "single") -> Iterator[None]:
-    """Set width and font size of figures for a journal column within the context.
+    """Give all figures within a ``with`` block the width and font size for a journal column.
 
-    Create and save the figures in the context: ``with plotting.journal_column("double"):
-    summary_figures(...)``. Figures with several panels side by side always have the width of a
-    double column. A function that receives an `ax` draws into the existing figure and does not
-    change its size.
+    Create and save the figures in the block: ``with plotting.journal_column("double"):
+    summary_figures(...)``. Even with "single", figures with several panels side by side have the
+    width of a double column. A function that receives an `ax` draws into the existing figure and
+    does not change its size.
 
     Parameters
     ----------
@@ -185,8 +185,8 @@ def nearest(values: ArrayLike, position: float) -> int:
 def row_of_interest(values: ArrayLike, coordinate: ArrayLike) -> int:
     """Return the index of the row of cells to show: the middle row, or the row with the maximum.
 
-    The row with the maximum is shown if the value in the middle row is below 90 % of it. values:
-    maximum magnitude in each row. coordinate: positions of the rows [m].
+    The row with the maximum is chosen if the value in the middle row is below 90 % of the maximum.
+    values: maximum magnitude in each row. coordinate: positions of the rows [m].
     """
     sizes = np.asarray(values, dtype=np.float64)
     middle = nearest(coordinate, 0.0)
@@ -213,7 +213,7 @@ def add_to_title(ax: Axes, *texts: str) -> None:
 
 
 def prefixed(largest: float, unit: str) -> tuple[float, str]:
-    """Return a unit with a prefix that suits the value `largest`, and the factor to this unit."""
+    """Return the factor to a unit whose prefix suits the value `largest`, and this unit."""
     place = int(np.clip(np.floor(np.log10(largest) / 3), -4, 3)) if largest > 0 else 0
     return 10.0 ** (-3 * place), "pnµm kMG"[place + 4].strip() + unit
 
@@ -238,7 +238,7 @@ def surface_line(
 def without_seams(bands: ContourSet) -> ContourSet:
     """Rasterise filled contours in vector files, which would otherwise show seams.
 
-    Before matplotlib 3.11 the contours remain vectors.
+    With Matplotlib before 3.11 the contours remain vectors.
     """
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Rasterization of", category=UserWarning)

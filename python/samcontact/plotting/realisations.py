@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figure of many realisations: distribution of each quantity."""
+"""Figure of many realisations of a random case: distribution of each quantity."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ def realisations_figure(
 ) -> Figure | None:
     """Return a figure with one histogram for each quantity that varies between realisations.
 
-    Lines mark the mean and the mean plus and minus one standard deviation. At most `MAX_PANELS`
-    quantities are drawn. Return None if no quantity varies.
+    A solid line marks the mean; dashed lines mark the mean plus and minus one standard deviation.
+    At most `MAX_PANELS` quantities are drawn. Return None if no quantity varies.
     """
     shown = [n for n in quantities if samples[n].size > 2 and np.ptp(samples[n]) > 0][:MAX_PANELS]
     if not shown:

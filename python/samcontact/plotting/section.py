@@ -46,13 +46,13 @@ def section(
 "residual_von_mises", "residual_hydrostatic", "stress", "residual_stress", "plastic_strain", \
 "temperature"}, optional
         Quantity shown, which determines name, unit and colours. If omitted, values are shown
-        without conversion, with a diverging colour map if both signs occur.
+        without conversion, with a diverging colour map if any value is negative.
     plane : {"y", "x"}
         Coordinate that is constant on the section.
     position : float
-        Value of this coordinate [m]; the nearest row of cells is shown.
+        Value of the constant coordinate [m]; the nearest row of cells is shown.
     label : str, optional
-        Text that replaces the name of the quantity in the label.
+        Text to be shown instead of the name of the quantity.
     interfaces : array_like, shape (n,), optional
         Depths of the interfaces between layers [m], e.g. `Layered.interfaces`; drawn as lines.
     contact : array_like, shape (nx, ny), optional
@@ -68,8 +68,9 @@ def section(
     Raises
     ------
     ValueError
-        The grid has no layers, the field has the wrong shape, quantity or plane is unknown, or
-        values are impossible: negative, a strain above 100 or a temperature rise above 1e6 K.
+        The grid has no layers, the field has the wrong shape, `quantity` or `plane` is unknown, or
+        values are impossible: a negative von Mises stress, equivalent plastic strain or temperature
+        rise, a strain above 100, or a temperature rise above 1e6 K.
     """
     choice("plane", plane, ("y", "x"))
     if quantity is not None:

@@ -42,9 +42,9 @@ def shakedown_map(ax: Axes | None = None, *, contact: str = "line", nu: float = 
     -------
     matplotlib.axes.Axes
         Axes with p0/k versus the coefficient of friction, where k is the shear yield stress by the
-        von Mises criterion. Dashed lines show the limits by the Tresca criterion (line contact) or
-        the lower bound (point contact). A dot marks the coefficient of friction above which
-        yielding begins at the surface.
+        von Mises criterion. A dashed line shows the limit by the Tresca criterion (line contact) or
+        the lower bound (point contact). On each curve, a dot marks the coefficient of friction
+        above which the limit is determined by the stress at the surface.
 
     Raises
     ------
@@ -100,18 +100,19 @@ def strain_per_cycle(
 ) -> Axes:
     """Draw net plastic strain and plastic flow of each cycle.
 
-    The net plastic strain is the change over a cycle; the plastic flow is the equivalent plastic
-    strain added by the cycle. Both quantities are maxima over the body, divided by the yield
-    strain.
+    The net plastic strain is the change of the plastic strain over a cycle; the plastic flow is the
+    equivalent plastic strain added by the cycle. Both quantities are maxima over the body, divided
+    by the yield strain.
 
     Parameters
     ----------
     result : ShakedownResult
         Result of `shakedown.run`.
     ax : matplotlib.axes.Axes, optional
-        Axes to draw on; default: a new figure. Each result has its own colour.
+        Axes to draw on; default: a new figure. Several results on the same axes have different
+        colours.
     label : str, optional
-        Label of the curves; default: the long-term response.
+        Label of the curve of net plastic strain; default: name of the long-term response.
 
     Returns
     -------

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from ..problem.grid import Grid
 
 _ROUNDING_ERROR = 1e-6
-"""Magnitude of negative values that count as rounding errors, relative to the maximum value. For
-lengths, it is relative to the grid size if the grid size is larger."""
+"""Largest magnitude of negative values that count as rounding errors, relative to the maximum
+magnitude of the values or, for lengths, to the grid size if the grid size is larger."""
 _HEAT_ROUNDING_ERROR = 1e-3
 """Relative error of the temperature outside a heat source, due to Fourier transforms and
 quadrature."""
@@ -50,7 +50,7 @@ def quantity_of(
 
 
 def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
-    """Return the quantity with a given name, with a diverging colour map if values are negative.
+    """Return the quantity with a given name, with a diverging colour map if a value is negative.
 
     Negative values occur with prescribed tractions, which may be tensile and may cause
     interpenetration.
@@ -60,7 +60,10 @@ def quantity_for_values(name: str, values: FloatArray, grid: Grid) -> Quantity:
 
 
 def shown_on(ax: Axes, quantity: str, field: FloatArray) -> Quantity:
-    """Return the quantity in the unit of the first curve on the axes."""
+    """Return a quantity in the unit of the curves on the axes; without curves, in a suitable unit.
+
+    field: field from whose maximum a suitable unit follows.
+    """
     shown, named = CONTACT[quantity], ax.get_ylabel()
     units = (shown.scaled(float(np.nanmax(np.abs(field)))), shown, *shown.smaller())
     return next((unit for unit in units if unit.label == named), units[0])
@@ -75,7 +78,7 @@ def require_possible(argument: str, values: FloatArray, quantity: Quantity, grid
     """Raise ValueError for values that are impossible for a quantity (wrong field or unit)."""
     minimum, largest = float(np.nanmin(values)), float(np.nanmax(np.abs(values)))
     unit = "" if quantity.unit == "1" else f" {quantity.unit}"
-    another = "check the quantity; `section` and `surface_map` show any field if it is omitted"
+    another = "check values and unit, or call section or surface_map without quantity"
     if quantity.from_zero and minimum < -_rounding(values, quantity, grid):
         raise ValueError(
             f"{argument} must be >= 0 to be shown as {quantity.heading}, got values down to "

@@ -31,7 +31,7 @@ def friction_curve(
     contact_share: ArrayLike | None = None,
     label: str | None = None,
 ) -> Axes:
-    """Draw the friction coefficient versus the sliding velocity, on a logarithmic axis.
+    """Draw the friction coefficient versus the sliding velocity, with a logarithmic velocity axis.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def friction_curve(
     )
     moving = v != 0
     if not moving.any():
-        raise ValueError(f"velocity must have values other than 0, got {v.tolist()!r:.80}")
+        raise ValueError(f"at least one velocity must differ from 0, got {v.tolist()!r:.80}")
     ax = axes_or_new(ax)
     order = np.argsort(np.abs(v[moving]))
     speeds = np.abs(v[moving])[order]

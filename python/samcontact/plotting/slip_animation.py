@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Animation of stick and slip zones, with the tangential force."""
+"""Animation of stick and slip zones next to a plot of the tangential force."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _CONTACT_MARGIN = 0.15  # margin around the contact, relative to its size
 
 
 class ForceHistory(NamedTuple):
-    """Displacement and force in all increments, in the units of the figure, and the axis labels."""
+    """Displacement and force of all increments in the units of the figure, and the axis labels."""
 
     across: FloatArray
     force: FloatArray
@@ -47,13 +47,14 @@ def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) 
     Returns
     -------
     matplotlib.animation.FuncAnimation
-        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable.
+        Animation for `save_animation`, or ``to_jshtml()`` in a notebook. Assign it to a variable:
+        Matplotlib deletes animations that no variable refers to.
 
     Raises
     ------
     ValueError
-        There are no states, none is in contact, or friction is a constant coefficient (full
-        sliding).
+        `states` is empty, no state is in contact, friction is a constant coefficient (full
+        sliding), or `interval` is not positive.
     """
     if len(states) == 0:
         raise ValueError("states must contain at least one state, got none")
@@ -124,7 +125,7 @@ def _limits(states: Sequence[State], grid: Grid) -> list[tuple[float, float]]:
 
 
 def _course_panel(ax: Axes, course: ForceHistory) -> Line2D:
-    """Draw the force of all states as a thin line; return the marker of the current state."""
+    """Draw the forces of all states as a thin line; return the marker for the current state."""
     ax.plot(course.across, course.force, "-", linewidth=0.8, color="0.6")
     (point,) = ax.plot([], [], "o", color="C3")
     ax.set_xlabel(course.labels[0])

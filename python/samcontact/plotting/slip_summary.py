@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def slip_figures(results: ContactResults) -> dict[str, Figure]:
-    """Return the figures of partial slip by name; there are none for full sliding or no contact."""
+    """Return the figures of partial slip by name; none with full sliding or without contact."""
     data = results.dataset
     if "friction_work" not in data or not np.any(
         in_contact(repulsion_of(data).values[chosen(data)])
@@ -89,10 +89,10 @@ def chosen(dataset: xr.Dataset) -> int:
 
 
 def driven(dataset: xr.Dataset) -> list[str]:
-    """Return the directions, "x", "y" or "z", along which the bodies are loaded and displaced.
+    """Return the directions, "x", "y" or "z", of tangential loading with displacement.
 
-    In these directions, force and displacement exceed rounding errors. Of x and y, the direction
-    with the larger force comes first; "z", for torque and twist, comes last.
+    In these directions, both force and displacement exceed rounding errors. Of x and y, the
+    direction with the larger force comes first; "z", for torque and twist, comes last.
     """
     moved = moved_along(dataset)
     found = [

@@ -54,14 +54,14 @@ def partial_slip_map(
         Pressure [Pa] or, with adhesion, repulsion [Pa]; the map is white where this field is zero.
     slip : array_like, shape (2, nx, ny)
         Slip of body 1 relative to body 2, e.g. of a `State` or a solution; zero in the stick zone.
-        The length of the arrows is proportional to the slip; the title states the maximum.
+        The length of the arrows is proportional to the slip; the title states the maximum slip.
     grid : Grid
         Grid of both fields.
     ax : matplotlib.axes.Axes, optional
         Axes to draw on; default: a new figure.
     unit : {"m", "1"}, optional
         Unit of the slip for the title: "m" for a `State`, "1" (per distance rolled) for a
-        `RollingSolution`. If omitted, the title has the number only.
+        `RollingSolution`. If omitted, the title states the maximum slip without a unit.
     across : {"x", "y"}, optional
         Coordinate that runs from left to right. "y" rotates the map by 90°, with x downward, for
         contacts that are long along y.
@@ -73,7 +73,7 @@ def partial_slip_map(
     Raises
     ------
     ValueError
-        A field has the wrong shape, or unit or coordinate is unknown.
+        A field has the wrong shape, or `unit` or `across` is unknown.
     """
     if unit is not None:
         choice("unit", unit, ("m", "1"))
@@ -153,7 +153,7 @@ def shear_profile(
     position: float = 0.0,
     label: str = "shear",
 ) -> Axes:
-    """Draw the shear traction along an axis, with the friction limits.
+    """Draw the shear traction along an axis, with the limits set by friction in both directions.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def shear_profile(
     Raises
     ------
     ValueError
-        A field has the wrong shape, component or axis is unknown, or the pressure is negative.
+        A field has the wrong shape, `component` or `axis` is unknown, or a pressure is negative.
     """
     choice("component", component, ("x", "y"))
     shape = (grid.nx, grid.ny)
@@ -333,7 +333,9 @@ def rolling_force(dataset: xr.Dataset, ax: Axes | None = None, *, direction: str
     require_slip(dataset)
     choice("direction", direction, ("x", "y"))
     if "travel_body1" not in dataset:
-        raise ValueError("dataset must be from rolling bodies, got one without travel")
+        raise ValueError(
+            "dataset must be from a run with rolling bodies, got results without travel_body1"
+        )
     force = CONTACT[FORCE_AND_MOTION[direction][0]]
     distance = -0.5 * sum(dataset[f"travel_body{body}"].values for body in (1, 2))
     pull = np.where(
@@ -353,8 +355,8 @@ def require_slip(dataset: xr.Dataset) -> None:
     """Raise ValueError if the results are from full sliding."""
     if "friction_work" not in dataset:
         raise ValueError(
-            "dataset must be from a contact with partial slip, got one with full sliding: use "
-            "friction=Coulomb(mu)"
+            "dataset must be from a run with partial slip, got results of full sliding: run it "
+            "with friction=Coulomb(mu)"
         )
 
 
@@ -373,10 +375,9 @@ def creepages(dataset: xr.Dataset, direction: str) -> tuple[FloatArray, FloatArr
 
 
 def largest_force(dataset: xr.Dataset) -> float | None:
-    """Return the largest tangential force that friction allows, over all increments [N].
+    """Return the tangential force at full sliding [N], for the increment in which it is largest.
 
-    It is the force at full sliding. Return None if the results have no friction law, or if the law
-    prevents slip.
+    Return None if the results have no friction law, or if the law prevents slip.
     """
     law = law_of_attributes(dataset.attrs)
     if law is None or law.prevents_slip:

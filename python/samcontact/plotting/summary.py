@@ -49,15 +49,15 @@ def summary_figures(
 ) -> list[Path]:
     """Write the standard figures of a run to files.
 
-    Profiles and sections pass through the middle of the grid. If the values there are below 90 % of
-    the maximum, as is common on rough surfaces, they pass through the row of cells with the maximum
-    instead.
+    Each profile or section passes through the middle of the grid or, if the values there are below
+    90 % of the maximum (common on rough surfaces), through the row of cells with the maximum.
 
     Parameters
     ----------
     dataset : xarray.Dataset
-        Results of `samcontact.results.to_dataset`. Sections require the volume fields of the
-        increments of `increments_shown`.
+        Results of `samcontact.results.to_dataset`. Sections are drawn for the increments with
+        maximum stress and maximum temperature and for the last one, if their volume fields are
+        stored.
     directory : str or Path
         Folder of the figures; created if missing.
     body : {1, 2}
@@ -89,8 +89,8 @@ def summary_figures(
     Raises
     ------
     ValueError
-        The body or format is unknown; or a file with one of these names was not written by this
-        package or has been changed since this package wrote it.
+        `body` or `format` is unknown, or the folder has a file with one of these names that was not
+        written by this package, or that was changed after this package wrote it.
     """
     choice("format", format, ("png", "pdf", "svg"))
     body = body_shown(dataset, body)
@@ -121,7 +121,7 @@ def summary_figures(
 
 
 def increments_shown(dataset: xr.Dataset, body: int) -> set[int]:
-    """Return the numbers of the increments that the figures show.
+    """Return the numbers (from 1) of the increments that the figures show.
 
     These are the increments with maximum stress and maximum temperature, and the last increment.
     """

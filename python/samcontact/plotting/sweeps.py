@@ -125,9 +125,9 @@ def _follows(first: Sequence[Any], second: Sequence[Any]) -> bool:
 def _grouped(
     parameters: Mapping[str, Sequence[Any]], units: Mapping[str, str]
 ) -> dict[str, list[int]]:
-    """Return the cases with equal values of the given parameters, as lists of indices by label.
+    """Group the cases that have equal values of all given parameters, for the legend.
 
-    The label, for the legend, states these values.
+    Return the indices of the cases of each group by a label that states these values.
     """
     groups: dict[str, list[int]] = {}
     for number, values in enumerate(zip(*parameters.values(), strict=True)):

@@ -46,7 +46,7 @@ _LOADED_FIELDS = ("von_mises", "hydrostatic", "equivalent_plastic_strain", "temp
 
 
 def positions_on_body(state: State, body: int) -> FloatArray:
-    """Return the x positions, on the body, of the cells of its volume fields [m], shape (nx,)."""
+    """Return x of the cells of a volume field in the frame of its body [m], shape (nx,)."""
     shift = state.offset(body=body) - state.origin - state.travel[body - 1]
     return np.asarray(np.asarray(state.grid.x) + shift, dtype=np.float64)
 
@@ -113,7 +113,7 @@ def track_section(
     position: float = 0.0,
     cells: bool = False,
 ) -> Axes:
-    """Draw a section of the residual fields along the track or across it.
+    """Draw a section of a residual field along the track or across it.
 
     Parameters
     ----------
@@ -124,9 +124,10 @@ def track_section(
     quantity : {"residual_von_mises", "residual_hydrostatic", "equivalent_plastic_strain"}
         Quantity, or a component "xx", "yy", "zz", "yz", "xz", "xy" of the residual stress.
     plane : {"y", "x"}
-        Coordinate that is constant on the section: "y" along the track, "x" across it.
+        Coordinate that is constant on the section: "y" gives a section along the track, "x"
+        one across it.
     position : float
-        Value of this coordinate [m]; the nearest row of cells is shown.
+        Value of the constant coordinate [m]; the nearest row of cells is shown.
     cells : bool, optional
         Show each cell in one colour, instead of smooth colours between the cell centres.
 
@@ -137,7 +138,7 @@ def track_section(
     Raises
     ------
     ValueError
-        The track has no layers, or quantity or plane is unknown.
+        The track has no layers, or `quantity` or `plane` is unknown.
     """
     choice("quantity", quantity, (*_RESIDUAL_FIELDS, *COMPONENT_INDEX))
     grid = grid_of(track)
@@ -161,7 +162,7 @@ def loaded_section(
     position: float = 0.0,
     cells: bool = False,
 ) -> Axes:
-    """Draw a section of a state of a moving contact, in the frame of a body.
+    """Draw a section of a volume field of a moving contact under load, in the frame of a body.
 
     Parameters
     ----------
@@ -174,7 +175,7 @@ def loaded_section(
     quantity : {"von_mises", "hydrostatic", "equivalent_plastic_strain", "temperature"}
         Quantity, or a component "xx", "yy", "zz", "yz", "xz", "xy" of the stress.
     plane, position, cells
-        As in `track_section`; with plane "x", `position` is the position on the body.
+        As in `track_section`; with plane "x", `position` is x in the frame of the body.
 
     Returns
     -------
@@ -183,7 +184,7 @@ def loaded_section(
     Raises
     ------
     ValueError
-        The grid has no layers, or body, quantity or plane is unknown.
+        The grid has no layers, or `body`, `quantity` or `plane` is unknown.
     """
     choice("body", body, (1, 2))
     choice("quantity", quantity, (*_LOADED_FIELDS, *COMPONENT_INDEX))
@@ -239,7 +240,8 @@ def imprint_along(track: xr.Dataset, ax: Axes) -> Axes:
 def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
     """Return a figure of the residual von Mises stress in a section along a track.
 
-    The section is at the y position from `_row_of_residual`. width: width of the figure [inches].
+    The section is at the y position that `_row_of_residual` returns. width: width of the figure
+    [inches].
     """
     near, grid = _strained_part(track), grid_of(track)
     length = float(np.ptp(near["x"].values))
@@ -253,7 +255,7 @@ def residual_along(track: xr.Dataset, width: float = 5.0) -> Figure:
 def _row_of_residual(track: xr.Dataset) -> float:
     """Return the y position [m] of the row of cells in which the residual stress is shown.
 
-    `row_of_interest` selects this row by the residual von Mises stress.
+    This is the middle row, or the row with the maximum stress, see `row_of_interest`.
     """
     residual, y = track["residual_von_mises"].values, track["y"].values
     return float(y[row_of_interest(residual.max(axis=(0, 2)), y)])

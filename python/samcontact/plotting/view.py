@@ -40,19 +40,20 @@ def view(
     body: int | None = None,
     quantity: str = "von_mises",
 ) -> pyvista.Plotter:
-    """Show a volume field of a body in three dimensions, cut open at the maximum of the field.
+    """Show a body in three dimensions, coloured by a field and cut open at the field's maximum.
 
-    A quarter of the body is removed, with its corner at the maximum. Body 2 is at z < 0, body 1 at
-    z > 0. Lines mark the contact edge and the interfaces of layers. Inclusions are grey and are
-    shown whole, even in the removed quarter. In a notebook, ``view(...).show()`` displays the view.
+    A quarter of the body is removed; the corner of the cut lies at the maximum. Body 2 is at z < 0,
+    body 1 at z > 0. Lines mark the contact edge and the interfaces of layers. Inclusions are grey
+    and are shown whole, even in the removed quarter. In a notebook, ``view(...).show()`` displays
+    the view.
 
     Parameters
     ----------
     dataset : xarray.Dataset
         Results with volume fields, see `samcontact.results.to_dataset`.
     increment : int, optional
-        Number of the increment, from 1; negative numbers count from the end of the increments with
-        volume fields.
+        Number of the increment, from 1. Negative numbers count only increments with volume fields;
+        -1 is the last of these.
     body : {1, 2}, optional
         Body whose field is shown. Default: the body set in [output] of the case; if only the other
         body has volume fields, that body.
@@ -68,18 +69,22 @@ def view(
     Raises
     ------
     ValueError
-        Body or quantity is unknown, or the field is not stored in all cells at the increment.
+        `body` or `quantity` is unknown, or the field is not stored in all cells at the increment.
     ModuleNotFoundError
         PyVista is not installed.
     """
     body = body_shown(dataset, body)
     choice("quantity", quantity, _FIELDS)
     if not volume_names(dataset, body):
-        raise ValueError(f"dataset must have volume fields of body {body}, got none")
+        raise ValueError(
+            f"dataset must have volume fields of body {body}, got none: pass body and volume to "
+            "samcontact.results.to_dataset"
+        )
     results, number = ContactResults(dataset, body, None), stored_number(dataset, increment, True)
     if not results.has("stress" if quantity == "residual_von_mises" else quantity, number):
         raise ValueError(
-            f"dataset must contain {quantity} of body {body} in all cells at increment {number}"
+            f"dataset must contain {quantity} of body {body} in all cells at increment {number}: "
+            "choose another quantity or increment"
         )
     pv = _pyvista()
     with pv.vtk_verbosity("off"):
@@ -138,7 +143,10 @@ def _cut_open(pv: Any, sides: tuple[FloatArray, ...], field: FloatArray) -> Any:
 
 
 def _inclusions(pv: Any, sides: tuple[FloatArray, ...], share: FloatArray) -> Any:
-    """Return the surface of the inclusions: the contour on which they fill half of a cell."""
+    """Return the surface of the inclusions: the contour on which their fraction of a cell is 0.5.
+
+    share: fraction of each cell that is filled by inclusions.
+    """
     padded = np.pad(share, 1)  # closes inclusions that the sides of the grid cut
     centres = [0.5 * (side[1:] + side[:-1]) for side in sides]
     axes = [np.concatenate([[s[0]], c, [s[-1]]]) for s, c in zip(sides, centres, strict=True)]
@@ -184,7 +192,7 @@ def save_view(plotter: pyvista.Plotter, path: str | Path) -> Path:
     Raises
     ------
     ValueError
-        The file name has another suffix.
+        The file name does not end in .html.
     OSError
         The file cannot be written.
     """
@@ -204,6 +212,6 @@ def _pyvista() -> Any:
         import pyvista
     except ModuleNotFoundError as error:
         raise ModuleNotFoundError(
-            f"views require the package pyvista ({error}): pip install samcontact[3d]"
+            f"views require the package pyvista ({error}): run pip install samcontact[3d]"
         ) from error
     return pyvista

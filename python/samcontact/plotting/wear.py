@@ -92,7 +92,8 @@ def worn_profile(
         row of cells is used. Default: the middle row, or the row of maximum wear depth if the
         middle row has less than 90 % of this depth.
     cycles : sequence of int, optional
-        Numbers of cycles; 0: before the first cycle. Default: all.
+        Numbers of the cycles after which the heights are drawn; 0 gives the initial heights.
+        Default: all cycles.
 
     Returns
     -------
@@ -174,7 +175,7 @@ def surface_map(
 
 
 def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatArray]:
-    """Return the heights of a worn body after each cycle [m], and the x coordinates [m]."""
+    """Return the heights of a worn body, initially and after each cycle [m], and x [m]."""
     worn = tuple(dataset["body"].values.tolist())
     chosen = choice("body", worn[-1] if body is None else body, worn)
     return dataset[f"heights_body{chosen}"].values, dataset[f"x_body{chosen}"].values
@@ -183,7 +184,7 @@ def _heights(dataset: xr.Dataset, body: int | None) -> tuple[FloatArray, FloatAr
 def _cycle(dataset: xr.Dataset, number: int) -> int:
     count = dataset.sizes["cycle"]
     if not -count - 1 <= integer("cycle", number) <= count:
-        raise ValueError(f"cycle must be in [0, {count}], got {number}")
+        raise ValueError(f"cycle must be from 0 (initial surface) to {count}, got {number}")
     return number
 
 
@@ -216,7 +217,7 @@ def fretting_panels(
 ) -> Figure:
     """Draw profiles along x of pressure and sliding distance, in the first and the last cycle.
 
-    The sliding distance is that of one repeat of the loop.
+    The sliding distance is that of one repeat of the loop; a cycle may stand for many repeats.
 
     Parameters
     ----------
@@ -275,7 +276,7 @@ def cycle_panels(
     Parameters
     ----------
     moments : pair of State
-        Loaded and unloaded state of `WearResult.first` or `WearResult.last`, on a grid with dz.
+        Loaded and unloaded state: `WearResult.first` or `WearResult.last`, on a grid with layers.
     body : {1, 2}
         Body whose stress and strain are shown.
     position : float, optional

@@ -91,7 +91,7 @@ def test_wear_needs_a_grid_and_a_length_of_smoothing():
         "wear": {"threshold": 5e-3, "window": 3},
     }
     case = Case.model_validate(FRETTED | pressed)
-    with pytest.raises(ValueError, match=r"wear\.window is a number of cells.*smoothing_length"):
+    with pytest.raises(ValueError, match=r"wear\.window, a number of cells.*smoothing_length"):
         sc.to_accuracy(case, 0.1)
 
 

@@ -74,5 +74,5 @@ def test_energy_and_imprint_against_the_interference(results):
 def test_bad_arguments(results):
     with pytest.raises(ValueError, match="component must be one of 'x', 'z', got 'y'"):
         asperity_figures.force(results, component="y")
-    with pytest.raises(ValueError, match="number must be a pass number, 1 to 2, got 3"):
+    with pytest.raises(ValueError, match="number must be that of a pass, from 1 to 2, got 3"):
         asperity_figures.load_ratio(results, number=3)

@@ -76,7 +76,7 @@ def test_section_across_the_rolling_direction(states, ax):
     assert ax.get_title() == "Fatemi-Socie (k = 0.3) [%]"
     with pytest.raises(ValueError, match="plane must be 'x'"):
         plotting.fatigue_section(field, plane="y")
-    with pytest.raises(ValueError, match="field must have the axes x, y, z, got y, z"):
+    with pytest.raises(ValueError, match="field must have the coordinates x, y, z, got y, z"):
         plotting.fatigue_map(field)
 
 
@@ -94,7 +94,7 @@ def test_fields_without_a_figure_are_refused(fields, states):
         plotting.fatigue_depth([])
     given = sc.fatigue.dang_van(np.zeros((2, 6, 3, 3, 3)), slope=0.3)
     for figure in (plotting.fatigue_depth, plotting.fatigue_section, plotting.fatigue_map):
-        with pytest.raises(ValueError, match="given as an array"):
+        with pytest.raises(ValueError, match="from states, not from arrays"):
             figure(given)
     with pytest.raises(ValueError, match="limit"):
         plotting.fatigue_depth(fields, limit=-1.0)

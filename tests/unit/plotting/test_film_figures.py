@@ -105,9 +105,9 @@ def test_films_over_time_and_animated(tmp_path):
         assert image.n_frames == 3
     with pytest.raises(ValueError, match="at least one film"):
         plotting.film_animation(())
-    with pytest.raises(ValueError, match="dataset must have times"):
+    with pytest.raises(ValueError, match="dataset must contain times"):
         plotting.film_over_time(results.films_dataset([film()]))
-    with pytest.raises(ValueError, match="dataset must have residual displacements"):
+    with pytest.raises(ValueError, match="dataset must contain residual displacements"):
         plotting.film_imprint(results.films_dataset([film()]))
 
 
@@ -118,7 +118,7 @@ def test_the_temperature_along_x_is_that_of_the_film():
     heat = FilmHeat(warm, rise, rise, np.zeros(shape), np.full(shape, 30.0), GRID.cell_area)
     ax = plotting.film_temperature(replace(film(), heat=heat))
     assert [line.get_ydata()[0] for line in ax.lines] == [30.0, 10.0, 20.0]
-    with pytest.raises(ValueError, match="film must be heated"):
+    with pytest.raises(ValueError, match="film must have temperatures"):
         plotting.film_temperature(film())
 
 

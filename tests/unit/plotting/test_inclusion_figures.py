@@ -100,7 +100,7 @@ def test_weibull_paper_makes_the_distribution_a_line():
         (
             lambda: plotting.inclusion_outlines(BODY, panel(), share=np.zeros((2, 2, 2))),
             ValueError,
-            "grid must be given",
+            "grid must be the grid of share",
         ),
         (
             lambda: plotting.inclusion_outlines(

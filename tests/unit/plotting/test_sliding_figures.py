@@ -25,7 +25,7 @@ def test_friction_curve_shows_speeds_in_order():
 @pytest.mark.parametrize(
     ("velocity", "friction", "text"),
     [
-        ([0.0], [0.1], "velocity must have values other than 0"),
+        ([0.0], [0.1], "at least one velocity must differ from 0"),
         ([1.0, 2.0], [0.1], "friction must have shape"),
         ([1.0], [np.nan], "friction must be finite"),
     ],

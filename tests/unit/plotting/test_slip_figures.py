@@ -153,9 +153,9 @@ def test_runs_write_slip_figures(fretting, rolling, tmp_path, undrawn):
     _, slides = run([], friction=0.3)
     written = plotting.summary_figures(slides, tmp_path)
     assert not {"partial_slip.png", "fretting_loop.png"} & {path.name for path in written}
-    with pytest.raises(ValueError, match="dataset must be from a contact with partial slip"):
+    with pytest.raises(ValueError, match="dataset must be from a run with partial slip"):
         plotting.fretting_loop(slides)
-    with pytest.raises(ValueError, match="dataset must be from rolling bodies"):
+    with pytest.raises(ValueError, match="dataset must be from a run with rolling bodies"):
         plotting.rolling_force(fretting[1])
 
 

@@ -279,7 +279,7 @@ class TestAnimation:
         with pytest.raises(ValueError, match="fps must be a finite number > 0, got 0"):
             plotting.save_animation(animation, tmp_path / "out.gif", fps=0)
         monkeypatch.setattr(matplotlib.animation.FFMpegWriter, "isAvailable", lambda: False)
-        with pytest.raises(RuntimeError, match=r"\.mp4 requires the program ffmpeg.* or use \.gif"):
+        with pytest.raises(RuntimeError, match=r"\.mp4 requires the program ffmpeg.*in \.gif"):
             plotting.save_animation(animation, tmp_path / "out.mp4")
         assert not list(tmp_path.iterdir())
 

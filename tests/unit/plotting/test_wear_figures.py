@@ -102,7 +102,7 @@ def test_bad_input_is_named(result):
         wear_figures.tresca(np.zeros((3, 2)))
     with pytest.raises(ValueError, match="axis must be one of 'x', 'y', got 'z'"):
         wear_figures.worn_profile(result.to_dataset(), axis="z")
-    with pytest.raises(ValueError, match="cycle must be in"):
+    with pytest.raises(ValueError, match="cycle must be from 0"):
         wear_figures.surface_map(result.to_dataset(), cycle=3)
     with pytest.raises(ValueError, match="body must be one of 2, got 1"):
         wear_figures.surface_map(result.to_dataset(), body=1)
