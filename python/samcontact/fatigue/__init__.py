@@ -6,9 +6,9 @@ Each criterion takes a sequence of states of a simulation (of a rolling pass or 
 of the body, the maximum value and the position of the maximum. For steady rolling, one state is
 enough: see `steady_cycle`.
 
-By default the total stress is used: the stress due to tractions, heat and plastic strain, plus the
-initial residual stress. Determine the limits of a material by fatigue tests: see the theory page
-"Fatigue".
+From states, the criteria use the total stress, i.e. the stress due to tractions, heat and plastic
+strain plus the initial residual stress. Determine the limits of a material by fatigue tests, see
+the theory page "Fatigue".
 """
 
 from .criteria import (

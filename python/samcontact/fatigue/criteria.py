@@ -67,9 +67,9 @@ def dang_van(
     -----
     The shear stress is Tresca's: half the difference between the largest and the smallest principal
     value of s(t) - s*, where s(t) is the stress deviator. s* is the residual stress deviator after
-    elastic shakedown of the grains: the centre of the smallest ball that contains the path of s(t),
-    in the norm sqrt(s:s). The ball is computed exactly. K. Dang Van, B. Griveau, O. Message (1989),
-    *Biaxial and Multiaxial Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995),
+    elastic shakedown of the grains; it is the centre of the smallest ball that contains the path of
+    s(t), in the norm sqrt(s:s). The ball is computed exactly. K. Dang Van, B. Griveau, O. Message
+    (1989), *Biaxial and Multiaxial Fatigue*, EGF 3, 479-496; P. Ballard et al. (1995),
     doi:10.1111/j.1460-2695.1995.tb00886.x.
     """
     number = _slope("slope", slope)
@@ -240,8 +240,8 @@ def fatemi_socie(
     Raises
     ------
     ValueError, TypeError
-        k is missing or outside its range; the yield stress or the material is missing, and the body
-        has none; or the stress history is invalid (see `cycle`).
+        k is missing or outside its range, the yield stress or the material is neither given nor
+        known from the body, or the stress history is invalid (see `cycle`).
 
     Notes
     -----
@@ -351,7 +351,7 @@ def _elasticity(given: Cycle, material: Material | None) -> FloatArray:
             raise ValueError("material must not be rigid: a rigid body has no strain")
     body = material if material is not None else given.body
     if body is None:
-        raise TypeError("material is required with a stress array, to compute the strain from it")
+        raise TypeError("material is required to compute the strain from a stress array")
     body = matrix_of(body)
     if isinstance(body, Layered):
         layer = np.searchsorted(body.interfaces, given.coordinates["z"], side="right")
@@ -369,5 +369,5 @@ def _yield_stress(given: Cycle, material: Material | None, given_stress: float |
     body = material if material is not None else given.body
     assert body is not None  # checked by _elasticity
     if not body.is_plastic:
-        raise ValueError("yield_stress is required [Pa]: the material of the body has none")
+        raise ValueError("yield_stress is required [Pa], because the material does not yield")
     return float(body.min_yield_stress)

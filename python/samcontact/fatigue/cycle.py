@@ -31,7 +31,7 @@ _COPIES_OF_BLOCK = 2.5
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Cycle(HtmlTable):
-    """Stress history of points of a body, created by `cycle` or `steady_cycle`.
+    """Stress history of points of a body; from `cycle`, `steady_cycle` or `hertz_cycle`.
 
     The stress is computed when a criterion needs it, and cached for the next criterion if it fits
     into memory.
@@ -81,7 +81,7 @@ def has_plastic_strain(of: Cycle) -> bool:
 
 
 def blocks(of: Cycle, fields: int) -> Iterator[slice]:
-    """Iterate over blocks of points: slices along the last axis of the points (normally the depth).
+    """Yield blocks of points, as slices along the last axis of the points (normally the depth).
 
     Blocks are so small that `fields` tensor fields of a block, at all instants, fit into the
     available memory.
@@ -148,26 +148,30 @@ def cycle(
     Raises
     ------
     ValueError
-        There are fewer than two instants. The states have different grids or materials, no cells in
-        common, or offsets that differ by a fraction of a cell. The stress array has the wrong shape
-        or is not finite.
+        There are fewer than two instants. The states differ in cell size or material, have no cells
+        in common, or have offsets that differ by a fraction of a cell. The stress array has the
+        wrong shape or is not finite.
     TypeError
         `states` is neither a sequence of states nor an array of numbers.
     """
     if isinstance(states, State):
         raise ValueError(
-            "states must contain at least 2 states, got one: for steady rolling pass "
-            "samcontact.fatigue.steady_cycle(state) to the criterion"
+            "states must contain at least 2 states, got one: for steady rolling, use the result of "
+            "samcontact.fatigue.steady_cycle(state)"
         )
     given = list(states) if isinstance(states, Sequence) else []
     if any(isinstance(one, State) for one in given):
         if plastic_strain is not None:
-            raise ValueError("plastic_strain cannot be combined with states, which have their own")
+            raise ValueError(
+                "plastic_strain cannot be combined with states, which contain it: omit it"
+            )
         return _cycle_from_states(given, 2 if body is None else choice("body", body, (1, 2)))
     stress = _tensors("states", states, "(instants, 6, ...)", 1)
     _require_no_body(body)
     if stress.shape[0] < 2:
-        raise ValueError(f"states must have at least 2 instants, got shape {stress.shape}")
+        raise ValueError(
+            f"states must have shape (n, 6, ...) with at least 2 instants n, got {stress.shape}"
+        )
     strain = _strain_like(plastic_strain, stress)
     return Cycle(GivenPaths(stress, strain), None, FrozenDict({}))
 
@@ -197,11 +201,11 @@ def steady_cycle(
     Returns
     -------
     Cycle
-        Cycle in which each point stands for a line along `axis`: fields have the axes y and z (x
-        and z with `axis="y"`). The instants of the cycle are the cells along a line; nothing is
-        interpolated between cells. For a state, the initial stress far ahead of the contact adds
-        one more instant, except along a periodic direction. A stress array has no additional
-        instant.
+        Cycle in which each point stands for a line along `axis`, so that fields over the points
+        have the axes y and z (x and z with `axis="y"`). The instants of the cycle are the cells
+        along a line; nothing is interpolated between cells. For a state, the initial stress far
+        ahead of the contact adds one more instant, except along a periodic direction. A stress
+        array has no additional instant.
 
     Raises
     ------
@@ -212,7 +216,9 @@ def steady_cycle(
     number = ("x", "y").index(choice("axis", axis, ("x", "y")))
     if isinstance(state, State):
         if plastic_strain is not None:
-            raise ValueError("plastic_strain cannot be combined with a state, which contains it")
+            raise ValueError(
+                "plastic_strain cannot be combined with a state, which contains it: omit it"
+            )
         which = 2 if body is None else choice("body", body, (1, 2))
         if (cells := state.grid.surface_shape[number]) < 2:
             raise ValueError(
@@ -236,14 +242,15 @@ def steady_cycle(
 
 def _require_no_body(body: Any) -> None:
     if body is not None:
-        raise ValueError(f"body cannot be combined with a stress array, got {in_short(body)}")
+        raise ValueError(f"body must be omitted with a stress array, got {in_short(body)}")
 
 
 def _tensors(name: str, given: Any, shape: str, axis: int) -> FloatArray:
     stress = real_array(name, given)
     if stress.ndim <= axis + 1 or stress.shape[axis] != 6 or 0 in stress.shape:
         raise ValueError(
-            f"{name} must be states, or a stress array of shape {shape}, got {stress.shape}"
+            f"{name} must be {'a State' if name == 'state' else 'a list of State'}, or a stress "
+            f"array of shape {shape}, got an array of shape {stress.shape}"
         )
     if not np.isfinite(stress).all():
         raise ValueError(f"{name} must be finite everywhere")
@@ -261,7 +268,10 @@ def _strain_like(given: ArrayLike | None, stress: FloatArray) -> FloatArray | No
     if strain.shape != stress.shape:
         raise ValueError(f"plastic_strain must have shape {stress.shape}, got {strain.shape}")
     if not (np.isfinite(strain).all() and np.abs(strain).max() < 1.0):
-        raise ValueError("plastic_strain must be finite and < 1 everywhere: it is dimensionless")
+        raise ValueError(
+            "plastic_strain must be finite and below 1 in magnitude everywhere: it is "
+            "dimensionless, e.g. 0.01 for 1 %"
+        )
     return strain
 
 
@@ -272,26 +282,31 @@ def _body_of(state: State, body: int) -> Body:
 def _cycle_from_states(given: list[Any], body: int) -> Cycle:
     wrong = [one for one in given if not isinstance(one, State)]
     if wrong:
-        raise TypeError(f"states must all be samcontact.State, got {type(wrong[0]).__name__}")
+        raise TypeError(
+            f"all states must be of type samcontact.State, got {type(wrong[0]).__name__}"
+        )
     if len(given) < 2:
         raise ValueError(
-            "states must contain at least 2 states, got one: for steady rolling pass "
-            "samcontact.fatigue.steady_cycle(state) to the criterion"
+            "states must contain at least 2 states, got one: for steady rolling, use the result of "
+            "samcontact.fatigue.steady_cycle(state)"
         )
     sizes = {(s.grid.dx, s.grid.dy, s.grid.nz, s.grid.dz, s.grid.periodic) for s in given}
     if len(sizes) > 1:
-        raise ValueError("states must have cells of the same size, got different grids")
+        raise ValueError(
+            "states must have equal cells, layers and periodic directions, got different grids"
+        )
     if any(_body_of(s, body) != _body_of(given[0], body) for s in given):
         raise ValueError(f"states must have the same body {body}, got different ones")
     states = on_common_grid(given)
     if len({s.grid.surface_shape for s in states}) > 1:
-        raise ValueError("states must have the same grid, got states of several simulations")
+        raise ValueError("states must be from one simulation, got grids of several simulations")
     grid = states[0].grid
     parts = [s.offset(body) for s in states]
     if max(parts) - min(parts) > 1e-6 * grid.dx:
         raise ValueError(
-            f"states must have equal offsets of body {body} from the grid, got {min(parts):.6g} "
-            f"to {max(parts):.6g} m: move the body by whole cells of {grid.dx!r} m"
+            f"states must have the cells of body {body} at equal positions within the cells of "
+            f"the grid, got offsets of {min(parts):.6g} to {max(parts):.6g} m: move the body by "
+            f"whole cells of {grid.dx!r} m"
         )
     paths = StatePaths.of(states, body)
     cells = paths.first + np.arange(paths.shape[0])

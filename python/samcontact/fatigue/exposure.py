@@ -34,7 +34,7 @@ NAMES = {
 
 @dataclass(frozen=True, repr=False, eq=False)
 class Exposure(ShortRepr, HtmlTable):
-    """Stress divided by strength at each depth, for several criteria; from `exposure`.
+    """Stress divided by strength at each depth, for several criteria; created by `exposure`.
 
     Attributes
     ----------
@@ -146,8 +146,9 @@ def exposure(
     Exposure
         For yield, the largest von Mises stress divided by the yield stress from hardness. For Dang
         Van and orthogonal shear, the equivalent shear stress divided by the fatigue limit in
-        reversed torsion, t = f (1/2 + slope/3). f is the limit in reversed bending from hardness.
-        This is the ratio t/f for which Dang Van's criterion has the given slope, 3 (t/f - 1/2).
+        reversed torsion, t = f (1/2 + slope/3), where f is the fatigue limit in reversed bending,
+        which follows from the hardness. With this t, 3 (t/f - 1/2) is the given slope, as required
+        by `dang_van`.
 
     Raises
     ------
@@ -159,13 +160,13 @@ def exposure(
     Warns
     -----
     HardnessRangeWarning
-        A hardness is outside the range of a relation.
+        A hardness is outside the range in which its relation to a strength is valid.
     """
     require_type("hardness", hardness, HardnessProfile)
     seen = _cycle(states, axis, body)
     if "z" not in seen.coordinates:
         raise ValueError(
-            "states must have depths, but a stress array has none: use hertz_cycle, or states"
+            "states must have depths, but stress arrays have none: use hertz_cycle, or states"
         )
     z = seen.coordinates["z"]
     fields = {
@@ -191,6 +192,6 @@ def _cycle(
 ) -> Cycle:
     if isinstance(states, Cycle):
         if body is not None:
-            raise ValueError("body must be omitted with a Cycle, which belongs to a body")
+            raise ValueError("body must be omitted with a Cycle, which is already that of one body")
         return states
     return steady_cycle(states, body, axis) if isinstance(states, State) else cycle(states, body)

@@ -84,7 +84,7 @@ class FatigueField(ShortRepr, HtmlTable):
 
     @property
     def normal(self) -> FloatArray | None:
-        """Normal of the critical plane at the maximum, shape (3,); None for other criteria."""
+        """Normal of the critical plane at the maximum, shape (3,); None without critical planes."""
         return None if self.normals is None else self.normals.reshape(3, -1)[:, self._flat]
 
     def margin(self, limit: float) -> float:
@@ -121,7 +121,7 @@ class FatigueField(ShortRepr, HtmlTable):
         xarray.Dataset
             Values in a variable named after `criterion`, with the coordinates of `coordinates` and
             the parameters of the criterion as attributes. For critical-plane criteria, a variable
-            with the ending _normal contains the normals; its first dimension is "axis".
+            whose name ends with "_normal" contains the normals; its first dimension is "axis".
 
         Raises
         ------

@@ -18,12 +18,12 @@ from .paths import GivenPaths
 __all__ = ["hertz_cycle"]
 
 _REACH = 4.0
-"""Length of the path on either side of the contact, in contact radii or half-widths."""
+"""Length of the path on either side of the contact centre, in contact radii or half-widths."""
 _STEP = 0.02
-"""Distance of two instants, in contact radii or half-widths."""
+"""Distance moved between two instants, in contact radii or half-widths."""
 _DEPTHS = 120
 _MAX_DEPTH = 3.0
-"""Number of the default depths, and the largest depth in contact radii or half-widths."""
+"""Number of default depths, and the largest of them in contact radii or half-widths."""
 
 
 def hertz_cycle(
@@ -33,7 +33,7 @@ def hertz_cycle(
     y: ArrayLike | None = None,
     friction: float = 0.0,
 ) -> Cycle:
-    """Stress cycle of material that passes below a Hertz contact along x, e.g. of a gear flank.
+    """Stress cycle of material, e.g. of a gear flank, that passes below a Hertz contact along x.
 
     Parameters
     ----------
@@ -48,7 +48,7 @@ def hertz_cycle(
     y : array_like, shape (ny,), optional
         Increasing positions across the rolling direction [m], for a point contact only. Default: 0.
     friction : float, optional
-        Coefficient of friction in full sliding; the traction acts along +x.
+        Coefficient of friction in full sliding; the shear traction acts on the body along +x.
 
     Returns
     -------
@@ -68,7 +68,7 @@ def hertz_cycle(
     if not isinstance(contact, (LineContact, PointContact)):
         raise TypeError(
             "contact must be a LineContact or PointContact of samcontact.hertz, got "
-            f"{in_short(contact)}: for elliptic contacts use steady_cycle with a state"
+            f"{in_short(contact)}: for elliptic contacts, use steady_cycle with a simulated state"
         )
     if body.is_rigid:
         raise ValueError("body must be deformable, got a rigid one")
@@ -101,7 +101,9 @@ def hertz_cycle(
 def _increasing(name: str, given: ArrayLike) -> FloatArray:
     values = np.atleast_1d(real_array(name, given))
     if values.ndim != 1 or values.size == 0 or not np.isfinite(values).all():
-        raise ValueError(f"{name} must be a list of finite numbers, got shape {values.shape}")
+        raise ValueError(
+            f"{name} must be a list of one or more finite numbers, got {in_short(given)}"
+        )
     if not (np.diff(values) > 0).all():
-        raise ValueError(f"{name} must increase")
+        raise ValueError(f"{name} must contain increasing numbers, got {in_short(given)}")
     return values + 0.0

@@ -75,7 +75,7 @@ class Life(ShortRepr, HtmlTable):
         Raises
         ------
         ValueError
-            The models, criteria or exponents differ, or no stress exceeds the limit in either.
+            The models, criteria or exponents differ, or both lives have no stress above the limit.
         TypeError
             The reference is not a Life.
         """
@@ -84,7 +84,7 @@ class Life(ShortRepr, HtmlTable):
         if self.model != reference.model or any(
             self.constants[name] != reference.constants[name] for name in exponents
         ):
-            raise ValueError("reference must have the same model and exponents")
+            raise ValueError("reference must have the same model and exponents as this life")
         if self.criterion != reference.criterion:
             raise ValueError(
                 f"reference must have the criterion {self.criterion}, got {reference.criterion}"
@@ -104,7 +104,7 @@ class Life(ShortRepr, HtmlTable):
         cycles : float
             Measured life at the given reliability, in passes of the load [-], > 0.
         reliability : float, optional
-            Share of survivors, in (0, 1). Default: 0.9, i.e. the life L10.
+            Fraction of survivors, in (0, 1). Default: 0.9, i.e. the life L10.
 
         Returns
         -------
@@ -132,7 +132,8 @@ class Life(ShortRepr, HtmlTable):
     def cycles(self, log_constant: float, reliability: float = 0.9) -> float:
         """Life in passes of the load [-], for a material constant from `constant_for`.
 
-        Infinite if no stress exceeds the limit. Raises ValueError for a reliability outside (0, 1).
+        It is infinite if no stress exceeds the limit. Raises ValueError for a reliability outside
+        (0, 1).
         """
         rest = math.log(_risk(reliability)) - finite("log_constant", log_constant)
         return _exp((rest - self.log_integral) / self.constants["weibull"])
@@ -217,9 +218,9 @@ def life(
     require_type("field", field, FatigueField)
     if field.unit != "Pa" or "z" not in field.coordinates:
         raise ValueError(
-            "field must be an equivalent stress with depths, got "
-            f"{field.criterion} [{field.unit}] over "
-            f"{', '.join(field.coordinates) or 'a stress array'}"
+            "field must be an equivalent stress [Pa] as a function of depth, got "
+            f"{field.criterion} [{field.unit}] as a function of "
+            f"{', '.join(field.coordinates) or 'points of a stress array'}"
         )
     constants = _constants(model, exponent, depth_exponent, weibull)
     power = constants["exponent"] * (constants["weibull"] if model == "zaretsky" else 1.0)
@@ -247,8 +248,9 @@ def life(
     share = float(parts[..., 0].sum()) / total if total > 0 and z.size > 1 else 0.0
     if share > _MAX_SHARE:
         warnings.warn(
-            f"{share:.0%} of the integral is from the uppermost layer of points: the life depends "
-            "on its thickness; use thinner layers and a smaller depth_exponent",
+            f"{share:.0%} of the stress integral is from the uppermost layer of points, so that "
+            "the life depends on the thickness of this layer: use thinner layers and a smaller "
+            "depth_exponent",
             ResolutionWarning,
             stacklevel=2,
         )
@@ -270,14 +272,14 @@ def _constants(model: Any, *given: float | None) -> dict[str, float]:
         if found[name] > 100:
             raise ValueError(f"{name} must be at most 100, got {found[name]!r}")
     if model == "zaretsky" and found["depth_exponent"] != 0:
-        raise ValueError("depth_exponent must be 0 or omitted for the model zaretsky")
+        raise ValueError('depth_exponent must be 0 or omitted with model = "zaretsky"')
     return found
 
 
 def _limits(limit: float | ArrayLike, z: FloatArray) -> FloatArray:
     bound = real_array("limit", limit)
     if bound.ndim > 1 or (bound.ndim == 1 and bound.shape != z.shape):
-        raise ValueError(f"limit must be one number or one for each of {z.size} depths")
+        raise ValueError(f"limit must be one number for all, or one for each of {z.size} depths")
     if not (np.isfinite(bound) & (bound >= 0)).all():
         raise ValueError("limit must be finite and >= 0 [Pa]")
     return bound
@@ -292,7 +294,7 @@ def _volumes(field: FatigueField) -> FloatArray:
 
 
 def _extents(values: FloatArray, from_surface: bool) -> FloatArray:
-    """Return the length that each point represents on an axis: up to half-way to its neighbours.
+    """Return the length along an axis that each point represents, up to half-way to others.
 
     from_surface: whether the first length starts at the surface, z = 0.
     """

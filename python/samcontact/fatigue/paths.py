@@ -115,7 +115,7 @@ class StatePaths:
 
 @dataclass(frozen=True)
 class SteadyPaths:
-    """Stress history of material that moves through the field of one steady state along an axis."""
+    """Stress history of material that moves along an axis through the field of a steady state."""
 
     state: State
     body: int

@@ -22,11 +22,12 @@ from .contact_law import ContactLaw, HardContact, TensileLimit
 from .grid import Grid
 
 RESOLVED = 0.5
-"""Resolution number kappa of the range that is chosen if no range is given."""
+"""Resolution number kappa (see `Adhesion`) for which the range is chosen if none is given."""
 RESOLVED_DROP = 0.4
-"""Resolution number kappa of the drop in `dugdale`: smaller, because its edge is sharper."""
+"""Resolution number kappa for which the drop of `Adhesion.dugdale` is chosen; it is smaller than
+`RESOLVED`, because a drop has a sharper edge."""
 MAX_RESOLVED, MAX_SOLVABLE = 0.6, 1.0
-"""Kappa above which a warning is issued, and kappa above which the law is rejected."""
+"""Resolution numbers kappa above which a warning is issued, and above which a law is rejected."""
 
 
 FRICTION_ON = ("repulsion", "compression")
@@ -45,13 +46,13 @@ class Adhesion(ContactLaw):
 
     The grid resolves a law if kappa = K0 s <= 0.6, where K0 is the displacement of a cell due to a
     unit pressure on it, and s is the steepest decrease of the attraction with the gap. With larger
-    kappa, single cells jump into or out of contact: above 0.6, a ResolutionWarning is issued; above
-    1, the law is rejected. range=None stands for the shortest range that the grid resolves (kappa =
-    0.5).
+    kappa, single cells jump into or out of contact. If kappa exceeds 0.6, a ResolutionWarning is
+    issued; if it exceeds 1, the law is rejected. With range=None, the range is chosen so that
+    kappa = 0.5; this range is called the shortest range that the grid resolves.
 
     All constructors have the argument `friction_on`, the pressure on which friction depends. With
     "repulsion", friction depends on r: under the load W, the force of Coulomb friction in full
-    sliding is mu (W + integral of a), as in the law of Derjaguin (1934, doi:10.1007/BF01333114).
+    sliding is mu (W + total attraction), as in the law of Derjaguin (1934, doi:10.1007/BF01333114).
     With "compression", friction depends on p where p > 0; cells under tension transmit no shear.
     """
 
@@ -110,10 +111,10 @@ class Adhesion(ContactLaw):
     def tabulated(
         gap: ArrayLike, stress: ArrayLike, *, friction_on: str = "repulsion"
     ) -> TabulatedAdhesion:
-        """Return a piecewise linear law.
+        """Return a law in which the attraction is a piecewise linear function of the gap.
 
         gap: increasing gaps that start with 0 [m]; stress: attraction >= 0 at these gaps [Pa], 0 at
-        the last one; friction_on: see `Adhesion`. Raises ValueError for other values.
+        the last gap; friction_on: see `Adhesion`. Raises ValueError for other values.
         """
         return TabulatedAdhesion(gap, stress, friction_on=friction_on)
 
@@ -139,25 +140,25 @@ class Adhesion(ContactLaw):
 
     @property
     def attracts(self) -> bool:
-        """True: the surfaces attract each other."""
+        """Whether the surfaces attract each other, which is always true."""
         return True
 
     @property
     def varies(self) -> bool:
-        """True: the attraction depends on the gap."""
+        """Whether the attraction depends on the gap, which is always true."""
         return True
 
     def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
-        """Return the law as it is solved on a grid, with a range that the grid resolves.
+        """Return the law as it is solved on a grid, with the chosen range if none is given.
 
         Raises ValueError if the cells are so large that single cells would jump into contact.
         """
         found = self.on(grid, body1, body2)
         if found.kappa > MAX_SOLVABLE:
             raise ValueError(
-                f"adhesion must be resolved by the grid, got kappa = {found.kappa:.3g} > "
-                f"{MAX_SOLVABLE:g} for {self!r}: use cells of at most {found.finer} (dx, dy), a "
-                "longer range, or range=None for the shortest range that this grid resolves"
+                f"adhesion must be resolved by the grid (kappa <= {MAX_SOLVABLE:g}), got kappa = "
+                f"{found.kappa:.3g} for {self!r}: use cells with dx, dy <= {found.finer}, a longer "
+                "range, or range=None, i.e. the shortest range that this grid resolves"
             )
         return found.law
 
@@ -166,8 +167,8 @@ class Adhesion(ContactLaw):
         missing = [item.name for item in fields(self) if getattr(self, item.name) is None]
         if missing:
             raise ValueError(
-                f"{missing[0]} must be given, got None: `on` returns the law with the shortest "
-                f"{missing[0]} that a grid resolves"
+                f"{missing[0]} must be a number, got None: use law.on(grid, body1, body2).law, "
+                "which has the shortest range that this grid resolves"
             )
         return _core.ContactLaw(self.kind, self._parameters(), self.rubs_by_compression)
 
@@ -180,11 +181,11 @@ class Adhesion(ContactLaw):
 
     @property
     def rubs_by_compression(self) -> bool:
-        """Whether friction depends on the compressive part of the pressure."""
+        """Whether friction depends on the compressive part of the pressure, not on repulsion."""
         return self.friction_on == "compression"
 
     def to_tree(self) -> dict[str, Any]:
-        """Return the kind of the law, the parameters and, unless default, `friction_on`."""
+        """Return the kind and the parameters of the law; `friction_on` only if not the default."""
         tree = super().to_tree()
         if not self.rubs_by_compression:
             del tree["friction_on"]
@@ -245,7 +246,7 @@ class DugdaleAdhesion(Adhesion):
     work: float = field(metadata={"unit": "J/m^2"})
     stress: float = field(metadata={"unit": "Pa"})
     drop: float | None = field(default=None, metadata={"unit": "m"})
-    """Distance within which the attraction falls to zero [m]."""
+    """Increase of the gap over which the attraction falls to zero [m]."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -363,7 +364,7 @@ class ResolvedAdhesion(HtmlTable):
 def _of_cell(grid: Grid, body1: Body, body2: Body) -> tuple[float, float]:
     """Return the displacement of a cell under unit pressure [m/Pa], and the contact modulus [Pa].
 
-    The modulus is E* of the half-spaces on which a cell under unit pressure is displaced equally.
+    The modulus is E* of homogeneous half-spaces in which the displacement of the cell is equal.
     """
     cores = relaxed(body1)._core, relaxed(body2)._core
     alone = Grid(1, 1, grid.dx, grid.dy)
@@ -382,7 +383,7 @@ LAWS: tuple[type[ContactLaw], ...] = (
     HardContact, TensileLimit, ExponentialAdhesion, DugdaleAdhesion, LennardJonesAdhesion,
     TabulatedAdhesion,
 )  # fmt: skip
-"""Contact laws of case files and checkpoints."""
+"""Contact laws that case files and checkpoints may contain."""
 
 
 def law_of(tree: Mapping[str, Any]) -> ContactLaw:
@@ -395,4 +396,4 @@ def law_of(tree: Mapping[str, Any]) -> ContactLaw:
     for law in LAWS:
         if law.kind == kind:
             return law(**parameters)
-    raise ValueError(f"kind must be one of {[law.kind for law in LAWS]}, got {kind!r}")
+    raise ValueError(f"kind of law must be one of {[law.kind for law in LAWS]}, got {kind!r}")

@@ -36,7 +36,8 @@ def depths_of(z: ArrayLike) -> FloatArray:
     depths = np.atleast_1d(real_array("z", z))
     if depths.ndim != 1 or not ((depths <= 1e75) & (depths >= 0)).all():
         raise ValueError(
-            f"z must be a one-dimensional array of depths >= 0 [m], up to 1e75, got {in_short(z)}"
+            "z must be a one-dimensional array of depths >= 0 and <= 1e75 m, or one such depth, "
+            f"got {in_short(z)}"
         )
     return depths
 

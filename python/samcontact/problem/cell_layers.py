@@ -22,13 +22,14 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
         flows = True
         if body.substrate.is_rigid:
             raise ValueError(
-                f"layers of body{n} must be elastic on a rigid substrate, and without inclusions, "
-                f"got {given!r}: use an elastic substrate, a few times stiffer than the layers"
+                f"on a rigid substrate, the layers of body{n} must be elastic and free of "
+                f"inclusions, got {given!r}: use an elastic substrate, a few times stiffer than "
+                "the layers"
             )
         if residual_stress == "exact":
             raise ValueError(
-                f'residual_stress must be "fast" because body{n} has layers, got "exact": there '
-                "are no closed-form kernels for layered bodies"
+                f'residual_stress must be "fast" because body{n} has layers, got "exact", which '
+                "requires closed-form kernels: these exist for homogeneous bodies only"
             )
         for place, depth in enumerate(interfaces if grid.dz is not None else ()):
             cells = depth / grid.dz
@@ -36,6 +37,6 @@ def require_servable_flow(grid: Grid, residual_stress: str, *bodies: Body) -> bo
                 raise ValueError(
                     f"the bottom of layers[{place}] of body{n}, at {float(depth)!r} m, must "
                     f"coincide with a boundary between layers of cells, got grid.dz = {grid.dz!r}: "
-                    "use a whole fraction of the layer thickness (1/4, 1/8, ...)"
+                    "choose dz so that each layer is a whole number of cells thick, e.g. 4 or 8"
                 )
     return flows

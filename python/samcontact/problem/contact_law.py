@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact laws: lower bound of the pressure at a given gap; condition for cells in contact.
+"""Contact laws, i.e. lower bounds of the pressure at a given gap, and the contact condition.
 
-A cell is in contact if its pressure exceeds the lower bound. Only this module defines this
-condition.
+A cell is in contact if its pressure exceeds the lower bound. This condition is defined in this
+module only.
 """
 
 from __future__ import annotations
@@ -34,7 +34,8 @@ class ContactLaw(HtmlTable):
     a(g) >= 0 is the attraction across the gap g. With an attractive law (a > 0), friction depends
     on the repulsion (unless `friction_on` of `Adhesion` states otherwise), the grid is not
     enlarged, and a simulation starts with separated bodies under the maximum tension. An attractive
-    law does not support a prescribed pressure, heat, or `advance` under partial slip.
+    law supports neither a prescribed pressure nor heat, and `advance` only if it is a law of
+    `Adhesion` in full sliding.
     """
 
     kind: ClassVar[str]
@@ -46,7 +47,7 @@ class ContactLaw(HtmlTable):
 
     @cached_property
     def attracts(self) -> bool:
-        """Whether surfaces attract each other."""
+        """Whether the surfaces attract each other."""
         return self.to_core().attracts
 
     def to_tree(self) -> dict[str, Any]:
@@ -72,7 +73,7 @@ class ContactLaw(HtmlTable):
 
     @property
     def is_of_grid(self) -> bool:
-        """Whether the range of the attraction is chosen for the grid."""
+        """Whether the range of the attraction is chosen for the grid, because none is given."""
         return False
 
     def resolved(self, grid: Grid, body1: Body, body2: Body) -> ContactLaw:
@@ -105,7 +106,8 @@ class ContactLaw(HtmlTable):
         require_type("given", given, Mapping)
         if any(heat.factor) or heat.partition is not None:
             raise ValueError(
-                f"heat is not supported with adhesion = {self!r}, got {in_short(heat)}"
+                f"heat is not supported with adhesion = {self!r}, got {in_short(heat)}: omit "
+                "heat, or use HardContact()"
             )
         if given.get("pressure") is not None:
             raise ValueError(
@@ -117,7 +119,8 @@ class ContactLaw(HtmlTable):
             slip = " and partial slip" if sticks else ""
             raise ValueError(
                 f"advance must be (0, 0) with adhesion = {self!r}{slip}, got {tuple(travels)!r}: "
-                "motion through the grid is supported with laws of Adhesion in full sliding only"
+                "with attraction, bodies can move through the grid only if the law is one of "
+                "Adhesion and friction is a number (full sliding)"
             )
 
 
@@ -133,13 +136,13 @@ class TensileLimit(ContactLaw):
     """Constant tensile limit, for `ContactSolver` and `Simulation`: p >= -limit.
 
     Surfaces separate where the tension reaches the limit, and open cells carry this tension at any
-    gap: the attraction of Dugdale (1960, doi:10.1016/0022-5096(60)90013-2) with infinite range. The
-    law describes an evacuated gap, and a gap filled with a liquid whose pressure is lower than the
-    ambient pressure by the limit (capillary pressure). For adhesion, it is the limiting case of an
-    attraction with a range much larger than the gaps, as in the theory of Derjaguin, Muller and
-    Toporov. The solution is unique and independent of the loading path. The attractive force is the
-    tensile limit times the area of the grid. On a grid that is not periodic, it therefore increases
-    with the size of the grid and bends the surfaces.
+    gap. This is the attraction of Dugdale (1960, doi:10.1016/0022-5096(60)90013-2) with infinite
+    range. The law describes an evacuated gap, and a gap filled with a liquid whose pressure is
+    lower than the ambient pressure by the limit (capillary pressure). For adhesion, it is the
+    limiting case of an attraction with a range much larger than the gaps, as in the theory of
+    Derjaguin, Muller and Toporov. The solution is unique and independent of the loading path. The
+    attractive force is the tensile limit times the area of the grid. On a grid that is not
+    periodic, it therefore increases with the size of the grid and bends the surfaces.
 
     Attributes
     ----------
@@ -167,7 +170,7 @@ def require_law(name: str, value: Any) -> ContactLaw:
 
 
 def in_contact(repulsion: ArrayLike) -> NDArray[np.bool_]:
-    """Whether cells are in contact; repulsion: pressure without attraction in each cell [Pa]."""
+    """Whether cells are in contact; `repulsion` is pressure plus attraction of each cell [Pa]."""
     found: NDArray[np.bool_] = np.asarray(repulsion) > 0
     return found
 

@@ -99,12 +99,13 @@ def require_consistent_overlap(larger: Domain, window: Domain) -> None:
         body = np.isfinite(known)
         if not np.array_equal(np.isfinite(field), body):
             raise ValueError(
-                f"{name} must give the same result on every grid: on a larger "
-                "grid, other cells are without a body (infinite values)"
+                f"{name} must give the same result on every grid, but on a larger grid, it is "
+                "infinite (no body) in other cells: let it depend on the coordinates only"
             )
         off = np.abs(field[body] - known[body])
         if not np.all(off <= _SAME_HEIGHT_TOLERANCE * float(np.ptp(known[body]))):
             raise ValueError(
-                f"{name} must give the same result on every grid: on a larger grid, "
-                f"heights in the common cells differ by up to {off.max():.3g} m"
+                f"{name} must give the same result on every grid, but on a larger grid, heights "
+                f"in the common cells differ by up to {off.max():.3g} m: let it depend on the "
+                "coordinates only"
             )

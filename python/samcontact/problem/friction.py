@@ -39,7 +39,7 @@ class FrictionLaw(HtmlTable):
     sticks: ClassVar[bool]
     """True: cells stick if their shear is below the bound. False: all cells slide along x."""
     constants: ClassVar[Mapping[str, Constant]]
-    """Parameters of the law and their ranges."""
+    """Ranges and units of the parameters of the law, by name."""
 
     def __init_subclass__(cls) -> None:
         cls.law = re.sub(r"(?<!^)(?=[A-Z])", "_", cls.__name__).lower()
@@ -85,7 +85,7 @@ class FrictionLaw(HtmlTable):
 
     @property
     def sliding_ratio(self) -> float:
-        """Shear / pressure in full sliding [-]; 0 for laws with partial slip."""
+        """Shear traction divided by pressure in full sliding [-]; 0 for laws with partial slip."""
         return 0.0 if self.sticks else self.ratio(0.0)
 
     @cached_property
@@ -110,12 +110,12 @@ class FrictionLaw(HtmlTable):
 
     @property
     def compliance(self) -> float:
-        """Tangential displacement of a layer between the bodies per unit shear [m/Pa]."""
+        """Tangential displacement of the layer between the bodies per unit shear [m/Pa], or 0."""
         return 0.0
 
     @property
     def hardens(self) -> bool:
-        """Whether the strength of a layer depends on its plastic slip."""
+        """Whether the strength of the layer between the bodies depends on its plastic slip."""
         return False
 
     @property
@@ -199,9 +199,9 @@ class Tresca(FrictionLaw):
     """Friction with a constant shear strength of the interface, independent of the pressure.
 
     The shear traction is at most the shear strength k in all contact cells. At the edge of the
-    contact, the shear traction is discontinuous. With dissimilar materials, cells at the edge may
-    then have no consistent solution, neither in contact nor separated, so that a small tolerance is
-    not reached.
+    contact, the shear traction is discontinuous. With dissimilar materials, a cell at the edge may
+    therefore have no consistent solution, neither in contact nor separated. A small tolerance can
+    then not be reached.
 
     Attributes
     ----------
@@ -256,7 +256,8 @@ def sticking_law(friction: Any) -> FrictionLaw:
     """Return a friction law with partial slip; raise TypeError for other values or full sliding."""
     if not (isinstance(friction, FrictionLaw) and friction.sticks):
         raise TypeError(
-            f"friction must be a law such as samcontact.Coulomb(mu), got {in_short(friction)}"
+            "friction must be a law with partial slip, such as samcontact.Coulomb(mu), got "
+            f"{in_short(friction)}"
         )
     return friction
 
@@ -280,8 +281,8 @@ def lasting(law: FrictionLaw, duration: float | None, name: str = "duration") ->
         return positive(name, duration)
     if duration is not None:
         raise ValueError(
-            f"{name} has no effect with friction that does not depend on the slip rate, got "
-            f"{in_short(duration)}: omit it, or use samcontact.FallingCoulomb"
+            f"{name} has no effect with friction that is independent of the slip rate, got "
+            f"{in_short(duration)}: omit {name}, or use samcontact.FallingCoulomb"
         )
     return 0.0
 
@@ -299,13 +300,16 @@ _ATTRIBUTE_PREFIX = "friction_"
 
 
 def attributes_of(law: FrictionLaw) -> dict[str, Any]:
-    """Return the law as attributes of results: "friction_law", "friction_" + parameter name."""
+    """Return the law as attributes of results.
+
+    They are "friction_law", the name of the law, and "friction_" + name for each parameter.
+    """
     given = {name: value for name, value in law.to_tree().items() if value != []}
     return {f"{_ATTRIBUTE_PREFIX}{name}": value for name, value in given.items()}
 
 
 def law_of_attributes(attributes: Mapping[Any, Any]) -> FrictionLaw | None:
-    """Return the friction law from the attributes of results; None if they contain none."""
+    """Return the friction law from the attributes of results; None if they contain no law."""
     law = LAWS.get(str(attributes.get(f"{_ATTRIBUTE_PREFIX}law")))
     if law is None:
         return None

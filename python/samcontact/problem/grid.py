@@ -53,8 +53,9 @@ class Grid(HtmlTable):
     -----
     On a grid periodic in both directions, the mean surface displacement is zero, and the approach
     refers to the mean planes of the undeformed surfaces. On a grid periodic in one direction, the
-    displacement does not tend to a limit far from the contact. It is set to zero at a distance
-    nx dx (ny dy with periodic="x") from a line load. See docs/theory/periodic.md.
+    displacement does not tend to a limit far from the contact. The displacement due to a line load
+    is therefore set to zero at a distance from it of nx dx with periodic="y", and of ny dy with
+    periodic="x". See docs/theory/periodic.md.
     """
 
     nx: int
@@ -82,9 +83,9 @@ class Grid(HtmlTable):
         for name in self.periodic:
             if (cells := getattr(self, f"n{name}")) > 1 and cells % 2 == 1:
                 raise ValueError(
-                    f"n{name} must be even, or 1, on a grid periodic along {name}, got {cells}: "
-                    "map a measured period with any number of samples onto the grid with "
-                    f'MeasuredSurface.on(grid, periodic="{name}")'
+                    f"n{name} must be even, or 1, on a grid periodic along {name}, got {cells}: to "
+                    "use a measured period with an odd number of samples, map it onto an even "
+                    f'number of cells with MeasuredSurface.on(grid, periodic="{name}")'
                 )
         if self.periodic == "xy" and self.nx == self.ny == 1:
             raise ValueError('nx or ny must be > 1 with periodic="xy", got 1 and 1')
@@ -113,7 +114,7 @@ class Grid(HtmlTable):
         return self.depths(self.volume_shape[2])
 
     def depths(self, layers: int) -> FloatArray:
-        """Mid-depths of the first layers [m], shape (layers,)."""
+        """Mid-depths of the uppermost `layers` layers [m], shape (layers,)."""
         return read_only(np.array(self._core.z(integer("layers", layers, 0))))
 
     @property
@@ -141,8 +142,8 @@ class Grid(HtmlTable):
         """Shape of a scalar volume field, (nx, ny, nz); ValueError if nz is not given."""
         if self.nz == 0 and self.has_volume:
             raise ValueError(
-                "volume_shape requires a grid with nz: without nz, the number of layers "
-                "depends on the state; use the length of State.depths"
+                "volume_shape requires a grid with nz: without nz, each state has its own number "
+                "of layers, which is the length of State.depths"
             )
         return (self.nx, self.ny, self.nz)
 

@@ -26,7 +26,7 @@ MIN_DIFFUSION_LENGTH = 0.02
 """Minimum diffusion length [cells] in the shortest step of a heat history; it limits the computing
 time and the memory of transient heating."""
 MIN_THICKNESS = 1e-5
-"""Minimum thickness of a heated layer [cells]; it limits the number of wavenumbers."""
+"""Minimum thickness of layers of a heated body [cells]; it limits the number of wavenumbers."""
 _ANY_CONSTANTS = (1.0, 0.0, 1.0)
 """Placeholder for the thermal constants of a body that is not heated."""
 
@@ -45,7 +45,7 @@ def checked_heat(heat: Heat | None, bodies: Bodies, grid: Grid, friction: Fricti
 def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = None) -> list[Any]:
     """Return the heating of each body for the compiled core; ValueError if not supported.
 
-    duration: length of the increment under transient heating [s].
+    duration: duration of the increment [s], for transient heating.
     """
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
@@ -55,7 +55,7 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
         grid.ny * grid.dy if "y" in grid.periodic else 0.0,
     )
     of_slip = heat.partition is not None
-    name = "heat.partition: fraction of the heat" if of_slip else "heat.factor"
+    name = "heat.partition (fraction of the heat)" if of_slip else "heat.factor"
     for n, (body, factor, v) in enumerate(zip(bodies, heat.shares, heat.velocity, strict=True), 1):
         constants: tuple[tuple[float, float, float], ...] = (_ANY_CONSTANTS,)
         thickness: list[float] = []
@@ -108,7 +108,7 @@ def _required_constants(
 
 
 def _of_missing(body: Body) -> str:
-    """Return text for a message: which materials of a layered body lack thermal constants."""
+    """Return text that names the materials of a layered body that lack thermal constants."""
     body = matrix_of(body)
     if not isinstance(body, Layered):
         return ""
@@ -124,8 +124,8 @@ def _require_in_layers(n: int, body: Body, grid: Grid) -> None:
         if thickness < MIN_THICKNESS * cell:
             raise ValueError(
                 f"thickness of layers[{k}] of heated body{n} must be >= {MIN_THICKNESS * cell:.4g} "
-                f"m, {MIN_THICKNESS:g} of the cell length {cell:.4g} m, got {thickness:.4g} m: "
-                "thicknesses are in metres, 5e-6 is 5 um"
+                f"m ({MIN_THICKNESS:g} of the cell length {cell:.4g} m), got {thickness:.4g} m: "
+                "thicknesses are in metres, e.g. 5e-6 for 5 um"
             )
 
 
@@ -141,9 +141,9 @@ def _require_transient(name: str, heat: Heat, grid: Grid, body: int, factor: flo
         return
     if heat.time is None and heat.history is None:
         raise ValueError(
-            f"{name} of body{body} must be 0 on a periodic grid, got {factor!r} with "
-            f"grid.periodic = {grid.periodic!r}: uniform heating of a half-space has no "
-            "steady state; set heat.time or heat.history"
+            f"{name} of body{body} must be 0 on a periodic grid under steady heating, got "
+            f"{factor!r} with grid.periodic = {grid.periodic!r}: a uniformly heated half-space has "
+            "no steady state; set heat.time or heat.history"
         )
     for axis, length in zip("xy", heat.tracks, strict=True):
         if axis in grid.periodic and length > 0:
@@ -169,8 +169,8 @@ def _require_speed(grid: Grid, body: int, lowest: float, highest: float, speed: 
     fastest = MAX_PECLET_NUMBER * lowest / extent
     if speed > fastest:
         raise ValueError(
-            f"heat.velocity of body {body} must be <= {fastest:.4g} m/s on this grid "
-            f"({extent:.4g} m long, diffusivity {lowest:.4g} m^2/s), got {speed:.4g} m/s"
+            f"heat.velocity of body {body} must be <= {fastest:.4g} m/s with a grid that is "
+            f"{extent:.4g} m long and a diffusivity of {lowest:.4g} m^2/s, got {speed:.4g} m/s"
         )
     minimum = 1e-55 * highest / min(grid.dx, grid.dy)
     if 0 < speed < minimum:
@@ -194,7 +194,7 @@ def _require_shortest(grid: Grid, body: int, diffusivity: float, shortest: float
         minimum = (MIN_DIFFUSION_LENGTH * cell) ** 2 / diffusivity
         raise ValueError(
             f"heat.history must have a shortest step >= {minimum:.4g} s for body {body}, got "
-            f"{shortest:.4g} s: in this time heat must diffuse over at least "
+            f"{shortest:.4g} s: in the shortest step, heat must diffuse over at least "
             f"{MIN_DIFFUSION_LENGTH:g} of the cell length {cell:.4g} m "
             f"(diffusivity {diffusivity:.4g} m^2/s)"
         )
@@ -209,9 +209,9 @@ def _require_time(name: str, time: float, diffusivity: float, grid: Grid) -> Non
 def softening_of(body: Body, dz: float | None) -> Callable[[FloatArray, int], FloatArray] | None:
     """Return a function for the thermal softening of a body; None if it does not soften.
 
-    dz: thickness of the cells [m]. The arguments of the function are temperature rises [K], shape
-    (nx, ny, m), and the number of cell layers above these cells. The function returns factors on
-    the yield stress, by the law of the material in each cell.
+    dz: thickness of the cells [m]. The arguments of the function are the temperature rises [K] in m
+    layers of cells, shape (nx, ny, m), and the number of layers above these. The function returns
+    factors on the yield stress, by the law of the material in each cell.
     """
     if body.softening is None:
         return None
@@ -245,8 +245,9 @@ def require_reference(heat: Heat) -> None:
         return
     if any(f > 0 and not any(v) for f, v in zip(heat.shares, heat.velocity, strict=True)):
         raise ValueError(
-            "heat.reference is required under approach control: the displacement due to a steady "
-            "source at rest is defined only relative to a reference distance [m]"
+            "heat.reference is required under approach control, because the displacement due to a "
+            "steady heat source at rest is defined only relative to that at a reference distance: "
+            "give this distance [m]"
         )
 
 
@@ -260,6 +261,6 @@ def require_heat_of(friction: FrictionLaw, heat: Heat) -> None:
     if not friction.sticks and heat.partition is not None:
         raise ValueError(
             f"heat.partition must be None with friction = {friction!r}, got {heat.partition!r}: in "
-            "full sliding the heat flux is proportional to the pressure; use heat.factor, see "
-            "heat.factors"
+            "full sliding the heat flux is proportional to the pressure; use heat.factor, which "
+            "samcontact.heat.factors computes"
         )

@@ -23,9 +23,9 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
 
     1. first cell of a box that contains all differing cells;
     2. for each cell [k][i][j] of the box, its row in item 3, or -1 for a cell of the matrix;
-    3. a row of constants for each differing cell: bulk and shear modulus, share that the inclusion
-       fills, misfit strain, index in item 4, normal of the interface between two phases, thermal
-       expansion;
+    3. a row of constants for each differing cell: bulk and shear modulus, volume fraction of the
+       inclusion, misfit strain, index of the material in item 4, normal of the interface between
+       two phases, thermal expansion;
     4. the materials of the inclusions, as objects of the compiled core.
 
     Raises ValueError for unsupported materials.
@@ -58,7 +58,7 @@ def mixed_cells(number: int, body: Body, grid: Grid) -> Any:
 
 
 def _differs(cells: InclusionCells, body: Heterogeneous) -> BoolArray:
-    """Return for each cell whether moduli, misfit strain or yield law differ from the matrix."""
+    """Return for each cell whether its moduli, misfit or yield law differ from the matrix."""
     own_law = np.array([
         material is None or not _flows_like(material, material_around(body, number))
         for number, material in enumerate(body.phases)
@@ -68,7 +68,7 @@ def _differs(cells: InclusionCells, body: Heterogeneous) -> BoolArray:
 
 
 def _flows_like(material: Material, matrix: Material) -> bool:
-    """Whether both materials have the same yield law."""
+    """Whether both materials have the same yield law with the same parameters."""
     return (material.law, dict(material.parameters)) == (matrix.law, dict(matrix.parameters))
 
 
@@ -77,8 +77,8 @@ def _require_supported(number: int, body: Heterogeneous) -> None:
     materials = materials_of(body)
     if any(material.relaxation_terms is not None for material in materials):
         raise ValueError(
-            f"body{number}.matrix must not relax, got {body.matrix!r}: inclusions in viscoelastic "
-            "bodies are not supported"
+            f"body{number}.matrix must not be viscoelastic, got {body.matrix!r}: inclusions in "
+            "viscoelastic bodies are not supported"
         )
     yields = any(m is not None and m.is_plastic for m in body.phases)
     if backstresses_of(body) and yields:

@@ -37,9 +37,9 @@ class Relief(ShortRepr):
         On a grid that is periodic along x, every relief repeats with the period of the grid. Its
         number of rows must then divide grid.nx if `periodic`, and otherwise be at most grid.nx.
     worn : array_like, shape (rows, ny), optional
-        Depth of material already removed by wear [m], >= 0. The depths of yield profile and
-        residual stress are then measured from the unworn surface. The heights are not changed by
-        this argument. Default: 0, which also applies beyond the rows.
+        Depth of material already removed by wear [m], >= 0. The depths of a yield profile and of
+        an initial residual stress are then measured from the unworn surface. This argument does not
+        change the heights. Default: 0, which also applies beyond the rows.
 
     Raises
     ------
@@ -69,7 +69,7 @@ class Relief(ShortRepr):
 
 
 def relief_rows(name: str, relief: Relief | None, grid: Grid) -> tuple[Any, int, bool, Any] | None:
-    """Check a relief against the grid; return arguments of the compiled core, or None."""
+    """Check a relief against the grid, and return it as arguments of the compiled core, or None."""
     if relief is None:
         return None
     if not isinstance(relief, Relief):
@@ -114,7 +114,7 @@ def over_period(relief: Relief, rows: int) -> Relief:
 
 
 def heights_over(relief: Relief, first: int, count: int, grid: Grid) -> FloatArray:
-    """Return the heights of a relief [m] in `count` grid rows from `first`, shape (count, ny)."""
+    """Return heights of a relief [m] in `count` grid rows from row `first`, shape (count, ny)."""
     if grid.along_x:
         relief = over_period(relief, grid.nx)
     rows = len(relief.heights)
@@ -130,8 +130,8 @@ def rows_within(grid: SurfaceGrid, x: float, radius: float) -> tuple[FloatArray,
     middle = 0.5 * (grid.nx - 1)
     if not (abs(x) + radius) / grid.dx < MAX_ROWS:
         raise ValueError(
-            f"x plus the extent along x must be within {MAX_ROWS} cells of {grid.dx!r} m, "
-            f"got x = {x!r} m and extent {radius!r} m"
+            f"all rows around x must be within {MAX_ROWS} cells (of {grid.dx!r} m) of the grid "
+            f"centre, got x = {x!r} m and rows up to {radius!r} m from it"
         )
     first = int(np.ceil((x - radius) / grid.dx + middle))
     last = max(first, int(np.floor((x + radius) / grid.dx + middle)))

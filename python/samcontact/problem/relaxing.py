@@ -42,14 +42,14 @@ def require_known_stress(heat: Heat, bodies: tuple[Body, Body], grid: Grid) -> N
 
     The expansion of the body does not depend on its modulus, but its thermal stress relaxes.
     """
-    name = "factor" if heat.partition is None else "partition: fraction of the heat"
+    name = "heat.factor" if heat.partition is None else "heat.partition (fraction of the heat)"
     for n, (body, share) in enumerate(zip(bodies, heat.shares, strict=True), 1):
         if share > 0 and relaxes(body) and grid.has_volume:
             raise ValueError(
-                f"heat.{name} must be 0 for viscoelastic body{n} on a grid with layers, got "
-                f"{share!r}: the thermal stress of this body relaxes, which is not computed; omit "
-                "grid.dz (pressure and displacement are exact), or let the heat enter the other "
-                "body only"
+                f"{name} must be 0 for viscoelastic body{n} on a grid with layers, got {share!r}: "
+                "the relaxation of the thermal stress in this body is not computed; omit grid.dz "
+                "(pressure and displacement are exact without it), or let all heat enter the other "
+                "body"
             )
 
 

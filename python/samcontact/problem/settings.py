@@ -214,7 +214,7 @@ class Configured(FixedAttributes):
 
 
 def memory_of_contact(friction: FrictionLaw, bodies: tuple[Body, Body], heat: Heat) -> float:
-    """Return the memory required by an elastic contact per surface cell [bytes]."""
+    """Return the memory per surface cell that an elastic contact requires [bytes]."""
     body1, body2 = bodies
     return memory.of_contact(
         coupled=not friction.is_frictionless and body1._core.stack != body2._core.stack,

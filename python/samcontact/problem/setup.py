@@ -40,11 +40,11 @@ class SimulationSetup:
         return self.settings.law
 
     def steps_of_motion(self, grid: Grid) -> tuple[float, float | None]:
-        """Return the lengths along x and y [m] in multiples of which the bodies are displaced.
+        """Return the steps along x and y [m] in which the bodies move through the grid.
 
-        Along x, the remainder of any other displacement shifts the contact origin in the grid (see
-        `State.origin`). None along y: any displacement is possible, because the bodies have no
-        history (see `has_history`).
+        Along x, the step is a cell; any remainder of a displacement shifts the contact origin in
+        the grid (see `State.origin`). Along y, the step is a cell if the bodies have a history (see
+        `has_history`), and otherwise None, because any displacement is possible.
         """
         return grid.dx, grid.dy if has_history(self.friction, self.bodies) else None
 

@@ -16,24 +16,24 @@ from ..bodies.phase_mixing import relative_phase
 from .grid import Grid
 
 _MAX_MODULUS_RATIO = 20.0
-"""Maximum ratio of the moduli of inclusion and matrix for which cells are computed as laminates.
+"""Maximum ratio of the larger to the smaller modulus of inclusion and matrix for laminates.
 
-At larger ratios, mixed moduli are more accurate.
+At larger ratios, cells with mean moduli of both phases are more accurate.
 """
 FILLED_SHARE, MISFIT, NORMAL, EXPANSION = 2, slice(3, 9), slice(10, 13), 13
-"""Positions in the constants of a cell that the compiled core receives, see `mixed_cells`."""
+"""Positions of these quantities in the constants of a cell, as described in `mixed_cells`."""
 
 
 def set_two_phases(
     body: Heterogeneous, cells: InclusionCells, grid: Grid, fields: Sequence[FloatArray]
 ) -> None:
-    """Set the constants of the cells that are computed as two phases (laminates); change `fields`.
+    """Change `fields` in the cells that are computed as laminates of two phases.
 
-    fields: bulk and shear modulus, share, six misfit strains, index of the material, three
-    components of the normal, and thermal expansion of each cell. The two-phase cells are the partly
-    filled cells, unless nothing yields, the matrix has backstresses, or the moduli differ by a
-    large factor, as in a void. In a two-phase cell, the fields are set to the constants of the
-    inclusion and to its normal.
+    fields: bulk and shear modulus, volume fraction of the inclusion, six misfit strains, index of
+    the material, three components of the normal, and thermal expansion of each cell. Partly filled
+    cells are computed as laminates, unless nothing yields, the matrix has backstresses, or the
+    moduli differ by a large factor, as in a void. In a laminate, the fields are set to the
+    constants of the inclusion and to the normal of its surface.
     """
     if not body.is_plastic or backstresses_of(body):
         return
@@ -63,9 +63,9 @@ def set_two_phases(
 def normals(cells: InclusionCells, grid: Grid, inclusions: Sequence[Inclusion] = ()) -> FloatArray:
     """Return unit normals of the inclusion surfaces in the cells of a box, shape (3, n, m, l).
 
-    In a cut cell of an ellipsoid, the normal is that of the ellipsoid of the same shape through the
-    middle of the cell. In any other cell, it follows from the gradient of the filled share of the
-    neighbouring cells (Youngs 1982), and is 0 where this gradient is 0.
+    In a cell that an ellipsoid fills partly, it is the normal of the concentric ellipsoid of the
+    same shape through the middle of the cell. In any other cell, it follows from the gradient of
+    the volume fraction in the neighbouring cells (Youngs 1982), and is 0 where this gradient is 0.
     """
     found = _from_shares(cells, grid)
     cut = np.nonzero(cells.is_cut & (cells.phase >= 0) & (cells.phase < len(inclusions)))
@@ -90,7 +90,7 @@ def normals(cells: InclusionCells, grid: Grid, inclusions: Sequence[Inclusion] =
 
 
 def _from_shares(cells: InclusionCells, grid: Grid) -> FloatArray:
-    """Return the unit normals from the gradient of the share."""
+    """Return the unit normals from the gradient of the volume fraction of the inclusions."""
     share = np.pad(cells.share, ((1, 1), (1, 1), (0, 1)))
     # Beyond the surface of the body the share continues.
     top = share[:, :, :1] if cells.first[2] == 0 else np.zeros_like(share[:, :, :1])

@@ -86,20 +86,21 @@ class MappedCoulomb(FrictionLaw):
 class ThermalCoulomb(FrictionLaw):
     """Coulomb friction with a coefficient that depends on the temperature of the surfaces.
 
-    For a `Simulation` with `Heat(partition=...)`. The coefficient is linear between the points and
-    constant beyond them, at the temperature rise of the hotter surface at the end of the increment.
+    The law requires a `Simulation` with `Heat(partition=...)`. The coefficient is interpolated
+    linearly between the given temperatures and is constant beyond them. It is evaluated at the
+    temperature of the hotter surface at the end of the increment.
 
     Attributes
     ----------
     temperature : sequence of float
-        Increasing temperature rises of the surfaces [K], above the temperature of the unheated
-        bodies.
+        Increasing temperatures of the surfaces [K]; with the default of `bulk`, these are rises
+        above the temperature of the unheated bodies.
     coefficient : sequence of float
-        Coefficients of friction at these temperature rises [-], >= 0.
+        Coefficients of friction at these temperatures [-], >= 0.
     bulk : float, optional
-        Temperature of the contact without frictional heat [K], on the scale of `temperature`, to
-        which the rise is added. Bodies with the bulk temperatures T1 and T2 and the thermal
-        effusivities e1 and e2 touch at (e1 T1 + e2 T2)/(e1 + e2).
+        Temperature of the contact without frictional heat [K], on the scale of `temperature`; the
+        rise due to frictional heat is added to it. If bodies with the bulk temperatures T1 and T2
+        and the thermal effusivities e1 and e2 touch, it is (e1 T1 + e2 T2)/(e1 + e2). Default: 0.
 
     Raises
     ------
@@ -123,10 +124,9 @@ class FallingCoulomb(FrictionLaw):
     """Coulomb friction with a coefficient that falls as the slip rate v increases.
 
     mu = kinetic + drop 2^(-v/half_speed). Increments need a duration, and steady rolling a speed.
-    In short increments, a cell may be in equilibrium with and without slip: such an increment is
-    rejected unless the law has a memory. With a memory d, v is a mean of the slip rates of a
-    material point over its slip path, with weights that decrease by a factor of e over a distance
-    of d.
+    In a short increment, a cell may be in equilibrium both with and without slip; such an increment
+    is rejected unless the law has a memory. With a memory d, v is a weighted mean of the past slip
+    rates of a material point; the weights decrease by a factor of e over a slip distance d.
 
     Attributes
     ----------
@@ -137,7 +137,7 @@ class FallingCoulomb(FrictionLaw):
     half_speed : float
         Slip rate at which half of the drop remains [m/s], > 0.
     memory : float, optional
-        Slip distance over which slip rates are averaged [m]; 0: none.
+        Slip distance d over which slip rates are averaged [m]; 0: no averaging.
 
     Raises
     ------
@@ -167,10 +167,10 @@ class ThirdBody(FrictionLaw):
     Below its strength, the layer adds thickness/shear_modulus times the shear traction to the
     relative tangential displacement of each cell. The shear traction is at most min(mu p,
     strength); at this limit the layer flows or slips, which counts as slip. The layer has no normal
-    compliance. With hardening k, the strength of a cell is strength + k plastic_slip, at least 0,
-    with the plastic slip of the layer in this cell; slip at the limit mu p is not plastic.
-    If the layer hardens, prescribed tangential forces may exceed its strength before the increment.
-    If it does not harden, prescribe a shift to make the whole layer flow.
+    compliance. With hardening k, the strength in a cell is strength + k s, but at least 0, where s
+    is the plastic slip that the layer has accumulated in this cell; slip at the limit mu p is not
+    plastic. If the layer hardens, a prescribed tangential force may exceed the strength that it had
+    before the increment. If it does not harden, prescribe a shift to make the whole layer flow.
 
     Attributes
     ----------
@@ -190,7 +190,8 @@ class ThirdBody(FrictionLaw):
     Raises
     ------
     ValueError, TypeError
-        A parameter is out of its range or not a number, or a layer that does not yield hardens.
+        A parameter is out of its range or not a number, or a layer with infinite strength has a
+        hardening.
 
     Notes
     -----

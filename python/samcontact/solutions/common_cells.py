@@ -10,7 +10,10 @@ from .track import Track
 
 
 def on_common_cells(before: Track, after: Track, field: str) -> tuple[FloatArray, FloatArray]:
-    """Return a field of two tracks on the union of their cells; 0 where a track has no cell."""
+    """Return a field of two tracks, both on all cells of the two; 0 in cells that a track lacks.
+
+    A `Track` covers the part of a body with plastic strain, which may differ between two states.
+    """
     tracks, corner, size = (before, after), [], []
     for axis in "xy":
         places = np.concatenate([getattr(track, axis) for track in tracks])

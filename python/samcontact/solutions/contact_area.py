@@ -13,13 +13,13 @@ from ..problem.contact_law import in_contact
 from .outline import Sides, around, sides_of, steps_next_to
 
 AREA_PER_SIDE = (math.pi - 1 + math.log(2)) / 24
-"""Mean overestimate of an area by counting cells, per cell side on the outline of a spot
-[cells]."""
+"""Mean excess of the area of a contact spot that is found by counting cells, per cell side on the
+outline of the spot [cells]."""
 MAX_LOCATED_CORRECTION, MIN_COUNTED_CORRECTION = 0.08, 0.14
 """Limits of the perimeter correction, relative to the counted area (in nearly full contact on a
-periodic grid, relative to the open area). If the correction is below the first limit, the edge is
-located from the pressure; if it is above the second limit, only the perimeter correction is used.
-The limits correspond to round spots 7.5 and 4.3 cells in diameter."""
+periodic grid, relative to the open area). If the correction is below the first limit, the contact
+edge is located from the pressure; if it is above the second limit, only the perimeter correction is
+used. The limits correspond to round spots that are 7.5 and 4.3 cells in diameter."""
 _EXTRAPOLATION_CELLS = range(1, 5)  # numbered from the edge; used to extrapolate the pressure
 _PADDING_CELLS = 4  # cells added around a field
 
@@ -49,7 +49,8 @@ def contact_area(
     periodic : {"", "x", "y", "xy"}, optional
         Periodic directions, as for `Grid`.
     gap : array_like, shape (nx, ny), optional
-        Separation of the undeformed bodies [m], used to find steps.
+        Separation of the surfaces [m], in which steps are found that bound the contact. By default,
+        no steps are considered.
     """
     return _located(pressure, periodic, gap)[0] * cell_area
 
@@ -59,9 +60,9 @@ def perimeter_correction(
 ) -> float:
     """Return the perimeter correction of `contact_area`, relative to the contact area [-].
 
-    The correction is the area that `contact_area` subtracts from the counted cells because of their
-    sides on the contact outline. It is 0 if the contact edge is located from the pressure. The
-    arguments are those of `contact_area`.
+    The correction is the area that `contact_area` subtracts from the area of the counted cells, in
+    proportion to the number of their sides on the contact outline. It is 0 if the contact edge is
+    located from the pressure. The arguments are those of `contact_area`.
     """
     area, uncertainty = _located(pressure, periodic, gap)
     return uncertainty / area if area > 0 else 0.0
@@ -120,8 +121,8 @@ def _inside_of_zero_line(
     The squared pressure is extrapolated to the first cells without pressure by a parabola through
     the second to fourth cell from the edge; the first cell is omitted, because its pressure depends
     on the position of the edge in this cell. The extrapolated value is at most zero. At a step of
-    the gap, the squared pressure vanishes half-way between the cell centres. The area is computed
-    in triangles between the centres.
+    the gap, the squared pressure vanishes half-way between the cell centres. The area is summed
+    over triangles whose corners are cell centres and the points midway between four of them.
     """
     field = (pressure / pressure.max()) ** 2
     held = np.full(field.shape, np.nan)

@@ -82,7 +82,7 @@ class ContactSolution(ShortRepr, HtmlTable):
 
     @property
     def in_contact(self) -> NDArray[np.bool_]:
-        """Cells in contact, shape (nx, ny)."""
+        """Whether each cell is in contact, shape (nx, ny)."""
         return in_contact(self.repulsion)
 
     @property
@@ -115,7 +115,7 @@ class ContactSolution(ShortRepr, HtmlTable):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class ShearedSolution(ContactSolution):
-    """Base class of solutions with Coulomb friction; see `PartialSlipSolution`."""
+    """Base class of solutions with friction and partial slip; see `PartialSlipSolution`."""
 
     shear: FloatArray
     slip: FloatArray
@@ -136,11 +136,11 @@ class ShearedSolution(ContactSolution):
     def stall_text(self) -> str:
         """Message that the solution has not converged."""
         error = max(self.error, self.tangential_error)
-        steps = f" and {self.joint_steps} Newton steps on both" if self.joint_steps else ""
+        steps = f" and {self.joint_steps} joint Newton steps" if self.joint_steps else ""
         return (
-            f"pressure and shear did not converge in {self.sweeps} sweeps{steps}: the result is "
-            f"the state with the smallest error, {error:.2g}; reduce the force or increment, or "
-            "increase tol"
+            f"pressure and shear did not converge in {self.sweeps} alternating solutions{steps}: "
+            f"the result is the state with the smallest error, {error:.2g}; reduce the "
+            "tangential force or the size of the increment, or increase tol"
         )
 
     def _rows(self) -> Rows:
@@ -159,39 +159,42 @@ class ShearedSolution(ContactSolution):
 
 @dataclass(frozen=True, repr=False, eq=False)
 class PartialSlipSolution(ShearedSolution):
-    """Solution of a contact with partial slip under Coulomb friction; a kind of `ContactSolution`.
+    """Solution of a contact with partial slip; a kind of `ContactSolution`.
 
     Attributes
     ----------
     shear : ndarray, shape (2, nx, ny)
-        Shear traction along x and y on body 2 [Pa], reversed on body 1; magnitude at most mu p.
+        Shear traction along x and y on body 2 [Pa], reversed on body 1. Its magnitude is at most
+        the bound of the friction law, which is mu p for Coulomb friction.
     slip : ndarray, shape (2, nx, ny)
-        Slip of body 1 relative to body 2 in this increment [m]; zero in stick and out of contact.
+        Slip of body 1 relative to body 2 in this increment [m]; zero where the surfaces stick or
+        are separated.
     sticking : ndarray of bool, shape (nx, ny)
         Contact cells that do not slip in this increment.
     tangential_load : ndarray, shape (2,)
         Force along x and y on body 2 [N].
     torque : float
-        Moment on body 2 about z at the origin [N m].
+        Moment of the shear traction on body 2 about z at the origin of the grid [N m].
     shift : ndarray, shape (2,)
         Tangential rigid-body displacement of body 1 relative to body 2 along x and y, accumulated
-        since the first increment [m].
+        over all increments [m].
     twist : float
-        Rotation of body 1 relative to body 2 about z at the origin, accumulated since the first
-        increment [rad].
+        Rotation of body 1 relative to body 2 about z at the origin, accumulated over all increments
+        [rad].
     friction_work : float
-        Frictional dissipation since the first increment [J].
+        Frictional dissipation, accumulated over all increments [J].
     tangential_error : float
         Natural residual of the slip conditions [-]: the shear traction is shifted in the direction
-        of the slip and limited to mu p. The residual is the resulting change of the shear traction,
-        relative to the maximum of mu p or to ten times the maximum shear, whichever is smaller.
+        of the slip and limited to its bound, e.g. mu p. The residual is the resulting change of the
+        shear traction, relative to the maximum of the bound or to ten times the maximum shear,
+        whichever is smaller.
         With dissimilar materials this residual refers to the final pressure, and `error` is the
         complementarity error of the pressure for the final shear.
     energy_gap : float
-        Error bound of the shear, as an energy [J]: with the computed slip, the dissipation of any
-        admissible shear traction exceeds that of the computed one by at most `energy_gap`. The
-        elastic energy of the error of the shear is at most half of `energy_gap`. NaN for infinite
-        friction.
+        Error bound of the shear traction, as an energy [J]. Over the computed slip, any admissible
+        shear traction dissipates at most `energy_gap` more than the computed shear traction. The
+        elastic energy of the error in the shear traction is at most half of `energy_gap`. NaN for
+        infinite friction.
     sweeps : int
         Number of alternating solutions for pressure and for shear; 1 if pressure and shear are
         uncoupled.
@@ -199,21 +202,23 @@ class PartialSlipSolution(ShearedSolution):
         Number of Newton steps for pressure and shear together; 0 if the alternating solutions
         converged.
     tangential_iterations : int
-        Iterations of the linear solves for the shear on the finest grid.
+        Number of iterations of the linear solves for the shear on the finest grid.
     tangential_applications : int
-        Evaluations of shear displacement on the bounding box of the contact; each requires two
-        pairs of transforms.
+        Number of evaluations of the displacement due to shear, on the bounding box of the contact;
+        each requires two pairs of transforms.
     tangential_work : float
         Computing work of all transforms for the shear, including transforms for the preconditioner
         and on coarser grids, in units of one evaluation of the shear displacement [-].
     slip_rate : ndarray, shape (nx, ny), or None
         With `FallingCoulomb`: slip rate that determines the friction of each cell [m/s].
     falling_number : float
-        With `FallingCoulomb`: maximum of -dmu/dv p C/t over all cells [-], with the pressure p, the
-        displacement C of a cell under its own unit shear and the duration t of the increment. If
-        this number is below 1 at all slip rates, the solution of the increment is unique.
+        With `FallingCoulomb`: maximum of -dmu/dv p C/t over all cells [-], where mu is the
+        coefficient of friction at the slip rate v, p the pressure, C the displacement of a cell
+        under its own unit shear and t the duration of the increment. If this number is below 1 at
+        all slip rates, the solution of the increment is unique.
     plastic_slip : ndarray, shape (nx, ny), or None
-        With a `ThirdBody` that hardens: plastic slip of the layer so far [m].
+        With a `ThirdBody` that hardens: plastic slip accumulated in the layer between the bodies
+        [m].
     """
 
     shift: FloatArray
@@ -239,10 +244,11 @@ class RollingSolution(ShearedSolution):
         Rigid slip of body 1 relative to body 2 along x and y, per distance rolled [-].
     spin : float
         Rotation of body 1 relative to body 2 about z, per distance rolled [1/m].
-    friction : Coulomb
+    friction : FrictionLaw
         Friction law.
     slip : ndarray, shape (2, nx, ny)
-        Slip of body 1 relative to body 2 per distance rolled [-]; zero in stick and out of contact.
+        Slip of body 1 relative to body 2 per distance rolled [-]; zero where the surfaces stick or
+        are separated.
     friction_work_per_distance : float
         Frictional dissipation per distance rolled [J/m].
     shear, sticking, tangential_load, torque
@@ -277,14 +283,14 @@ def both(values: FloatArray, unit: str) -> str:
 
 
 def rows_of_tilt(tilt: FloatArray, moment: FloatArray) -> Rows:
-    """Return table rows of tilt and moment about x and y; none without tilt."""
+    """Return table rows of tilt and moment about x and y; no rows if the tilt is zero."""
     if not np.any(tilt):
         return []
     return [("tilt", both(tilt, "rad")), ("moment", both(moment, "N m"))]
 
 
 def fits(solution: ContactSolution, grid: Grid) -> bool:
-    """Whether a grid contains all cells of the grid of a solution, and possibly more."""
+    """Whether a grid is that of a solution, possibly enlarged equally on opposite sides."""
     own = solution.grid
     more = [n - m for n, m in zip(grid.surface_shape, own.surface_shape, strict=True)]
     same = (grid.dx, grid.dy, grid.periodic) == (own.dx, own.dy, own.periodic)
@@ -292,13 +298,15 @@ def fits(solution: ContactSolution, grid: Grid) -> bool:
 
 
 def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> Before:
-    """Return pressure, shear, gap, approach and tilt of a solution on a grid of equal cell size.
+    """Return pressure, shear, gap, approach and tilt of a solution on an equal or enlarged grid.
 
-    Raises ValueError for another cell size; `name` is the name of the solution in the message."""
+    Fields are 0 in added cells; the gap is None if there are any. Raises ValueError unless the grid
+    `fits` the solution, which the message calls `name`.
+    """
     if not fits(solution, grid):
         raise ValueError(
-            f"{name} must be a solution on a grid with the same cells, got one on "
-            f"{solution.grid!r} for {grid!r}"
+            f"{name} must be a solution on the given grid, {grid!r}, or on a central part of it "
+            f"with the same cell size and periodic directions, got a solution on {solution.grid!r}"
         )
     margins = [
         ((n - m) // 2, (n - m) // 2)
@@ -311,12 +319,12 @@ def before_on(solution: ShearedSolution, grid: Grid, name: str = "previous") -> 
 
 
 def slip_rate_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
-    """Return the slip rate on a grid of equal cell size [m/s]; None if the solution has none."""
+    """Return the slip rate of a solution on an equal or enlarged grid [m/s], or None."""
     return _centred_on(solution.slip_rate, solution.grid, grid)
 
 
 def plastic_slip_on(solution: ShearedSolution, grid: Grid) -> FloatArray | None:
-    """Return the plastic slip on a grid of equal cell size [m]; None if the solution has none."""
+    """Return the plastic slip of a solution on an equal or enlarged grid [m], or None."""
     return _centred_on(solution.plastic_slip, solution.grid, grid)
 
 

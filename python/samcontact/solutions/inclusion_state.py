@@ -46,7 +46,7 @@ class InclusionState:
         ) -> FloatArray: ...
 
     def share(self, body: int = 2) -> FloatArray:
-        """Share of each cell that is filled by inclusions [-], from 0 to 1, shape (nx, ny, nz)."""
+        """Volume fraction of inclusions in each cell [-], from 0 to 1, shape (nx, ny, nz)."""
         return self._field("share", body, lambda: self._of_cells("share", 0.0, body))
 
     def phase(self, body: int = 2) -> NDArray[Any]:
@@ -69,9 +69,9 @@ class InclusionState:
     def phase_strains(self, body: int = 2) -> PhaseStrains:
         """Plastic strain of the matrix and of the inclusions.
 
-        They differ in partly filled cells in which both phases flow by their own laws, where
-        `equivalent_plastic_strain` is that of the matrix. In all other cells, both are that of the
-        cell.
+        The two differ only in cells that are partly filled by an inclusion and in which each phase
+        yields by its own law; there, `equivalent_plastic_strain` is that of the matrix. In all
+        other cells, matrix and inclusions have the plastic strain of the cell.
         """
         names = "matrix_plastic_strain", "inclusion_plastic_strain", "inclusion_equivalent_strain"
         return PhaseStrains(*(self._field(name, body) for name in names))

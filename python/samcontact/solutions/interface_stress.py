@@ -20,14 +20,14 @@ _FACE_WEIGHTS = {1: (1.0,), 2: (1.5, -0.5), 3: (11 / 6, -7 / 6, 1 / 3)}
 
 
 def layered_body(bodies: tuple[Body, Body], body: int, offset: float) -> Layered:
-    """Return the body; ValueError if it has no layers, or its fields are offset from the grid."""
+    """Return body 1 or 2; ValueError if it has no layers, or its cells are offset from the grid."""
     found = matrix_of(bodies[body - 1])
     if not isinstance(found, Layered):
-        raise ValueError(f"body{body} must be layered to have interfaces, got {found!r}")
+        raise ValueError(f"body{body} must be layered for the stress at interfaces, got {found!r}")
     if offset:
         raise ValueError(
-            f"fields of body{body} are offset by {offset:.3g} m from the cells of the grid, where "
-            "tractions are known: move both bodies by whole cells"
+            f"cells of body{body} must coincide with cells of the grid for the stress at "
+            f"interfaces, got an offset of {offset:.3g} m: displace both bodies by whole cells"
         )
     return found
 
@@ -62,7 +62,7 @@ def stress_at_interfaces(
 
 
 def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
-    """Extrapolate the stress at the centres of cells to both sides of each interface."""
+    """Extrapolate the mean stress of the cells to both sides of each interface."""
     faces = []
     for above, at, below in zip([0, *cuts], cuts, [*cuts[1:], cells.shape[-1]], strict=False):
         upper, lower = cells[..., above:at][..., ::-1], cells[..., at:below]
@@ -71,7 +71,7 @@ def _continued(cells: FloatArray, cuts: Sequence[int]) -> FloatArray:
 
 
 def _at_face(cells: FloatArray) -> FloatArray:
-    """Extrapolate the stress in cells of one material to the outer face of the first cell."""
+    """Extrapolate the mean stress of cells of one material to the outer face of the first cell."""
     weights = _FACE_WEIGHTS[min(len(_FACE_WEIGHTS), cells.shape[-1])]
     face: FloatArray = cells[..., : len(weights)] @ np.array(weights)
     return face

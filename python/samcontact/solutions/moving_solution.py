@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solutions of viscoelastic bodies in steady rolling or sliding without shear."""
+"""Solutions for viscoelastic bodies that roll or slide steadily without shear traction."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ class SlidingSolution(ContactSolution):
     velocity : float
         Velocity of body 1 relative to body 2 along x [m/s].
     tangential_load : ndarray, shape (2,)
-        Force on body 2 along x and y [N], because the pressure acts normal to an inclined surface.
-        The force along x has the sign of the velocity. The opposite force on body 1 resists the
-        sliding.
+        Force on body 2 along x and y [N]. It arises because the pressure acts normal to the
+        inclined surface. The force along x has the sign of the velocity. The opposite force on body
+        1 resists the sliding.
     """
 
     velocity: float
@@ -32,13 +32,13 @@ class SlidingSolution(ContactSolution):
 
     @property
     def friction(self) -> float:
-        """Hysteretic friction coefficient [-]; positive if the force opposes the velocity."""
+        """Hysteretic friction coefficient [-]; positive if the force resists the sliding."""
         along = float(np.sign(self.velocity) * self.tangential_load[0]) + 0.0  # -0.0 becomes 0.0
         return along / self.load if self.load > 0 else 0.0
 
     @property
     def power(self) -> float:
-        """Energy lost in the bodies per time [W]."""
+        """Power dissipated in the bodies [W]."""
         return float(self.tangential_load[0]) * self.velocity
 
     def _rows(self) -> Rows:
@@ -56,7 +56,7 @@ class FreeRollingSolution(ContactSolution):
     Attributes
     ----------
     speed : float
-        Speed of the surfaces through the contact [m/s]: the contact rolls towards +x.
+        Speed at which the surfaces pass through the contact [m/s]; the contact rolls towards +x.
     """
 
     speed: float
@@ -65,9 +65,9 @@ class FreeRollingSolution(ContactSolution):
     def rolling_resistance(self) -> float:
         """Moment that resists the rolling [N m], the integral of pressure times x.
 
-        If it is positive, the pressure is ahead of the centre of the gap, and work has to be done.
-        For a wheel, the moment divided by the rolling radius R is the force that keeps it rolling.
-        For two rollers, the work per distance rolled is the moment times 1/R1 + 1/R2.
+        If it is positive, the centre of pressure is ahead of the origin of the grid, and work has
+        to be done. For a wheel, the moment divided by the rolling radius R is the force that keeps
+        it rolling. For two rollers, the work per distance rolled is the moment times 1/R1 + 1/R2.
         """
         return -float(self.moment[1])
 
@@ -82,9 +82,10 @@ class FreeRollingSolution(ContactSolution):
 def slope_along_x(grid: Grid, displacement: FloatArray) -> FloatArray:
     """Return the slope along x [-] of a surface displacement [m].
 
-    On a grid periodic along x it is the derivative of the Fourier series, without the shortest
-    wave; otherwise the derivative of polynomials through five cells (three next to the edge of the
-    grid). Both operators are antisymmetric, so an elastic displacement causes no net force.
+    On a grid periodic along x, the slope is the derivative of the Fourier series without its
+    shortest wave. On other grids, it is the derivative of polynomials through five cells (through
+    three or two cells near the edge of the grid). Both operators are antisymmetric away from an
+    edge, so the pressure on an elastic half-space causes no net force along x.
     """
     if grid.nx == 1:
         return np.zeros_like(displacement)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Travel of the bodies through the contact in a state."""
+"""Distances that the bodies of a state have travelled through the contact."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..problem.grid import Grid
 
 
 class MovingState:
-    """Travel of both bodies since the start."""
+    """Base class of `State` with the travel of both bodies since the start of the simulation."""
 
     _core: Any
     grid: Grid
@@ -29,12 +29,12 @@ class MovingState:
 
     @property
     def has_travelled(self) -> bool:
-        """Whether a body is displaced through the contact, along x or y."""
+        """Whether the current position of a body differs from its initial one, along x or y."""
         return any((*self.travel, *self.lateral_travel))
 
 
 def rows_of_travel(state: MovingState) -> Rows:
-    """Return the table rows of the travel of bodies that moved, along x and along y."""
+    """Return the table rows of the travel of both bodies, for each direction of motion."""
     rows: list[tuple[str, str]] = []
     for name, travels in (("", state.travel), (" along y", state.lateral_travel)):
         if any(travels):
@@ -43,10 +43,10 @@ def rows_of_travel(state: MovingState) -> Rows:
 
 
 def require_path_along_x(state: MovingState, body: int) -> None:
-    """Raise ValueError for fields along the path of a body that is displaced along y."""
+    """Raise ValueError if a body is displaced along y, because its track then is not along x."""
     if state.lateral_travel[body - 1] != 0.0:
         raise ValueError(
-            "states must not be displaced along y for fields along the path on a body, got "
-            f"{state.lateral_travel[body - 1]:.6g} m for body {body}: use the fields of the "
-            "states, on their grids"
+            f"body {body} must not be displaced along y for fields along its track, got a "
+            f"displacement of {state.lateral_travel[body - 1]:.6g} m: use the fields of the state, "
+            "which cover its grid"
         )

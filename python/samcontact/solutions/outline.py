@@ -16,16 +16,17 @@ from ..problem.contact_law import in_contact
 MIN_EDGE_PRESSURE_RATIO = 1.05
 """Minimum pressure in a cell at a sharp edge, divided by the pressure in the next inner cell."""
 MIN_STEP_RATIO = 8.0
-"""Minimum height of a step of the gap, divided by the changes of slope next to the step."""
+"""Minimum height of a step of the gap, divided by the change of slope next to the step. Slopes are
+differences of the gap between neighbouring cells."""
 
 Ints = NDArray[np.intp]
 _MARGIN_CELLS = 5
-"""Margin around a contact; the gap within this margin determines whether the contact edge is
-sharp."""
+"""Width of the margin around a contact [cells]; the gap within this margin determines whether the
+contact edge is sharp."""
 
 
 def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
-    """Return slices along x and y of the contact plus a margin; all cells on a periodic axis."""
+    """Return slices along x and y that contain the contact and a margin; all cells if periodic."""
     found = []
     for axis, name in enumerate("xy"):
         at = np.flatnonzero(inside.any(axis=1 - axis))
@@ -37,23 +38,23 @@ def around(inside: NDArray[np.bool_], periodic: str) -> tuple[slice, slice]:
 
 
 class Outline(NamedTuple):
-    """Counts of cells and cell sides at the outline of a contact, and the maximum pressure."""
+    """Size of a contact and length of its outline in cells, and data of its pressure."""
 
     cells: int
-    """Cells in contact."""
+    """Number of cells in contact."""
     sides: int
-    """Total number of cell sides from `sides_of`."""
+    """Number of cell sides on the outline, i.e. between cells in contact and open cells."""
     reach: int
-    """Number r of cells. Along x and y, the contact extends without a gap from r cells before the
-    cell of maximum pressure to r - 1 cells after it, and is thus at least 2 r cells wide."""
+    """Number r of cells. Along x and y, all cells are in contact from r cells before the cell of
+    maximum pressure to r - 1 cells after it, so the contact is at least 2 r cells wide."""
     rises: bool
-    """Whether a cell at the outline has a higher pressure than the next inner cell."""
+    """Whether the pressure in any cell at the outline is higher than in the next inner cell."""
     largest: float
     """Maximum pressure [Pa]."""
 
 
 def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
-    """Return the outline of the contact for a pressure >= 0 [Pa]; periodic: as for Grid."""
+    """Return the outline of the contact for a pressure >= 0 [Pa]; `periodic` is as for `Grid`."""
     field = np.asarray(pressure, dtype=np.float64)
     return Outline(
         *_core.contact_outline(field, "x" in periodic, "y" in periodic, MIN_EDGE_PRESSURE_RATIO)
@@ -61,7 +62,7 @@ def outline_of(pressure: ArrayLike, periodic: str = "") -> Outline:
 
 
 class Sides(NamedTuple):
-    """Sides of the cells (i, j) that are normal to `axis`; step: +1 or -1, from cell to side."""
+    """Sides, normal to `axis`, of the cells (i, j); `step` is +1 or -1, from a cell to its side."""
 
     i: Ints
     j: Ints
@@ -69,7 +70,10 @@ class Sides(NamedTuple):
     step: int
 
     def neighbours(self, shape: tuple[int, ...], cells: int = 1) -> tuple[Ints, Ints]:
-        """Return i and j of the cells that lie `cells` cells beyond the sides; periodic indices."""
+        """Return i and j of the cells that are `cells` cells outwards of the cells (i, j).
+
+        With `cells` < 0, they are inwards. Indices beyond the grid continue at its opposite end.
+        """
         moved = [self.i, self.j]
         moved[self.axis] = (moved[self.axis] + self.step * cells) % shape[self.axis]
         return moved[0], moved[1]
@@ -86,9 +90,9 @@ def away_from_border(sides: Sides, shape: tuple[int, ...], periodic: str) -> Sid
 
 
 def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
-    """Iterate over the sides between cells in contact and open cells, in each of four directions.
+    """Yield, for each of four directions, the sides between cells in contact and open cells.
 
-    The edge of the grid is not a side, except in a periodic direction.
+    The edge of the grid does not count as a side, except in a periodic direction.
     """
     return sides_between(inside, ~inside, periodic)
 
@@ -96,7 +100,7 @@ def sides_of(inside: NDArray[np.bool_], periodic: str) -> Iterator[Sides]:
 def sides_between(
     inside: NDArray[np.bool_], other: NDArray[np.bool_], periodic: str
 ) -> Iterator[Sides]:
-    """Iterate over the sides between cells of two masks, in each of four directions."""
+    """Yield, for each of four directions, the sides from cells of one mask to cells of another."""
     for axis, name in enumerate("xy"):
         for step in (1, -1):
             outside = np.roll(other, -step, axis)
@@ -114,8 +118,9 @@ def steps_next_to(
     """Return whether the gap has an upward step at each side, and the height of each step [m].
 
     Slopes are differences of the gap between neighbouring cells. A jump of the gap is a step if its
-    height exceeds the change of slope across the side, and `MIN_STEP_RATIO` times the changes of
-    slope next to the side. Without a body outside (gap NaN or infinite), the height is infinite.
+    height exceeds both the change of slope across the side and `MIN_STEP_RATIO` times the larger
+    change of slope next to the side. Where a body ends at the side (gap NaN or infinite outside),
+    the height is infinite.
     """
     heights = [_along(sides, gap, cells, periodic) for cells in range(-2, 4)]
     with np.errstate(invalid="ignore"):
@@ -132,7 +137,10 @@ def steps_next_to(
 
 
 def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArray:
-    """Return the gap `cells` cells outwards of each side; the last cell is used beyond the grid."""
+    """Return the gap `cells` cells outwards of the cells of `sides`.
+
+    Beyond the grid, it is the gap of the last cell; in a periodic direction, the gap repeats.
+    """
     i, j = sides.i, sides.j
     at = (i if sides.axis == 0 else j) + sides.step * cells
     n = gap.shape[sides.axis]
@@ -144,7 +152,8 @@ def _along(sides: Sides, gap: FloatArray, cells: int, periodic: str) -> FloatArr
 def may_have_steps(gap: FloatArray, periodic: str) -> bool:
     """Whether the gap of undeformed bodies may have a step between two cells.
 
-    If False, `steps_next_to` finds no step at any side that is `away_from_border`.
+    If False, `steps_next_to` finds no step, except perhaps within three cells of the edge of the
+    grid, i.e. at sides that `away_from_border` does not return.
     """
     return _core.may_have_steps(gap, "x" in periodic, "y" in periodic, MIN_STEP_RATIO)
 

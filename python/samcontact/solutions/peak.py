@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Selection of the increment of maximum stress in a run."""
+"""Selection of the increment with the maximum stress in a run."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ if TYPE_CHECKING:
 
 
 _STRESS_TOLERANCE = 1e-3
-"""Relative difference up to which stresses count as equal: without hardening, many increments
-reach the yield stress."""
+"""Relative difference up to which stresses count as equal. Without hardening, many increments have
+the yield stress as maximum stress."""
 _ROUNDING_ERROR = 1e-9
-"""Relative difference up to which pressures or loads count as equal, for rounding errors."""
+"""Relative difference up to which pressures or loads count as equal, due to rounding errors."""
 
 
 def peak(stress: ArrayLike | None, pressure: ArrayLike, load: ArrayLike) -> int:
     """Return the index (from 0) of the increment with the maximum von Mises stress.
 
-    If several increments have equal stress, the increment with the largest pressure is chosen; if
-    their pressures are equal too, the increment with the largest load; then the first increment. In
-    rolling contact with a constant load, this rule selects the increment at a rough spot of the
-    track.
+    If several increments have the same maximum stress, the increment with the largest pressure is
+    chosen; if their pressures are equal too, the increment with the largest load; if their loads
+    are equal too, the first increment. In rolling contact with a constant load, the chosen
+    increment is thus one with a high pressure, e.g. on a rough spot of the track.
 
     Parameters
     ----------

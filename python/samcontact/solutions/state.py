@@ -46,16 +46,16 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
 
     Volume fields are computed on access. Tensor components are xx, yy, zz, yz, xz, xy in the frame
     of the body (z into it); tension is positive. Methods take body = 1 or 2; methods for volume
-    fields raise ValueError for a grid without layers or a rigid body. The nz layers of volume
+    fields raise ValueError for a rigid body, or a grid without `dz`. The nz layers of volume
     fields lie at `depths`. Fields are read-only, and the most recent ones are cached. A pickled or
     copied state contains all data of its simulation, and does not depend on the original.
     """
 
     domain: Domain
     heat: Heat
-    """Heat of the next increment."""
+    """Heating that applies to the next increment."""
     counters: Callable[[], dict[str, int]]
-    """Function that returns the work counts of the simulation so far."""
+    """Function that returns counts of the computing work of the simulation so far."""
     _given_layers: int | None
     _tracks: dict[tuple[int, int], Track]
 
@@ -78,8 +78,8 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     def depths(self) -> FloatArray:
         """Mid-layer depths of the volume fields [m], shape (nz,).
 
-        The depths are given by the grid. For a grid without nz, at least 8 layers cover all plastic
-        strain of both bodies so far, and the stress down to 1.5 radii below the contact spots.
+        The grid gives nz. By default, nz is at least 8, and so large that the layers cover all
+        plastic strain of both bodies so far, and the stress to a depth of 1.5 contact radii.
         """
         return self.grid.depths(self.layers)
 
@@ -89,7 +89,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         return self._core.layers() if self._given_layers is None else self._given_layers
 
     def at_layers(self, layers: int) -> State:
-        """Return this state with another number of layers in its volume fields, >= 1."""
+        """Return this state with volume fields that have `layers` layers, >= 1."""
         integer("layers", layers, 1)
         if layers == self.layers:
             return self
@@ -102,21 +102,21 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
 
     @property
     def time(self) -> float:
-        """Time [s] since the start, with heat.history or viscoelastic bodies; 0 otherwise."""
+        """Time since the start [s]; 0 unless there is `heat.history` or a viscoelastic body."""
         return float(self._core.time)
 
     @property
     def heat_factor(self) -> tuple[float, float]:
-        """Heat flux per unit pressure of bodies 1 and 2 [m/s]; fraction [-] with heat.partition."""
+        """Heat flux into each body per unit pressure [m/s]; with heat.partition, fractions [-]."""
         return self._core.heat_factor1, self._core.heat_factor2
 
     @property
     def origin(self) -> float:
         """Position of the contact origin (x = 0) relative to the grid centre [m].
 
-        The distance is at most half a cell. Grid cells coincide with cells of the elastic-plastic
-        body (body 2 if both yield), so the contact is displaced in the grid by the remaining
-        fraction of a cell.
+        The distance is at most half a cell. Cells of the grid coincide with cells of the
+        elastic-plastic body (body 2 if both yield). The contact origin is displaced from the grid
+        centre by the fraction of a cell that remains of the travel of this body.
         """
         return float(self._core.origin) * self.grid.dx
 
@@ -161,7 +161,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         Returns
         -------
         tuple of Zone
-            Subdomains in which the plastic strain was solved, if there are several (see
+            Subdomains in which the plastic strain was computed, if there are several (see
             `Simulation`); otherwise a single subdomain, or none if there is no plastic strain. The
             fields of a Zone require memory for its own cells only, not for the whole grid.
         """
@@ -206,7 +206,7 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
         It is the stress due to plastic strain plus `initial_stress` and `eigenstress`, without the
-        stress due to tractions and heat. Loaded inclusions of another stiffness add to it.
+        stress due to tractions and heat. Loaded inclusions of different stiffness contribute to it.
         """
         return self._field("residual_stress", body)
 
@@ -224,9 +224,9 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     def eigenstrain(self, body: int = 2) -> FloatArray:
         """Sum of the strains added by `Simulation.add_eigenstrain` [-], shape (6, nx, ny, nz).
 
-        Tensor components; not part of `plastic_strain`. For a `Heterogeneous` body it also contains
-        the strain with which a homogeneous matrix has the same stress: due to plastic strain,
-        misfit, and different stiffness of inclusions under load. In a void it is not unique.
+        It is not part of `plastic_strain`. For a `Heterogeneous` body, it includes the strain that
+        represents the inclusions (their plastic strain, misfit and, under load, stiffness) in a
+        homogeneous body of the matrix material. In a void, this strain is not unique.
         """
         return self._field("eigenstrain", body)
 
@@ -297,8 +297,8 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
     def max_plastic_strain_magnitude(self, body: int = 2) -> float:
         """Maximum magnitude sqrt(2/3 e:e) of the plastic strain e [-]; not cumulative.
 
-        Reversed flow decreases this magnitude, but increases the equivalent plastic strain. The
-        small-strain theory requires values below 5 %. Boucly (2008), eq. (2.163). 0 if elastic.
+        Defined by eq. (2.163) of Boucly (2008); 0 if elastic. Reversed flow decreases it, but
+        increases the equivalent plastic strain. The small-strain theory requires values below 5 %.
         """
         return self.max_strains[choice("body", body, (1, 2)) - 1][1]
 
@@ -307,15 +307,15 @@ class State(SurfaceState, MovingState, InclusionState, FixedAttributes, HtmlTabl
         return bool(self._core.has_eigenstrain(choice("body", body, (1, 2)) - 1))
 
     def relief(self, body: int = 2) -> FloatArray:
-        """Heights of a body's relief at the current position [m], shape (nx, ny); 0 without it."""
+        """Heights of a body's relief (moving topography) [m], shape (nx, ny); 0 without relief."""
         return self._field("relief", body)
 
     def residual_displacement(self, body: int = 2, axis: str = "z") -> FloatArray:
         """Residual normal displacement [m], shape (nx, ny), positive into the body.
 
         It is due to plastic strain and `eigenstrain`, and in viscoelastic bodies to creep that is
-        not yet recovered. On a periodic grid, it is relative to great depth. With axis="x" or "y":
-        the tangential displacement along x or y of the grid, for both bodies.
+        not yet recovered. On a periodic grid, it is relative to great depth. With axis="x" or "y",
+        it is the tangential displacement, positive along +x or +y of the grid for either body.
         """
         number = axis_number(axis)
         core, index = self._core, choice("body", body, (1, 2)) - 1

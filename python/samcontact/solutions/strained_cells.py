@@ -18,9 +18,10 @@ if TYPE_CHECKING:
 def strained_cells(
     zone: Zone, shape: Sequence[int]
 ) -> tuple[tuple[NDArray[np.intp], ...], tuple[NDArray[np.intp], ...]]:
-    """Return the indices of the cells with plastic strain that lie in the grid.
+    """Return the indices of cells with plastic strain that lie both in a zone and in a grid.
 
-    The first tuple contains the indices in the zone, the second tuple the indices in the grid.
+    zone: plastic subdomain of a body; shape: numbers of cells of the grid along x, y and z. The
+    first tuple contains the indices in the zone, the second tuple the indices in the grid.
     """
     inside = np.nonzero(zone.equivalent_plastic_strain())
     there = [at + first for at, first in zip(inside, (*zone.first, 0), strict=True)]
@@ -31,9 +32,9 @@ def strained_cells(
 
 
 def strained_extent(state: State, body: int) -> list[tuple[int, int]]:
-    """Return the first and last cell along x, y and z with plastic strain inside the volume fields.
+    """Return the first and the last cell with plastic strain, along each of x, y and z.
 
-    The list is empty if there is no plastic strain.
+    Only cells inside the volume fields count. The list is empty if none has plastic strain.
     """
     shape = (*state.grid.surface_shape, len(state.depths))
     found = [strained_cells(zone, shape)[1] for zone in state.zones(body)]

@@ -17,7 +17,7 @@ from ..problem.grid import Grid
 _BLOCK_PAIRS = 1 << 18
 """Number of pairs (point, cell) that are processed together; they require 20 MB."""
 _EDGE_TOLERANCE = 1e-6
-"""Distance from the edge of a cell, in cells, below which a point is on the edge."""
+"""Distance from the edge of a cell, in cells, below which a point counts as on the edge."""
 _MAX_COORDINATE = 1e75
 """Maximum coordinate [m]; with larger values, products of squared distances overflow."""
 
@@ -35,9 +35,9 @@ def stress_at_points(
 
     The closed forms of all loaded cells are summed (Love 1929; `kernels.pressure_stress` and
     `kernels.shear_stress`). At cell centres the result equals `ContactSolver.stress`. At
-    points of the surface on lines where loaded cells meet, the result is the mean of the stresses
-    half a cell away on both sides. The computing time is proportional to the number of points times
-    the number of loaded cells; memory is constant.
+    points of the surface on an edge of a loaded cell, the result is the mean of the stresses half a
+    cell away on both sides of this edge. The computing time is proportional to the number of points
+    times the number of loaded cells; memory is constant.
     """
     given = {name: _finite(name, values) for name, values in zip("xyz", points, strict=True)}
     x, y, z = together(**given)
@@ -56,7 +56,7 @@ def stress_at_points(
 
 
 def _half_cells(grid: Grid, tractions: Tractions, points: FloatArray) -> FloatArray:
-    """Return half a cell size [m] for surface points on lines where loaded cells meet, otherwise 0.
+    """Return half a cell size [m] for surface points on edges of loaded cells, otherwise 0.
 
     With uniform tractions in each cell, the stress near a jump of the traction contains the
     logarithm of the distance. The mean of the values half a cell away on both sides does not
@@ -92,7 +92,7 @@ def _sums(grid: Grid, tractions: Tractions, nu: float, points: FloatArray) -> Fl
 def _finite(name: str, values: ArrayLike) -> FloatArray:
     array = real_array(name, values)
     if not (np.abs(array) <= _MAX_COORDINATE).all():
-        raise ValueError(f"{name} must be finite and <= {_MAX_COORDINATE:g} everywhere [m]")
+        raise ValueError(f"{name} must be finite, and <= {_MAX_COORDINATE:g} m, at all points")
     return array
 
 
@@ -122,22 +122,22 @@ def _add(
 
 
 def require_closed_forms(grid: Grid, material: Body, body: int, *, heated: bool) -> Material:
-    """Return the material of a body; ValueError if it does not support stress at points."""
+    """Return the material of a body; ValueError unless stress at arbitrary points is available."""
     if not isinstance(material, Material):
         raise ValueError(
-            f"body{body} must be homogeneous for stress at points, got a layered body: use "
-            "ContactSolver.stress(pressure, z) at the cells of the grid"
+            f"body{body} must be homogeneous for stress at arbitrary points, got layers or "
+            "inclusions: use `stress`, which gives the stress below the cell centres"
         )
     if material.is_rigid:
         raise ValueError(f"body{body} is rigid and has no stress")
     if grid.periodic:
         raise ValueError(
-            f"grid must not be periodic for stress at points, got periodic={grid.periodic!r}: use "
-            "ContactSolver.stress(pressure, z) at the cells of the grid"
+            "grid must not be periodic for stress at arbitrary points, got "
+            f"periodic={grid.periodic!r}: use `stress`, which gives it below the cell centres"
         )
     if heated:
         raise ValueError(
-            f"body{body} must not be heated for stress at points, which omits thermal stress: use "
-            "ContactSolver.stress(pressure, z), which includes thermal stress"
+            f"body{body} must not be heated for stress at arbitrary points, because thermal stress "
+            "is not available there: use `stress`, which includes it below the cell centres"
         )
     return material

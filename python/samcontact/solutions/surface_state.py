@@ -22,13 +22,13 @@ from .viscous_state import ViscousState
 
 
 class RigidMotionState:
-    """Normal rigid-body motion at the end of an increment, and the moment of the pressure."""
+    """Base class of `State` with normal rigid-body motion, and the moment of the pressure."""
 
     _core: Any
 
     @property
     def approach(self) -> float:
-        """Rigid-body approach at the origin [m]; NaN under prescribed tractions."""
+        """Rigid-body approach at the origin of the grid [m]; NaN under prescribed tractions."""
         return float(self._core.approach)
 
     @property
@@ -49,7 +49,7 @@ class RigidMotionState:
 
 
 class SlipRateState(RigidMotionState):
-    """Slip rate of `FallingCoulomb`, and plastic slip of the layer of `ThirdBody`."""
+    """Base class of `State` with results of the friction laws `FallingCoulomb` and `ThirdBody`."""
 
     grid: Grid
 
@@ -65,9 +65,9 @@ class SlipRateState(RigidMotionState):
 
     @property
     def plastic_slip(self) -> FloatArray:
-        """Plastic slip of the layer between the bodies so far [m], shape (nx, ny).
+        """Plastic slip accumulated in the layer between the bodies [m], shape (nx, ny).
 
-        It is zero without a `ThirdBody` that hardens.
+        It is computed for a `ThirdBody` that hardens, and otherwise zero.
         """
         field = self._core.plastic_slip
         shape = self.grid.surface_shape
@@ -77,13 +77,14 @@ class SlipRateState(RigidMotionState):
     def falling_number(self) -> float:
         """Maximum of -dmu/dv p C/t over all cells in the last increment [-], with `FallingCoulomb`.
 
-        C is the displacement of a cell under its own unit shear, t the duration of the increment.
+        mu is the coefficient of friction at the slip rate v, p the pressure, C the displacement of
+        a cell under its own unit shear, and t the duration of the increment.
         """
         return float(self._core.falling_number)
 
 
 class AttractionState(SlipRateState):
-    """Base class of `State` with pressure and attraction of the surfaces."""
+    """Base class of `State` with the pressure and the attraction between the surfaces."""
 
     setup: SimulationSetup
 
@@ -95,7 +96,7 @@ class AttractionState(SlipRateState):
         return field
 
     def _surface(self, name: str) -> FloatArray:
-        """Return a surface field of the compiled core; 0 if it does not have this field."""
+        """Return a surface field of the compiled core; zeros if the core has no such field."""
         shape = self.grid.nx, self.grid.ny
         field = getattr(self._core, name)
         return np.zeros(shape) if field is None else field.reshape(shape)
@@ -114,7 +115,7 @@ class AttractionState(SlipRateState):
 
     @property
     def in_contact(self) -> NDArray[np.bool_]:
-        """Cells in contact, shape (nx, ny)."""
+        """Whether each cell is in contact, shape (nx, ny)."""
         return in_contact(self.repulsion)
 
     @property
@@ -130,7 +131,7 @@ class AttractionState(SlipRateState):
 
 
 class SurfaceState(AttractionState, ViscousState):
-    """Tractions, gap and rigid-body motion at the end of an increment."""
+    """Base class of `State` with tractions, gap and rigid-body motion."""
 
     setup: SimulationSetup
 
@@ -158,7 +159,7 @@ class SurfaceState(AttractionState, ViscousState):
 
     @property
     def sticking(self) -> NDArray[np.bool_]:
-        """Contact cells without slip in the last increment, shape (nx, ny).
+        """Whether each cell is in contact without slip in the last increment, shape (nx, ny).
 
         Raises ValueError in full sliding.
         """
@@ -198,7 +199,7 @@ class SurfaceState(AttractionState, ViscousState):
 
     @property
     def joint_steps(self) -> int:
-        """Newton steps for pressure and shear together in this increment; 0 if none were needed."""
+        """Number of Newton steps for pressure and shear together; 0 if none were needed."""
         return int(self._core.joint_steps)
 
     @cached_property
@@ -226,8 +227,8 @@ class SurfaceState(AttractionState, ViscousState):
     def stress_at(self, x: ArrayLike, y: ArrayLike, z: ArrayLike, body: int = 2) -> FloatArray:
         """Elastic stress due to pressure and shear at arbitrary points [Pa], shape (6, ...).
 
-        Stress due to plastic strain, and initial stress, are not included; see `residual_stress`.
-        Arguments, errors and method are described in `ContactSolver.stress_at`.
+        It does not include the stress due to plastic strain or the initial stress; for these, see
+        `residual_stress`. `ContactSolver.stress_at` describes arguments, errors and method.
         """
         number = choice("body", body, (1, 2))
         heated = (self._core.heat_factor1, self._core.heat_factor2)[number - 1] > 0
@@ -244,7 +245,7 @@ class SurfaceState(AttractionState, ViscousState):
 
 
 def rows_along_surface(state: SurfaceState) -> Rows:
-    """Return table rows of tilts, and in partial slip of tangential forces and motions."""
+    """Return table rows of the tilt and, with partial slip, of tangential force and motion."""
     tilted = rows_of_tilt(state.tilt, state.moment)
     if not state.setup.friction.sticks:
         return tilted

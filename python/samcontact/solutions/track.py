@@ -26,7 +26,8 @@ __all__ = ["Track"]
 class Track(FixedAttributes):
     """Residual fields of one body along its whole track, unloaded, in the frame of the body.
 
-    On a grid that is periodic along x, the track is one period, in its position at the start.
+    On a grid that is periodic along x, the track is one period of the body, as positioned at the
+    start.
 
     Created by `State.track`. Fields are read-only and cached like the fields of a state. The origin
     of x is the position of the contact on the body at the start of the simulation.
@@ -138,16 +139,17 @@ class Track(FixedAttributes):
         Parameters
         ----------
         volume : bool, optional
-            Whether to include volume fields if the grid has layers; otherwise only the residual
-            imprint is included.
+            Whether to include volume fields, if the grid has layers. Without volume fields, only
+            the residual normal displacement is included.
 
         Returns
         -------
         xarray.Dataset
-            Dataset with the dimensions x and y. Its variable is the residual displacement. For a
-            body with a volume, it also has the dimensions z and component, plastic strain and its
-            equivalent, and residual stress with its von Mises and mean normal stress. The
-            attributes are the number of the body and the cell sizes [m].
+            Dataset with the dimensions x and y, and the residual displacement as variable. With
+            volume fields, it also has the dimensions z and component, and as variables the plastic
+            strain, the equivalent plastic strain, the residual stress, and the von Mises and mean
+            normal stress of the latter. The attributes are the number of the body and the cell
+            sizes [m].
         """
         import xarray as xr  # importing the package should not load it
 

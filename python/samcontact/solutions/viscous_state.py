@@ -31,11 +31,12 @@ class ViscousState:
         It is the work of the tractions on the surface of the body minus the elastic energy of the
         body. It is exact if the equivalent tractions (see `equivalent_pressure`) are linear in time
         in each step. The elastic energy requires one convolution for each relaxation time and is
-        computed on access. Negative results within 1e-12 of the elastic energy are set to 0.
+        computed on access. Negative results are set to 0 if their magnitude is below 1e-12 of the
+        elastic energy.
         """
         return float(self._core.viscous_work(choice("body", body, (1, 2)) - 1))
 
     def stored_energy(self, body: int = 2) -> float:
-        """Elastic energy of a viscoelastic body [J]; 0 for other bodies: see `energy.balance`."""
+        """Elastic energy of a viscoelastic body [J]; 0 for other bodies, see `energy.balance`."""
         memory = getattr(self._core, f"traction_memory{choice('body', body, (1, 2))}")
         return 0.0 if memory is None else float(memory["supplied"]) - self.viscous_work(body)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plastic subdomain of a body, i.e. a box of cells with plastic strain."""
+"""Plastic subdomain of a body, i.e. a box of cells that contains plastic strain."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 __all__ = ["Zone"]
 
 Box = tuple[int, int, int, int, int]
-"""First cell along x and y; numbers of cells along x, y and z."""
+"""Index of the first cell along x and y, and numbers of cells along x, y and z."""
 
 
 class ZoneStress:
-    """Stress in the plastic subdomains of a body, computed once for all of them."""
+    """Stress in the plastic subdomains of a body, computed for all of them at the first request."""
 
     def __init__(self, core: Any, body: int) -> None:
         self.core, self._body = core, body
@@ -76,7 +76,8 @@ class Zone(FixedAttributes):
         """Residual stress [Pa], shape (6, nx, ny, nz).
 
         It is the stress due to all plastic strain of the body plus the initial stress. With several
-        subdomains, it is computed by the operators of the solver: see the page on plasticity.
+        subdomains, it is computed by the same operators as in the solver, see the page on
+        plasticity.
         """
         return self._zones.stress(self._number, loaded=False)
 
@@ -89,5 +90,5 @@ class Zone(FixedAttributes):
 
 
 def _centres(first: int, count: int, cells: int, size: float) -> FloatArray:
-    """Return the centres of `count` cells [m]; `first`: index of the first of them in the grid."""
+    """Return the centres of `count` cells [m]; `first` is the grid index of the first centre."""
     return read_only(np.asarray((first - 0.5 * (cells - 1) + np.arange(count)) * size, np.float64))

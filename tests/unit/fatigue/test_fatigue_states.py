@@ -167,7 +167,7 @@ def test_the_dataset_is_labelled():
         (lambda s: dang_van(np.zeros((4, 5, 2)), slope=0.3), ValueError, "shape"),
         (lambda s: dang_van(np.zeros((1, 6, 2)), slope=0.3), ValueError, "at least 2 instants"),
         (lambda s: dang_van(np.full((2, 6, 2), np.nan), slope=0.3), ValueError, "finite"),
-        (lambda s: dang_van(np.zeros((2, 6, 2)), 2, 0.3), ValueError, "body cannot be combined"),
+        (lambda s: dang_van(np.zeros((2, 6, 2)), 2, 0.3), ValueError, "body must be omitted"),
         (lambda s: dang_van(cycle(s), 2, 0.3), ValueError, "body must be omitted with a Cycle"),
         (lambda s: orthogonal_shear(s, axis="z"), ValueError, "axis"),
         (lambda s: fatemi_socie(np.zeros((2, 6, 2)), k=0.3), TypeError, "material is required"),

@@ -123,7 +123,7 @@ def test_a_number_means_full_sliding():
     assert law.sliding_ratio == 0.25
     assert repr(law) == "0.25"
     assert np.array_equal(law.bound(PRESSURE), 0.25 * PRESSURE)
-    with pytest.raises(TypeError, match=r"a law such as .*Coulomb\(mu\), got 0.25"):
+    with pytest.raises(TypeError, match=r"partial slip, such as .*Coulomb\(mu\), got 0.25"):
         sticking_law(0.25)
     for law in BOUNDS:
         assert law.sticks
