@@ -20,7 +20,7 @@ __all__ = [
 ]  # fmt: skip
 
 _POINTS = 200
-"""Points of the Gauss-Legendre quadratures of a profile."""
+"""Number of points of the Gauss-Legendre quadratures of a profile."""
 
 
 def tabor(R: float, w: float, E_star: float, range: float) -> float:
@@ -51,7 +51,7 @@ def dmt(R: float, w: float) -> float:
 
 @dataclass(frozen=True)
 class Jkr:
-    """Sphere with adhesion of short range, from `jkr`.
+    """Contact of a sphere with adhesion of short range, as returned by `jkr`.
 
     Attributes
     ----------
@@ -118,7 +118,7 @@ def jkr(R: float, w: float, E_star: float) -> Jkr:
 
 @dataclass(frozen=True)
 class Maugis:
-    """Sphere with constant attraction up to a limiting gap, from `maugis`.
+    """Contact of a sphere with constant attraction up to a limiting gap, as returned by `maugis`.
 
     Attributes
     ----------
@@ -207,7 +207,7 @@ def maugis(R: float, w: float, E_star: float, stress: float) -> Maugis:
 
 @dataclass(frozen=True, repr=False, eq=False)  # arrays have no truth value
 class ProfileContact(ShortRepr):
-    """Axisymmetric contact with adhesion of short range at given radii, from `jkr_profile`.
+    """Axisymmetric contact with adhesion of short range at given radii: result of `jkr_profile`.
 
     Attributes
     ----------
@@ -221,7 +221,7 @@ class ProfileContact(ShortRepr):
 
     @property
     def pull_off(self) -> float:
-        """Largest tension at the radii of `radius` [N]."""
+        """Largest tension among the given radii [N]."""
         return float(max(-self.load.min(), 0.0))
 
 
@@ -278,7 +278,7 @@ def jkr_profile(
 
 @dataclass(frozen=True)
 class WaveContact:
-    """Line contact of a wave with adhesion of short range, from `wave`.
+    """Line contact of a sinusoidal surface with adhesion of short range, as returned by `wave`.
 
     Attributes
     ----------

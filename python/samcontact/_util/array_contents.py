@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 NON_REAL_TYPES = (bool, np.bool_, np.timedelta64)
-"""Types that are numbers according to Python or NumPy, but no real numbers."""
+"""Types that are numbers according to Python or NumPy, but not real numbers."""
 
 
 def masked_values(value: ArrayLike) -> int:
-    """Return the number of masked values in a (masked) array or a list of such arrays.
+    """Return the number of masked values in an array, or in a list of arrays.
 
     `numpy.ma` is not imported for this check, because the import takes longer than solving a small
     contact. If another thread is importing it, the check does not wait for the end of the import:
@@ -30,7 +30,7 @@ def masked_values(value: ArrayLike) -> int:
 
 
 def not_numbers(value: ArrayLike, given: NDArray[Any]) -> set[str]:
-    """Return the types in `value` that are not real numbers, in words, e.g. "complex numbers"."""
+    """Name the types in `value` that are not real numbers, e.g. "complex numbers"."""
     names = {"b": "Boolean values", "c": "complex numbers", "S": "texts", "U": "texts"}
     names |= {"m": "time spans", "M": "dates"}
     if given.dtype.kind not in "iufO":

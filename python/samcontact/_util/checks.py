@@ -31,7 +31,8 @@ MAX_STRESS = 1e75
 MAX_INCREMENTS_OF_PATH = 100_000
 """Maximum number of increments of a path: longer paths would take months."""
 MAX_FILE_NAME_BYTES = 200
-"""Maximum length of a file name [bytes]: up to 255 are allowed, but temporary names are longer."""
+"""Maximum length of a file name [bytes]. File systems allow 255; the names of temporary files are
+longer than those of the final files."""
 MAX_NUMBER = 1e300
 """Maximum magnitude in SI units: products of larger numbers leave the floating-point range."""
 

@@ -56,7 +56,8 @@ def quantity(value: float, unit: str = "", digits: int = 4) -> str:
     value : float
         Value in SI units.
     unit : str, optional
-        SI unit. Areas and volumes are shown in powers of m, mm or µm; pure numbers ("") unchanged.
+        SI unit. Areas and volumes are shown in powers of m, mm or µm; pure numbers ("") have no
+        prefix.
     digits : int, optional
         Number of significant digits.
 

@@ -5,7 +5,7 @@ import warnings
 
 
 class GridTooSmallWarning(UserWarning):
-    """Warning that the contact reaches the grid edge, or that output fields omit plastic strain."""
+    """Warning that the contact reaches the grid edge, or that fields omit some plastic strain."""
 
 
 class ConvergenceWarning(UserWarning):
@@ -23,7 +23,7 @@ class PlasticStrainWarning(UserWarning):
 
 
 class SingularPressureWarning(UserWarning):
-    """Warning that the pressure is singular at a sharp edge and does not converge with the grid."""
+    """Warning that the pressure at a sharp edge is singular: it does not converge with the grid."""
 
 
 class ResolutionWarning(UserWarning):

@@ -70,7 +70,7 @@ def _default_stack() -> str | None:
 
 
 def _settings() -> Iterator[tuple[str, str | None]]:
-    """Iterate over environment variables (name, value) for loading the core; None: not set."""
+    """Iterate over environment variables (name, value) for loading the core; value None: unset."""
     usable: dict[str, Callable[[str], str | None]] = {
         "OMP_NUM_THREADS": _number_of_threads,
         "OMP_THREAD_LIMIT": _limit,

@@ -39,7 +39,7 @@ FAST_RESIDUAL_BYTES, EXACT_RESIDUAL_BYTES = 350.0, 1200.0
 """Bytes per volume cell for residual stress and displacement due to plastic strain, with the
 methods "fast" and "exact"."""
 ZONE_FIELD_BYTES = 200.0
-"""Bytes per cell of a plastic subdomain, for the stress."""
+"""Bytes per cell of a box of cells with plastic strain, for the stress in this box."""
 LIBRARY_BYTES, BLAS_BUFFER_BYTES, HDF5_FILE_BYTES = 400e6, 45e6, 64e6
 """Address space [bytes], in this order: for all libraries of a run with one thread of linear
 algebra, including the first block of the compiled core (128 MB); for each further thread of NumPy
@@ -105,7 +105,7 @@ def require_address_space(what: str, needed: float) -> None:
 
 
 def require_for_grid(what: str, grid: CellCounts, needed: float) -> None:
-    """Raise MemoryError, with the numbers of cells, unless `needed` bytes are available."""
+    """Raise MemoryError, stating the numbers of cells, unless `needed` bytes are available."""
     if needed < _MAX_UNCHECKED_BYTES:
         return
     cells = f"nx = {grid.nx}, ny = {grid.ny}" + (f", nz = {grid.nz}" if grid.nz else "")

@@ -46,7 +46,7 @@ def _can_overwrite(stream: TextIO | None) -> bool:
 
 
 class _LineProgress:
-    """Progress as lines at fixed counts, so that repeated runs write identical lines."""
+    """Progress as a new line after fixed numbers of steps: repeated runs write equal lines."""
 
     def __init__(self, total: int, unit: str, initial: int, stream: TextIO | None) -> None:
         self.total, self.unit, self.count, self.stream = total, unit, initial, stream

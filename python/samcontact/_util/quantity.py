@@ -32,7 +32,7 @@ _COLOURS = {
 
 
 class Quantity(NamedTuple):
-    """Names, units and display format of one quantity; a text that is empty is not shown."""
+    """Names, units and display format of one quantity; empty texts are not shown."""
 
     unit: str
     """SI unit of values in files and in Python; "1" for a pure number, "" for a text."""
@@ -100,7 +100,7 @@ class Quantity(NamedTuple):
         return self
 
     def smaller(self) -> Iterator[Quantity]:
-        """Iterate over the quantity in smaller units."""
+        """Iterate over copies of the quantity that are shown in smaller and smaller units."""
         shown = self.shown
         while shown in _SMALLER_UNITS:
             shown = _SMALLER_UNITS[shown]

@@ -29,26 +29,26 @@ def add_border_remedies(error: ValueError, setup: ContactSetup) -> None:
     error.args = (f"{advised(str(error), setup, _WARNING_HINT)}; {ENLARGEMENT_HINT}",)
 
 
-def advised(text: str, setup: ContactSetup, remedy_prefix: str = "") -> str:
+def advised(text: str, setup: ContactSetup, second_remedy: str = "") -> str:
     """Return the message `text` about the grid edge, with remedies for a gap given as an array.
 
-    The remedy in `text` may be replaced by a better one. In this case, `remedy_prefix` (a second
-    remedy, which begins with a comma) is appended to the message.
+    The remedy in `text` may be replaced by a better one. Only in this case, `second_remedy`, which
+    begins with a comma, is appended to the message.
     """
     before, _, remedy = text.partition(_REMEDY)
     if remedy and "normal to y" in before and (rows := _rows_beyond_faces(setup)):
-        return f"{before}: {rows}{remedy_prefix}"
+        return f"{before}: {rows}{second_remedy}"
     if setup.radii is not None or not remedy:
         return text
     if tilt := _tilt(setup.gap):
         return (
             f'{before}. The gap is tilted {tilt}: level a measured surface with detrend="height"'
-            f"{remedy_prefix}"
+            f"{second_remedy}"
         )
     if "covers" in before:
         return (
             f"{before}: a surface in contact everywhere reaches the edge of any grid; "
-            f"{_PERIODIC_HINT}{remedy_prefix}"
+            f"{_PERIODIC_HINT}{second_remedy}"
         )
     remedy = 'remove the shape of a measured surface with detrend="curvature"'
     end = (
@@ -75,7 +75,7 @@ def _rows_beyond_faces(setup: ContactSetup) -> str:
 
 
 def _tilt(gap: FloatArray) -> str:
-    """Describe the tilt of a gap; "" unless it exceeds half of the heights without tilt."""
+    """Describe the tilt of a gap; "" if other heights exceed twice the rise due to this tilt."""
     body = np.isfinite(gap)
     axes = np.meshgrid(*(np.linspace(-0.5, 0.5, n) for n in gap.shape), indexing="ij")
     places = [np.ones(int(body.sum())), *(axis[body] for axis in axes)]
@@ -94,4 +94,4 @@ def _tilt(gap: FloatArray) -> str:
         for rise, axis in zip(rises, "xy", strict=True)
         if rise > 0.1 * max(rises)
     )
-    return f"by {along} against other heights of {quantity(others, 'm')}"
+    return f"by {along}, while its other heights span {quantity(others, 'm')}"

@@ -31,7 +31,7 @@ Roll = Callable[[FloatArray, Tractions, Motion, float, FloatArray | None], dict[
 start from; tolerance; additional tangential displacement, shape (2, nx, ny) [m]."""
 
 _DEPTH = 8
-"""Number of earlier differences that the acceleration uses."""
+"""Number of earlier repetitions that the acceleration uses."""
 _MAX_REPETITIONS = 400
 _INNER_TOL = 0.01
 """Tolerance of one repetition, divided by the tolerance of the solution."""
@@ -40,10 +40,11 @@ _TIGHTEST_TOL = 1e-12
 
 
 def intermediate(body: Body, speed: float, grid: Grid) -> Body:
-    """Return an elastic body with the mean of the compliances for very fast and for slow waves.
+    """Return an elastic body whose compliance is the mean of a smallest and a largest compliance.
 
-    The slow waves are twice as long as the grid. For faster waves, the complex compliance of a
-    standard linear solid differs from the returned compliance by less than the returned value.
+    The smallest compliance is that for instantaneous loads. The largest is that for a pressure wave
+    twice as long as the grid which passes at `speed`. For shorter waves, the complex compliance of
+    a standard linear solid differs from the mean by less than the mean.
     """
     if relaxation_of(body) is None:
         return body
@@ -115,7 +116,7 @@ def roll_creeping(
     Raises
     ------
     ConvergenceError
-        No convergence.
+        The repetitions do not converge.
     """
     tractions, motion = start
     lag = np.zeros((3, *gap.shape))

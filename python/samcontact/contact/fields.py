@@ -188,15 +188,15 @@ class ContactFields(Configured):
         ndarray, shape (6, ...)
             Components xx, yy, zz, yz, xz, xy [Pa], tension positive, in the body's own frame. The
             tractions are uniform in each cell, so stress at the surface z = 0 jumps between cells,
-            and single cells remain visible to a depth of about one cell. On an edge between loaded
-            cells at the surface this stress is infinite; the result is the mean of the values half
-            a cell away on both sides.
+            and single cells remain visible to a depth of about one cell. At the surface,
+            the stress on an edge between loaded cells is infinite; the result there is the mean of
+            the values half a cell away on both sides.
 
         Raises
         ------
         ValueError, TypeError
-            The body is layered, rigid or heated; the grid is periodic; points are not finite or lie
-            above the surface.
+            The body is layered, rigid or heated, the grid is periodic, or points are not finite or
+            lie above the surface.
 
         Notes
         -----

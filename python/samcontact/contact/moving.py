@@ -28,8 +28,8 @@ _HIGHER = [2.0**power for power in range(13, 0, -1)]
 """Speeds of the successive solutions in `_from_above`, as multiples of the given speeds."""
 
 Finish = Callable[[Grid, FloatArray, dict[str, Any]], ContactSolution]
-"""Function that creates the solution. Its arguments are the grid, the displacement [m] of
-`MovingContactSolver._delayed`, and the fields of a ContactSolution."""
+"""Function that creates the solution. Its arguments are the grid, the displacement [m]
+that `MovingContactSolver._delayed` returns, and the fields of a ContactSolution."""
 
 
 class MovingContactSolver(ContactSolver):
@@ -123,7 +123,9 @@ def speed_of(name: str, value: Any) -> float:
     """Return a velocity [m/s]; raise TypeError or ValueError unless it is a finite number."""
     given = finite(name, value)
     if abs(given) > MAX_STRESS:  # products with times and wavenumbers stay finite
-        raise ValueError(f"{name} must be a velocity <= {MAX_STRESS:g} m/s, got {given!r}")
+        raise ValueError(
+            f"{name} must be a velocity of magnitude <= {MAX_STRESS:g} m/s, got {given!r}"
+        )
     return given
 
 
@@ -144,9 +146,10 @@ def moving_creep(body: Body, speed: float) -> _core.MovingCreep:
 
 
 def _effective(body: Body, speed: float, grid: Grid) -> Body:
-    """Elastic body with the modulus for waves of half the grid length that pass at `speed`.
+    """Return an elastic body with the modulus for waves half as long as the grid.
 
-    It is used only for estimates of the contact and for warnings.
+    The waves pass at `speed` [m/s].
+    The body is used only for estimates of the contact and for warnings.
     """
     return vibrating(body, 4 * np.pi * abs(speed) / (grid.nx * grid.dx))
 
@@ -159,8 +162,8 @@ def require_moving(body1: Any, body2: Any) -> tuple[Body, Body]:
         terms = relaxation_of(body)
         if terms is not None and creep_terms(terms)[2] > 0:
             raise ValueError(
-                f"body{number} must be a solid in steady motion, with a sum of shares < 1, got "
-                f"shares = {list(terms[1])!r}: a fluid flows without limit, so "
-                "that its contact never becomes steady"
+                f"in steady motion, body{number} must be a solid (sum of relaxation shares < 1), "
+                f"got shares = {list(terms[1])!r}: the contact of a fluid never becomes steady, "
+                "because a fluid flows without limit"
             )
     return body1, body2

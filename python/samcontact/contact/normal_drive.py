@@ -58,7 +58,7 @@ class NormalDrive:
             if t is not None and abs(t) > MAX_TILT:
                 raise ValueError(
                     f"tilt about {axis} must be between {-MAX_TILT} and {MAX_TILT} rad, got {t!r}: "
-                    "degrees instead of radians?"
+                    "convert degrees to radians, or reduce the tilt"
                 )
             about.append(m if m is not None else float(present) if t is None else t)
         is_moment = moments[0] is not None, moments[1] is not None

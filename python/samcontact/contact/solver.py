@@ -66,8 +66,8 @@ class ContactSolver(ContactFields):
         `ConvergenceError`, or issue `ConvergenceWarning` and return the state with the smallest
         error.
     max_iterations : int, optional
-        Maximum number of iterations for the pressure, and of Newton steps on pressure and shear
-        together.
+        Maximum number of iterations for the pressure, and maximum number of Newton steps for
+        pressure and shear together.
     heat : Heat, optional
         Frictional heating; `history` is not supported. Default: no heating, `Heat(0.0)`.
     adhesion : ContactLaw, optional
@@ -224,9 +224,10 @@ class ContactSolver(ContactFields):
             force along x is prescribed.
         initial_pressure : array_like, shape (nx, ny), optional
             Initial pressure of the iteration [Pa]. A good initial pressure, such as the solution
-            for a similar gap or load, saves the coarser grids and most iterations. If the iteration
-            does not converge from this pressure, the solve is repeated without it. With `Adhesion`,
-            the initial pressure selects one of several solutions, and the solve is not repeated.
+            for a similar gap or load, saves the solutions on coarser grids and most iterations. If
+            the iteration does not converge from this pressure, the solve is repeated without it.
+            With `Adhesion`, the initial pressure selects one of several solutions, and the solve is
+            not repeated.
         duration : float, optional
             Duration of the increment [s], with friction that depends on the slip rate
             (`FallingCoulomb`).
@@ -247,8 +248,8 @@ class ContactSolver(ContactFields):
             GridTooSmallError if the contact reaches the edge of the grid.
         ConvergenceError
             No convergence; the error has the attributes `iterations` and `residual`. PullOffError
-            if the prescribed tension exceeds the maximum tension of the solutions that continue
-            the initial pressure.
+            if the prescribed tension exceeds the maximum tension that can be reached by continuous
+            change from the initial pressure.
 
         Warns
         -----
@@ -259,8 +260,8 @@ class ContactSolver(ContactFields):
             The maximum pressure exceeds half the contact modulus, or a body treated as elastic
             would yield under this pressure.
         SingularPressureWarning
-            The pressure rises to a sharp edge, where the pressure between elastic bodies is
-            unbounded.
+            The pressure rises towards a sharp edge, at which the pressure between elastic bodies
+            is unbounded.
         UnitWarning
             Before the solve: the Hertz estimate is far outside the range of the grid, or material
             constants are implausible. The message names the quantity that is probably in another

@@ -127,7 +127,7 @@ class TangentialDrive:
         return self._carried(known, grid)
 
     def _plastic(self, grid: Grid) -> FloatArray | None:
-        """Return the plastic slip of the layer before the increment [m]; None means 0."""
+        """Return the initial plastic slip [m] of a layer between the bodies; None means 0."""
         known = None if self.previous is None else plastic_slip_on(self.previous, grid)
         return self._carried(known, grid)
 
@@ -242,7 +242,7 @@ def tangential_drive(
     advance: Sequence[float],
     grid: Grid,
 ) -> TangentialDrive:
-    """Check the arguments and create a tangential drive, which is empty in full sliding."""
+    """Check the arguments and create a tangential drive; in full sliding, it prescribes nothing."""
     pair = advance if advance is AT_REST else finite_array("advance", advance, (2,))
     first, second = map(float, pair)
     moves = None if first == second == 0 else advance
@@ -286,22 +286,22 @@ def _require_rolling(drive: TangentialDrive, grid: Grid) -> None:
     if drive.previous is None:
         raise ValueError(
             f"advance must be (0, 0) without previous, got {drive.travels!r}: solve the normal "
-            "contact first and pass it as previous"
+            "contact first, and pass its solution as previous"
         )
     if abs(cells - round(cells)) > 1e-6:
         raise ValueError(
-            f"advance must be a whole number of cells of {grid.dx!r} m as the mean of both bodies, "
-            f"got {drive.mean_travel!r} m: use steps of whole cells, or a matching cell size"
+            f"advance must be, on average over both bodies, a whole number of cells of {grid.dx!r} "
+            f"m, got {drive.mean_travel!r} m: use steps of whole cells, or another cell size"
         )
     if abs(first - second) > grid.dx:
         raise ValueError(
             f"advance of body 1 and of body 2 must differ by at most one cell, {grid.dx!r} m, got "
-            f"{first!r} and {second!r} m: use smaller steps, or full sliding (friction = 0.3, say)"
+            f"{first!r} and {second!r} m: use smaller steps, or full sliding, e.g. friction = 0.3"
         )
     if drive.given.is_force[0] and first != second:
         raise ValueError(
-            f"advance must be equal for both bodies with tangential_load along x, got "
-            f"{first!r} and {second!r} m: the slip follows from the force"
+            "advance must be equal for both bodies if tangential_load has a force along x, got "
+            f"{first!r} and {second!r} m: the slip follows from this force"
         )
     if drive.given.is_force[2] and not drive.given.is_force[1]:
         raise ValueError(
@@ -326,5 +326,5 @@ def pair_of(name: str, pair: Any, relation: str = "along") -> list[float | None]
     ):
         raise TypeError(f"{name} must be two numbers, {relation} x and y, got {in_short(pair)}")
     if len(pair) != 2:
-        raise ValueError(f"{name} must be two numbers, {relation} x and y, got {len(pair)}")
+        raise ValueError(f"{name} must be two numbers, {relation} x and y, got {len(pair)} numbers")
     return [_maybe(f"{name} {relation} {a}", v) for a, v in zip(_DIRECTIONS, pair, strict=True)]

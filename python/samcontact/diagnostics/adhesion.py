@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks of adhesive contacts: cells for the adhesion law, attraction at the grid edge, yield."""
+"""Checks of adhesive contacts: cell size, attraction at the grid edge, friction and yield."""
 
 from __future__ import annotations
 

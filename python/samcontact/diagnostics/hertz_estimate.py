@@ -95,7 +95,7 @@ class Paraboloid(NamedTuple):
     """Distances along x and y [m] within which the gap is close to the paraboloid."""
 
     def fits(self, expected: ExpectedContact) -> bool:
-        """Whether a Hertz contact lies within the reach of the paraboloid.
+        """Whether a Hertz contact lies where the gap is close to the paraboloid.
 
         Also True if the contact is wide relative to its radii of curvature: the unit checks report
         such a contact.
@@ -110,8 +110,8 @@ class Paraboloid(NamedTuple):
 class ContactSetup:
     """Gap between two bodies, with a Hertz estimate if the gap is a paraboloid.
 
-    relieved: whether a body has a relief, or the bodies attract each other. In both cases there is
-    no Hertz estimate.
+    relieved: whether a body has a relief (moving topography), or the bodies attract each other. In
+    both cases, there is no Hertz estimate.
     """
 
     def __init__(
@@ -166,7 +166,7 @@ class ContactSetup:
 
     @property
     def radii(self) -> tuple[float, float] | None:
-        """Larger and smaller principal radius [m]; None if the gap is no convex paraboloid."""
+        """Larger and smaller principal radius [m]; None if the gap is not a convex paraboloid."""
         return None if self._paraboloid is None else self._paraboloid[:2]
 
     @cached_property

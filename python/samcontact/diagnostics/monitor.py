@@ -44,7 +44,7 @@ class Monitor:
 
     @contextmanager
     def deferred_resolution_checks(self) -> Iterator[None]:
-        """Context manager for a run: no checks of resolution and increments after each step."""
+        """Context manager that suppresses checks of resolution and increments after each step."""
         enabled = self.checks_steps, self.checks_increments
         self.checks_steps = self.checks_increments = False
         try:
@@ -119,15 +119,16 @@ def _strain_text(state: State, setup: ContactSetup) -> str:
             continue
         # with reversed flow, accumulated strain has no bound while the strain remains small
         is_reversed = magnitude < 0.5 * accumulated
-        limit = f"above the small-strain limit of {MAX_SMALL_STRAIN}: results are unreliable"
+        limit = f"above the small-strain limit of {MAX_SMALL_STRAIN}"
         if accumulated > MAX_SMALL_STRAIN and not is_reversed:
             return (
                 f"the accumulated equivalent plastic strain of body {body} is {accumulated:.3g}, "
-                f"{limit} (plastic strain magnitude sqrt(2/3 e:e) at most {magnitude:.3g})"
+                f"{limit}, with a plastic strain magnitude sqrt(2/3 e:e) of at most "
+                f"{magnitude:.3g}: results are unreliable"
             )
         if magnitude > MAX_SMALL_STRAIN:  # with reversed flow, or prescribed as initial strain
             name = "plastic strain magnitude sqrt(2/3 e:e)"
-            return f"the {name} of body {body} is {magnitude:.3g}, {limit}"
+            return f"the {name} of body {body} is {magnitude:.3g}, {limit}: results are unreliable"
     return ""
 
 
@@ -150,10 +151,10 @@ def _cut_text(state: State) -> str:
             ("x", first_x, nx, grid.nx, grid.dx), ("y", first_y, ny, grid.ny, grid.dy),
         ):  # fmt: skip
             if first < 0 or first + cells > n:
-                where.append(f"outside the grid along {axis}, over {quantity(cells * d, 'm')}")
+                where.append(f"outside the grid along {axis} (length {quantity(cells * d, 'm')})")
                 remedy.append(f"enlarge n{axis}")
         return (
             f"plastic strain of body {body} extends {' and '.join(where)}: the solution includes "
-            f"it, but volume fields do not; {' and '.join(remedy)} to include it"
+            f"it, but volume fields do not; {' and '.join(remedy)} to see it in these fields"
         )
     return ""

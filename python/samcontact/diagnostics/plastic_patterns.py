@@ -80,8 +80,8 @@ def warn_of_alternation(state: State, *, stacklevel: int) -> bool:
                 f"plastic strain of body {body} alternates between layers by {100 * share:.0f} % "
                 "of the "
                 'maximum: a grid artefact that residual_stress="exact" does not suppress, because '
-                'it evaluates stress at the centres of the cells. Use residual_stress="fast", or '
-                "layers of half the cell size (dz)"
+                "this method evaluates stress at the centres of the cells. Use "
+                'residual_stress="fast", or layers half as deep as the cells are long (dz = dx/2)'
             )
             warnings.warn(text, ResolutionWarning, stacklevel=stacklevel + 1)
             return True

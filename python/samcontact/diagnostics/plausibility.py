@@ -29,7 +29,7 @@ MAX_HALF_WIDTH_RATIO = 0.55
 stiffer than a paraboloid."""
 MAX_GRID_WIDTHS, MIN_CELLS_ACROSS, MAX_LAYERS = 4.0, 2.0, 1e3
 """Limits of the Hertz contact: maximum width relative to a side of the grid, minimum width in
-cells, maximum half-width in layers."""
+cells, maximum half-width relative to the depth dz of a layer of cells."""
 MIN_SOLVABLE_CELLS = 1e-3
 """Minimum width of a Hertz contact in cells; a narrower contact is a single cell at any load."""
 MIN_YIELD_STRAIN = 1e-6
@@ -48,7 +48,7 @@ and becomes large for Et near E."""
 MAX_SPEED = 1e3
 """Maximum speed of a surface through a contact [m/s]: no bearing reaches 300 m/s."""
 MAX_WEAR_COEFFICIENT = 1e-9
-"""Maximum wear volume per work, or per load and distance [1/Pa]: rubber on abrasive paper."""
+"""Maximum wear volume per work, or per load and distance [1/Pa], as of rubber on abrasive paper."""
 MIN_STRESS_LIMIT = 1e4
 """Minimum fatigue limit or yield stress of a solid [Pa]: gels have about 1e4."""
 HEAT_CAPACITY_RANGE = 1e5, 1e7
@@ -56,7 +56,7 @@ HEAT_CAPACITY_RANGE = 1e5, 1e7
 MAX_EXPANSION = 2e-3
 """Maximum thermal expansion [1/K]: rubber has up to 7e-4."""
 MAX_TEMPERATURE_RISE = 3e5
-"""Maximum temperature rise [K]. It is above all melting points, as melting is not modelled."""
+"""Maximum temperature rise [K]: above all melting points, because melting is not modelled."""
 _THERMAL_UNITS = "W/(m K) for conductivity and m^2/s for diffusivity"
 _MIN_CELLS_AFTER_CORRECTION = 6.0  # minimum width in cells after correction of a unit
 _MAX_CONTACT_MODULUS = 2e12  # E* of two diamonds is 0.6e12
@@ -71,7 +71,8 @@ class PlausibilityCheck(NamedTuple):
     remedy: Callable[[], str]
     """Function that returns the remedy as text; it is called only if a warning is issued."""
     of_contact: bool = False
-    """Whether a Hertz contact is checked. If it fails, checks after the solution are skipped."""
+    """Whether a Hertz contact is checked. If this check fails, later checks of the solution are
+    skipped."""
 
 
 class ExpectedExtent(NamedTuple):
@@ -83,7 +84,7 @@ class ExpectedExtent(NamedTuple):
 
     @property
     def radii(self) -> tuple[float, float]:
-        """Radii in the planes of the larger and the smaller semi-axis [m]."""
+        """Radii of curvature in the planes of the larger and the smaller semi-axis [m]."""
         hertz = self.expected.contact
         if isinstance(hertz, EllipticContact):
             return max(hertz.Rx, hertz.Ry), min(hertz.Rx, hertz.Ry)
@@ -128,7 +129,7 @@ def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Pla
 
 
 def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
-    """Iterate over failed checks of yield stress; failed contact checks take precedence."""
+    """Iterate over failed checks of the yield stress, which are reported after contact checks."""
     for number, whole in enumerate(bodies, 1):
         plastic = [material for material in materials_of(whole) if material.is_plastic]
         yield from _failed(_strength_check(number, material) for material in plastic)
@@ -190,7 +191,7 @@ def warn_if_implausible(finding: PlausibilityCheck, *, stacklevel: int) -> None:
 
 
 def require_solvable(finding: PlausibilityCheck) -> None:
-    """Raise ValueError for a Hertz contact far below a cell size, unless UnitWarning is ignored."""
+    """Raise ValueError for a contact much narrower than a cell, unless UnitWarning is ignored."""
     check = finding.check
     too_small = check.name == _CELLS_ACROSS and check.value < MIN_SOLVABLE_CELLS
     if too_small and not is_ignored(UnitWarning):
@@ -300,7 +301,8 @@ def part_of_radius(
 ) -> PlausibilityCheck:
     """Check of the ratio of half-width to radius of curvature of a Hertz contact.
 
-    remedy: function that returns the first sentence of the remedy; default: the Hertz estimate.
+    remedy: function that returns the first sentence of the remedy. By default, this sentence is the
+    text of the Hertz estimate.
     """
     first = remedy or (lambda: str(contact.expected))
     share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
@@ -336,7 +338,7 @@ def _contact_checks(
 def _layer_check(
     contact: ExpectedExtent, grid: Grid, bodies: Iterable[Material]
 ) -> Iterator[PlausibilityCheck]:
-    """Check of the half-width of the Hertz contact in units of the layer thickness dz."""
+    """Check of the half-width of the Hertz contact, divided by the depth dz of a layer of cells."""
     dz = grid.dz
     if dz is not None:
         wider = max(_flattened(contact, body) for body in bodies)

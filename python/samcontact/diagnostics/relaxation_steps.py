@@ -16,7 +16,7 @@ MIN_JUMP, MAX_HOLD = 0.5, 0.01
 """Minimum change of the load in an increment that counts as a jump, and maximum change that counts
 as a constant load. Both are relative to the larger load of the increment."""
 MIN_SHARE = 0.01
-"""Minimum share of the modulus for which a relaxation time is considered."""
+"""Minimum share, i.e. relaxing fraction of the modulus, for which a relaxation time counts."""
 MAX_TIMES = 3.0
 """Maximum duration of an increment that resolves a relaxation, divided by the relaxation time."""
 
@@ -33,8 +33,8 @@ class RelaxationSteps:
 
     A load jump in a long increment, followed by a constant load, causes a warning. Tractions are
     assumed to change linearly with time in an increment. If the load was in fact applied at the
-    start of the increment, the relaxation since then is missing. A load that continues to rise is
-    a ramp and causes no warning.
+    start of the increment, part of the relaxation during the increment is missing. A load that
+    continues to rise is a ramp and causes no warning.
     """
 
     jump: str = ""
@@ -73,9 +73,10 @@ class RelaxationSteps:
                 self.coarse = True
                 return (
                     f"the material of body {number} creeps within {quantity(reach, 'm')} as it "
-                    f"moves through the contact, less than a cell of {quantity(cell, 'm')}: the "
-                    "resistance to its motion is not resolved; use smaller cells, or the "
-                    "long-time modulus if the resistance is negligible"
+                    "moves through the contact, which is less than a cell "
+                    f"({quantity(cell, 'm')}): the resistance to its motion is not resolved; use "
+                    "smaller cells or, if this resistance is negligible, an elastic body with the "
+                    "long-time modulus"
                 )
         return ""
 
@@ -102,9 +103,9 @@ class RelaxationSteps:
                 return (
                     f"the load changes from {quantity(before.load, 'N')} to "
                     f"{quantity(after.load, 'N')} in an increment of {quantity(duration, 's')} and "
-                    f"is then constant, but body {number} relaxes with the time "
-                    f"{quantity(min(fast), 's')}: the load is assumed to change steadily during "
-                    "the increment; apply a sudden change with duration = 0, then use short "
-                    "increments (paths.creep); apply a slow change in several increments"
+                    f"is then constant, but the relaxation time of body {number} is only "
+                    f"{quantity(min(fast), 's')}. The load is assumed to change steadily during "
+                    "the increment. Apply a sudden change with duration = 0, and then use short "
+                    "increments (paths.creep); divide a slow change into several increments"
                 )
         return ""

@@ -54,7 +54,8 @@ def warn_of_strain(
     text = (
         f"pressure beyond linear elasticity: its maximum {quantity(largest, 'Pa')} is {share:.3g} "
         f"of the contact modulus E* (at most {MAX_ELASTIC_STRAIN} expected), which implies large "
-        "slopes and strains. Use m, N and Pa"
+        "slopes and strains. Reduce the load, or check that lengths, loads and moduli are in m, N "
+        "and Pa"
     )
     warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
     return True
@@ -246,8 +247,8 @@ def warn_of_contact(
     if thin and (count := spots(pressure, grid.periodic)) > 1:
         text = (
             f"area is uncertain by about {100 * share:.0f} %, and so is the mean pressure: {count} "
-            f"spots are {ROUND_SPOT_AREA_ERROR / share:.1f} cells across ({cell}). Use smaller "
-            "cells; with round spots of 8 cells the uncertainty would be "
+            f"spots are about {ROUND_SPOT_AREA_ERROR / share:.1f} cells across ({cell}). Use "
+            "smaller cells; with round spots of 8 cells the uncertainty would be "
             f"{100 * ROUND_SPOT_AREA_ERROR / RECOMMENDED_CELLS:.0f} %"
         )
     elif not _is_wide(pressure) and (cells := cells_across(pressure, grid.periodic)) < few:

@@ -61,8 +61,8 @@ def warn_of_yield(
     text = (
         f"body {number} is treated as elastic, but would yield: under the maximum pressure, "
         f"{quantity(largest, 'Pa')}, the von Mises stress reaches about {quantity(stress, 'Pa')}, "
-        f"{share:.3g} times the yield stress there. Use Simulation for plastic flow, or an elastic "
-        "material"
+        f"{share:.3g} times the yield stress there. Use Simulation to include plastic flow, or an "
+        "elastic material to ignore it"
     )
     warnings.warn(text, ElasticStrainWarning, stacklevel=stacklevel + 1)
     return True

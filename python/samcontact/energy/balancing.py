@@ -120,8 +120,8 @@ def balance(simulation: Simulation, states: Sequence[State]) -> EnergyBalance:
     Raises
     ------
     ValueError
-        The contact is adhesive; the bodies slide against the direction of the friction; the
-        eigenstrain changes; tractions are prescribed; or there are no states.
+        The contact is adhesive, the bodies slide against the direction of the friction, the
+        eigenstrain changes, tractions are prescribed, or there are no states.
     """
     from ..simulation.simulation import Simulation
 
@@ -195,15 +195,15 @@ def no_balance(simulation: Simulation, states: Sequence[State]) -> str:
             "the balance"
         )
     if not all(np.isfinite(state.approach) for state in states):
-        return "states must be from load or approach control, got prescribed tractions"
+        return "states must result from a load or an approach, got prescribed tractions"
     if any(any(state.lateral_travel) for state in states):
-        return "states must not have moved along y: the work of this travel is not included"
+        return "states must not have moved along y: the balance omits the work of this motion"
     if _slides_fully(simulation):
         slid = np.diff([state.travel[0] - state.travel[1] for state in states])
         if np.any(slid * friction_law(simulation.friction).sliding_ratio < 0):
             return (
-                f"friction must oppose the sliding, got {simulation.friction!r}: reverse its sign "
-                "or the difference of advance"
+                f"friction must oppose the sliding, got {simulation.friction!r}: reverse its sign, "
+                "or exchange the advance of body 1 and of body 2"
             )
     return ""
 
@@ -321,7 +321,7 @@ def _tangential_displacement(simulation: Simulation, state: State, body: int) ->
 
 
 def _mean_load(first: FloatArray, second: FloatArray) -> FloatArray:
-    """Return the mean load between two states [N] for load^(2/3) linear in the approach."""
+    """Return the mean load between two states [N] if load^(2/3) is linear in the approach."""
     a, b = (np.maximum(load, 0.0) ** (2 / 3) for load in (first, second))
     nearly_equal = np.abs(b - a) <= 1e-3 * np.maximum(a, b)
     change = np.where(nearly_equal, 1.0, b - a)

@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
     """Return the elastic energy of bodies minus that of the same bodies without inclusions [J].
 
-    It is 1/2 of the integral of (s0 - si) : e* - s : e0, with the stress s0 of the tractions in the
-    homogeneous matrix, the initial stress si, the stress s, the eigenstrain e*, and the inelastic
-    strain e0 of each phase, which is its plastic strain plus its misfit.
+    It is 1/2 of the integral of (s0 - si) : e* - s : e0, with the stress s0 due to the tractions in
+    the homogeneous matrix, the initial stress si, the stress s, the eigenstrain e*, and the
+    inelastic strain e0 of each phase, which is its plastic strain plus its misfit.
     """
     total = 0.0
     for number, body in enumerate(bodies, 1):
@@ -41,8 +41,9 @@ def mismatch_energy(bodies: Sequence[Body], state: State) -> float:
 def work_with_inclusions(body: Heterogeneous, number: int, states: Sequence[State]) -> float:
     """Return the plastic work of matrix and inclusions up to the last state [J].
 
-    The work of the isotropic yield stress is integrated in closed form, in each phase of a cell by
-    its share. The work of the backstress is that of the mean backstress in each increment.
+    The work of the isotropic yield stress is integrated in closed form for each phase of a cell,
+    with the volume fraction of the phase. The work of the backstress is computed with the mean
+    backstress of each increment.
     """
     deep = _whole(body, states[-1])
     track, share = deep.track(number, margin=0), deep.share(number)
@@ -64,7 +65,7 @@ def work_with_inclusions(body: Heterogeneous, number: int, states: Sequence[Stat
 def _work_of_backstress(number: int, states: Sequence[State], share: FloatArray) -> float:
     """Return the work of the backstress on the plastic strain, summed over cells [J/m^3].
 
-    share: part of each cell to which the backstress belongs.
+    share: volume fraction of each cell in which the backstress acts.
     """
     deep = [state.at_layers(share.shape[2]) for state in states]
     back = [share * state.backstress(number).sum(axis=0) for state in deep]
@@ -92,7 +93,10 @@ def not_balanced(bodies: Sequence[Body], states: Sequence[State]) -> str:
         if not isinstance(body, Heterogeneous):
             continue
         if any(state.has_eigenstrain(number) for state in states):
-            return f"body{number} must not have an added eigenstrain if it has inclusions"
+            return (
+                f"body{number} must not have both inclusions and an added eigenstrain: an energy "
+                "balance is not available for them"
+            )
         heated = any(np.any(state.surface_temperature(number)) for state in states)
         expands = any(body.cells_on(state.grid, check=False).expansion.any() for state in states)
         if heated and expands:
@@ -106,5 +110,8 @@ def not_balanced(bodies: Sequence[Body], states: Sequence[State]) -> str:
                 "the thermal stress on the mismatch is not included in the balance"
             )
         if any(any(state.travel) for state in states):
-            return f"body{number} must not move if it has inclusions"
+            return (
+                f"body{number} must not move if it has inclusions: an energy balance is only "
+                "available at rest"
+            )
     return ""

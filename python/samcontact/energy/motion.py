@@ -27,7 +27,10 @@ def slope(grid: Grid, field: FloatArray) -> FloatArray:
 
 
 def first_cell(state: State, body: int) -> int:
-    """Return the index of the body cell that is at the first row of the grid; 0 at the start."""
+    """Return the index along x of the cells of a body that lie in the first row of the grid.
+
+    It is 0 before the body has moved.
+    """
     place = state.offset(body) - state.travel[body - 1] - state.origin
     return round(place / state.grid.dx)
 
@@ -59,7 +62,7 @@ class Motion:
 
     @property
     def on_grid(self) -> float:
-        """Travel relative to the grid, in which the contact moves by fractions of a cell [m]."""
+        """Travel relative to the grid [m], in which the contact may move by fractions of a cell."""
         return self.travel + self.after.origin - self.before.origin
 
     def convected(self, before: FloatArray, after: FloatArray) -> FloatArray:

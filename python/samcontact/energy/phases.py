@@ -45,7 +45,8 @@ def inelastic_product(body: Heterogeneous, number: int, state: State) -> float:
     """Return the sum of s : e over all cells [Pa], with stress s and inelastic strain e of phases.
 
     The inelastic strain is the plastic strain plus the misfit. The stresses of the two phases of a
-    cell follow from its mean stress, because the phases form a laminate (theory: inclusions).
+    cell follow from its mean stress, because the phases form a laminate (see
+    docs/theory/inclusions.md).
     """
     stress, plastic = state.stress(number), state.plastic_strain(number)
     mixed = mixed_cells(number, body, state.grid)
@@ -72,7 +73,7 @@ def inelastic_product(body: Heterogeneous, number: int, state: State) -> float:
 
 
 def _moduli_of_matrix(body: Heterogeneous, state: State, layer: FloatArray) -> _Moduli:
-    """Return the moduli of the matrix in cells, given by the indices of their layers."""
+    """Return the moduli of the matrix in cells; layer: index of the layer of each cell."""
     E, nu = np.empty(state.layers), np.empty(state.layers)
     for material, there in materials_at(body, state.depths):
         E[there], nu[there] = material.E, material.nu
@@ -83,7 +84,7 @@ def _moduli_of_matrix(body: Heterogeneous, state: State, layer: FloatArray) -> _
 def _product_of_two(
     row: FloatArray, matrix: _Moduli, place: tuple[FloatArray, ...], number: int, state: State
 ) -> float:
-    """Return the sum of s : e over the cells of two phases [Pa].
+    """Return the sum of s : e over the cells that contain two phases [Pa].
 
     row: constants of these cells as in `mixed_cells`, shape (constants, cells).
     """

@@ -13,13 +13,14 @@ from ..problem.friction import FrictionLaw
 from ..solutions.state import State
 
 SHARE_OF_END = 0.6
-"""Mean of a force that grows as 1 - (1 - x)^1.5 while the motion x grows from 0 to 1."""
+"""Mean over the motion of a force 1 - (1 - x)^1.5, where the motion x grows from 0 to 1."""
 
 
 def correction_of_sliding(law: FrictionLaw, states: Sequence[State]) -> FloatArray:
     """Return corrections of the work of the tangential force, by increment [J].
 
-    A correction is the work minus the mean of the forces at the start and the end times the motion.
+    A correction is the work minus an estimate: the motion times the mean of the forces at the start
+    and at the end.
     It is zero in increments at whose end some cells stick. In the other increments, the contact
     first follows the law of Mindlin & Deresiewicz (1953) for balls under constant load: the force
     approaches the friction limit as 1 - (1 - x)^(3/2), where x is the completed fraction of this

@@ -39,7 +39,7 @@ def plastic_work(material: Body, after: Track, before: Track | None = None) -> f
     after : Track
         Track of the body in the current state, from `State.track`.
     before : Track, optional
-        Track of the body in an earlier state. Default: before any plastic flow.
+        Track of the body in an earlier state. Default: no plastic flow.
 
     Returns
     -------

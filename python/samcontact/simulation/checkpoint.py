@@ -37,7 +37,7 @@ KIND = "simulation"
 
 
 def write_checkpoint(path: str | os.PathLike[str], kept: Snapshot, **more: Any) -> None:
-    """Write a checkpoint file; on failure, the old file is kept. more: further data to store."""
+    """Write a checkpoint file; if writing fails, an old file remains. more: further data."""
     tree = {"setup": _setup_tree(kept.arguments), "state": kept.state, "counters": kept.counters}
     write(path, KIND, tree | more)
 
@@ -110,8 +110,8 @@ def _arguments(setup: Tree, *laws: Any) -> dict[str, Any]:
     required = {name for name, default in known.items() if default is not None}
     if not required <= set(given) <= set(known):
         raise ValueError(
-            "checkpoint must contain the settings of this version, got "
-            f"{', '.join(given) or 'none'}"
+            "checkpoint must contain the settings that this version of samcontact knows and "
+            f"requires, got {', '.join(given) or 'none'}"
         )
     given["friction"] = law_of(given["friction"])
     given["adhesion"] = adhesion_laws.law_of(given["adhesion"])
@@ -139,7 +139,7 @@ def _matrix(name: str, part: Tree, law: Any) -> Material | Layered:
         laws = [None] * len(parts) if law is None else list(law)
         if len(laws) != len(parts):
             raise ValueError(
-                f"softening of layered {name} must be a list of {len(parts)} laws, from the "
+                f"softening of the layered {name} must be a list of {len(parts)} laws, from the "
                 f"surface down, got {in_short(law)}"
             )
         *layers, substrate = map(_material, [name] * len(parts), parts, laws)
@@ -153,7 +153,7 @@ def _material(name: str, part: Tree, law: Any) -> Material:
     elif "softening" in part and law is None:
         raise CheckpointError(
             f"{name} has the softening law {part['softening']}, which a checkpoint cannot store: "
-            "pass softening=(law of body 1, law of body 2), with None for a body without a law and "
+            "pass softening=(law of body 1, law of body 2); use None for a body without a law, and "
             "a list of laws for a layered body"
         )
     kinematic = tuple(map(tuple, part.get("kinematic", ())))

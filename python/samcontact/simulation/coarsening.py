@@ -34,10 +34,10 @@ Path = Sequence[Mapping[str, Any]]
 def coarser(setup: SimulationSetup, domain: Domain) -> tuple[SimulationSetup, Domain]:
     """Return the setup and domain of a simulation on cells twice as long, wide and deep.
 
-    If a body has elastic-plastic layers, each layer must be a whole number of coarse cells thick:
-    the cells become two to three times as deep or, if this is impossible, keep their depth.
-    Surfaces given as functions are evaluated on the coarser grid. Surfaces given as an array of
-    heights are averaged over the coarser cells (interpolated for a smooth paraboloid).
+    Each elastic-plastic layer must be a whole number of coarse cells thick. With such layers, the
+    cells therefore become deeper by a factor that may exceed 2 or, if no factor fits, keep their
+    depth. Surfaces given as functions are evaluated on the coarser grid. Surfaces given as arrays
+    of heights are averaged over the coarser cells; smooth paraboloids are interpolated instead.
 
     Raises
     ------
@@ -72,7 +72,9 @@ def coarser_grid(grid: Grid, bodies: Sequence[Body] = ()) -> Grid:
         half = math.ceil(n / 2)
         if axis in grid.periodic:
             if n % 4 != 0 and n != 2:
-                raise ValueError(f"n{axis} must be a multiple of 4 on a periodic grid, got {n}")
+                raise ValueError(
+                    f"on a periodic grid, n{axis} must be a multiple of 4 for coarsening, got {n}"
+                )
         elif half % 2 != n % 2:
             half += 1
         given |= {f"n{axis}": half, f"d{axis}": 2 * d}
@@ -96,9 +98,10 @@ def times_as_deep(dz: float, bodies: Sequence[Body]) -> float:
 
 
 def coarser_path(path: Path, sizes: Sizes) -> tuple[list[dict[str, Any]], list[int]]:
-    """Convert a path to cells twice as long; also return the new index of each increment.
+    """Convert a path to cells twice as long; also return the new index of each old increment.
 
-    Two successive increments that move the surfaces by an equal odd number of cells are merged.
+    An odd number of cells is not a whole number of the longer cells. Two equal successive
+    increments that move a surface by an odd number of cells are therefore merged.
 
     sizes: cell sizes, see `SimulationSetup.steps_of_motion`.
     """
@@ -154,7 +157,7 @@ def _means_along(
 
 
 def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
-    """Fraction of the mean square slope of a surface that cells twice as large cannot resolve.
+    """Return the fraction of the mean square slope that cells twice as large cannot resolve.
 
     Parameters
     ----------
@@ -174,8 +177,8 @@ def slope_beyond(heights: ArrayLike, dx: float, dy: float) -> float:
     -----
     The waves in this fraction are the last octave of wavenumbers on this grid. If the slope
     spectrum is a power law of the wavenumber, as for a self-affine surface, the next octave, which
-    this grid cannot resolve, contains at least this fraction times the ratio of the last octave to
-    the octave before.
+    this grid cannot resolve, contains at least this fraction times r. Here, r is the mean square
+    slope in the last octave divided by that in the octave before it.
     """
     field = np.asarray(heights, dtype=np.float64)
     finite_array("heights", field, field.shape)

@@ -45,8 +45,8 @@ Preparation = Callable[[Any], None]
 class Engine:
     """Solver of the increments of a simulation, on a domain (grid, surfaces) that may be enlarged.
 
-    The domain is enlarged if the contact reaches the edge of the domain and the surfaces are known
-    beyond this edge, except with on_border="warn".
+    The domain is enlarged if the contact reaches its edge, unless on_border="warn" or the surfaces
+    are unknown beyond this edge.
     """
 
     def __init__(self, setup: SimulationSetup, grid: Grid, heat: Heat) -> None:
@@ -100,7 +100,7 @@ class Engine:
         )
 
     def _checked_domain(self, grid: Grid, current: Domain | None = None) -> Domain:
-        """Return the domain of a grid; its surfaces must agree with `current` in common cells."""
+        """Return the domain of a grid, whose surfaces must agree with `current` in common cells."""
         setup = self.setup
         scanned = grid.has_volume and any(body.is_plastic for body in setup.bodies)
         cell = memory_of_contact(setup.friction, setup.bodies, self.heat)
@@ -123,13 +123,14 @@ class Engine:
         return self.state_of(self.core.state, self.heat)
 
     def state_of(self, core: Any, heat: Heat) -> State:
-        """Create a `State` from a state of the compiled core; heat: that of the next increment."""
+        """Create a `State` from a state of the compiled core and the heat of the next increment."""
         return State(core, self.setup, self.domain, heat, lambda: dict(self.core.counters))
 
     def solve(self, given: Mapping[str, Any], monitor: Monitor) -> tuple[Step, Any, Any]:
         """Solve an increment; return the step, and the states of the core before and after it.
 
-        The state before the increment is None unless the bodies might overlap.
+        The state before the increment is only needed for an overlap of the bodies: it is None if
+        the bodies cannot overlap, or if tractions are prescribed.
         """
         with self.access:
             while True:
@@ -228,7 +229,7 @@ class Engine:
         if self.heat.history is not None or setup.body1.softening or setup.body2.softening:
             return "the grid cannot be enlarged with heat.history or thermal softening"
         if setup.adhesion.attracts:
-            return "the grid cannot be enlarged with a contact law that attracts"
+            return "the grid cannot be enlarged with an attractive contact law"
         if not setup.surfaces.are_known:
             return ENLARGEMENT_HINT
         return ""
@@ -248,7 +249,7 @@ class Engine:
             self._switch_to(counts)
 
     def _switch_to(self, counts: Sequence[int]) -> None:
-        """Switch to a larger domain, and keep the current state."""
+        """Switch to a domain with larger numbers of cells, and keep the current state."""
         grid = replace(self.domain.grid, nx=counts[0], ny=counts[1])
         domain, smaller = self._checked_domain(grid, self.domain), self.core
         self._open(domain, lambda core: core.take_over(smaller))
@@ -299,7 +300,7 @@ class Engine:
 
 
 def _state_of(kept: Snapshot) -> State:
-    """Return the state of a snapshot, with a new engine."""
+    """Return the state of a snapshot, restored by a new engine."""
     engine = Engine(*kept.setup())
     engine.restore(kept)
     return engine.state

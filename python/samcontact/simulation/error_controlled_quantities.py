@@ -65,7 +65,7 @@ def value(state: State, name: str) -> float:
 
 
 def parts(state: State, name: str) -> tuple[float, ...]:
-    """Return one or several values, of which the quantity is the maximum.
+    """Return one value or several values, the maximum of which is the quantity.
 
     For a volume field, these are the maximum below the surface and the maximum at the surface; for
     each layer, the maximum inside the layer and the maxima at both faces. Each value is compared
@@ -100,11 +100,11 @@ def _bodies(state: State) -> tuple[Body, Body]:
 
 
 def in_own_box(state: State, name: str, body: int) -> FloatArray | None:
-    """Return a field in the plastic subdomain of a body, as the solver computes it.
+    """Return a field in the box of plastic cells of a body, as the solver computes it.
 
     `name` is "stress" or "residual_stress" (the deviator is returned), or "residual_displacement".
-    The result is None without plastic strain, with several plastic subdomains, or after the body
-    has moved.
+    The result is None without plastic strain, if the plastic cells lie in several boxes, or after
+    the body has moved.
     """
     index, core = body - 1, state._core
     box = core.own_box(index)
@@ -173,8 +173,8 @@ def _bounds(state: State, body: int, ranges: Sequence[slice]) -> FloatArray:
     return bounds
 
 
-def has_parts(name: str, bodies: Sequence[Body]) -> int:
-    """Return the number of values that `parts` returns for a quantity."""
+def count_parts(name: str, bodies: Sequence[Body]) -> int:
+    """Return how many values, at least one, `parts` returns for a quantity."""
     if name[: -len("_body1")] not in _FIELDS:
         return 1
     return _count(len(materials_of(bodies[int(name[-1]) - 1])))

@@ -16,7 +16,7 @@ class ExclusiveAccess:
         if not self._lock.acquire(blocking=False):
             raise RuntimeError(
                 "an increment is already in progress: use one Simulation per thread "
-                "(copy.deepcopy makes one)"
+                "(copy.deepcopy returns a second one)"
             )
 
     def __exit__(self, *error: object) -> None:

@@ -33,8 +33,8 @@ def set_plastic_strain(
 ) -> None:
     """Set the plastic strain of a body, see `Simulation.set_plastic_strain`.
 
-    anywhere: whether the strain may lie entirely outside the grid, like that of dents that are made
-    before the path, and that enter the grid later.
+    anywhere: whether the strain may lie entirely outside the grid, e.g. the strain of dents that
+    enter the grid during the path.
     """
     index = choice("body", body, (1, 2)) - 1
     terms = backstresses_of(engine.setup.bodies[index])
@@ -73,7 +73,10 @@ def plastic_fields(
     terms: int,
     first: int | None,
 ) -> tuple[FloatArray, FloatArray | None, FloatArray | None]:
-    """Check a plastic state; return its fields, axis z before x. terms: number of backstresses."""
+    """Check a plastic state; return its fields, with axis z before x and y.
+
+    terms: number of backstresses.
+    """
     given = real_array("strain", strain).shape
     fits = len(given) == 4 and min(given) > 0
     rows = grid.nx

@@ -25,7 +25,7 @@ class History:
     checked: int = 0
     """Number of increments at the last error estimate."""
     has_given_strain: bool = False
-    """Whether a plastic strain was prescribed, which a repetition would lack."""
+    """Whether a plastic strain was prescribed; a repetition of the increments would lack it."""
 
     def add(self, given: Mapping[str, Any]) -> None:
         """Add an increment; an increment with prescribed tractions ends the record."""

@@ -16,7 +16,8 @@ from ..bodies.voxels import VoxelBlock
 from ..restart.tree import Tree, array
 
 _SIZES = (3, 3, 9, 6)
-"""Numbers of values for centre, radii, axes and misfit of an inclusion; its material follows."""
+"""Numbers of values for centre, radii, axes and misfit in a row that describes an inclusion; the
+last value of the row is the index of its material."""
 _VOID = -1
 
 
@@ -54,13 +55,15 @@ def tree_of(body: Heterogeneous, tree_of_part: Callable[[Material | Layered], Tr
 def body_of(
     part: Tree, material: Callable[[Tree], Material], matrix: Material | Layered
 ) -> Heterogeneous:
-    """Convert a tree back to a body with this matrix; `material` converts its other materials."""
+    """Convert a tree back to a body with this matrix; `material` converts the others."""
     known = part.get("materials", {})
     materials = [material(known[n]) for n in sorted(known, key=int)]
 
     def at(number: float) -> Material | None:
         if not -1 <= number < len(materials):
-            raise ValueError(f"checkpoint must contain the material {number:g} of an inclusion")
+            raise ValueError(
+                f"checkpoint must contain material {number:g}, to which an inclusion refers"
+            )
         return None if number == _VOID else materials[int(number)]
 
     inclusions = []

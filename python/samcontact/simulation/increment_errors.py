@@ -35,7 +35,7 @@ __all__ = ["IncrementErrors", "IncrementWarning", "estimated"]
 MAX_ERROR_WITHOUT_WARNING = 0.05
 """Relative error above which a warning is issued."""
 _MIN_CELLS = {True: 6.0, False: 16.0}
-"""Cells across the contact on the coarsest grid used, with and without plastic flow. Without
+"""Minimum number of cells across the contact, with (True) and without (False) plastic flow. Without
 plastic flow, the size of increments affects only a few cells, at the boundary of the stick zone."""
 _MIN_INCREMENTS = 3
 _DOUBLING_FACTORS = 2.0, 2.0
@@ -43,14 +43,16 @@ _DOUBLING_FACTORS = 2.0, 2.0
 plastic strain and for other fields; exact for first-order convergence."""
 _HALVING_FACTORS = 2.0, 1.5
 """Error with n increments divided by the difference between results with n/2 and n increments, for
-plastic strain and for other fields. In theory, the ratio is 1 for order 1, and 2.4 for order 1/2,
-which occurs in single cells. The two values used are calibrated, see docs/theory/accuracy.md."""
+plastic strain and for other fields. In theory, this ratio is 1 for first-order convergence, and 2.4
+for order 1/2, which occurs in single cells. The two values are calibrated, see
+docs/theory/accuracy.md."""
 
 _logger = logging.getLogger("samcontact")
 
 _RELAXING_FACTORS = {True: (1.0, 1.0), False: (2.0, 2.0)}
-"""Like the ratios above, for creep without plastic flow or partial slip: with half (True) or twice
-(False) as many increments. Exact for first-order convergence, an upper bound for second order."""
+"""Ratios like those above, for creep without plastic flow and without partial slip; the comparison
+has half (True) or twice (False) as many increments. Exact for first-order convergence, and an upper
+bound for second order."""
 
 Repeat = Callable[["SimulationSetup", "Grid", "Heat", Sequence[Mapping[str, Any]]], list["State"]]
 """Function that runs a setup on a grid, with an initial heat, along a path."""
@@ -130,7 +132,7 @@ def check_errors(
     *,
     stacklevel: int,
 ) -> None:
-    """Warn, once per simulation, of increments that are too large.
+    """Warn of increments that are too large, at most once per simulation.
 
     No error is estimated if a warning filter ignores the warning.
 
@@ -161,8 +163,8 @@ def estimated(
     """Estimate the effect of smaller increments on a run that starts from undeformed bodies.
 
     The path is solved with half as many increments if neighbouring increments can be merged,
-    otherwise with twice as many. It is solved on a coarser grid, with at least 6 cells (16 without
-    plastic flow) across the contact.
+    otherwise with twice as many. This comparison uses a coarser grid, if the contact then still is
+    at least 6 cells wide (16 cells without plastic flow).
 
     Parameters
     ----------
@@ -290,7 +292,7 @@ def _field_differences(setup: SimulationSetup, pairs: Pairs, marks: Pairs) -> di
 
 
 def _plastic_strain(state: State, body: int) -> FloatArray:
-    """Return the equivalent plastic strain of cells of one material; 0 in partly filled cells.
+    """Return the equivalent plastic strain, with 0 in cells that an inclusion fills partly.
 
     The matrix in a cell that a void nearly fills carries hardly any load, and its strain is not
     accurate.

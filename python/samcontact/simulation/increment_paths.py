@@ -17,12 +17,12 @@ if TYPE_CHECKING:
 
 Step = Mapping[str, Any]
 Sizes = tuple[float, float | None]
-"""Cell sizes along x and y [m]; None for y if bodies may move along y by a part of a cell."""
+"""Cell sizes along x and y [m]; None for y if bodies may move along y by fractions of a cell."""
 Ends = list[tuple[int, int]]
 """Pairs of indices (from 0) of increments in two paths that end at equal targets."""
 _TARGETS = ("load", "approach", "torque")
 _PAIRS = ("tangential_load", "moment", "tilt")
-"""Targets along or about x and y, each of which may be None."""
+"""Targets with two components, along or about x and y; each component may be None."""
 _MOTIONS = ("twist", "duration")
 _MAX_SIZE_RATIO = 3.0
 _MAX_REMAINING_FRACTION = 0.65
@@ -30,7 +30,7 @@ _MAX_REMAINING_FRACTION = 0.65
 
 
 def _is_by_cells(changes: FloatArray, sizes: Sizes) -> bool:
-    """Whether displacements [body][axis] are multiples of cell sizes, where this is required."""
+    """Whether displacements [body][axis] are multiples of the cell sizes where they must be."""
     if sizes[1] is None and changes[:, 1].any():  # bodies without a history
         return True
     return are_multiples(changes, sizes)
@@ -60,7 +60,7 @@ def cleaned(step: Step) -> dict[str, Any]:
 def doubled(
     path: Sequence[Step], states: Sequence[State], start: float, sizes: Sizes, heat: Heat
 ) -> tuple[list[dict[str, Any]], Ends]:
-    """Split each increment in two halves, if motion and heating allow it.
+    """Split each increment into two halves, if motion and heating allow it.
 
     An increment is not split if the bodies would move by a fraction of a cell in each half, or if a
     half would be shorter than the heat history allows.

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 def describe(engine: Engine, **what: Any) -> Identity:
-    """Return data that identify a run before it begins: setup and further data, e.g. the path.
+    """Return data that identify a run before it begins: the setup and `what`, e.g. the path.
 
     Softening laws are listed separately, so that an error message can name them.
     """
@@ -109,7 +109,7 @@ class Journal:
             self._restore(file)
         except DamagedCheckpointError as error:
             number = self.count + 1
-            text = f"{error}: continuing from the previous one, increment {number} is solved again"
+            text = f"{error}; therefore, increment {number} is solved again"
             warnings.warn(text, stacklevel=3)
             return None
         self.count += 1

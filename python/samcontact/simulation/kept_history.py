@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Histories of heat and creep of a simulation, which another simulation can continue.
+"""Histories of heat and creep of a simulation, which a new simulation can continue.
 
-The other simulation has the same bodies, with surfaces that may be worn. Its plastic strain is set
-separately.
+The new simulation has the same bodies; their surfaces may have been worn in between. Its plastic
+strain is set separately.
 """
 
 from __future__ import annotations
@@ -34,19 +34,19 @@ _CREEP = (
 
 
 def heat_of(state: State) -> Tree:
-    """Return the history of the heat at an unloaded state, as plain data."""
+    """Return the heat of earlier increments that an unloaded state contains, as plain data."""
     return _parts_of(state, _HEAT)
 
 
 def creep_of(state: State) -> Tree:
-    """Return tractions of viscoelastic bodies, and their memory of earlier ones, as plain data."""
+    """Return the tractions on viscoelastic bodies and their memory of earlier tractions."""
     return _parts_of(state, _CREEP)
 
 
 def continue_history(engine: Engine, *parts: Tree) -> None:
-    """Let a new simulation continue the histories `parts` of heat or creep, given on its grid.
+    """Let a new simulation continue the histories `parts` of heat or creep.
 
-    An empty history has no effect.
+    The histories must be on the grid of the simulation. An empty history has no effect.
     """
     if any(parts):
         kept = engine.snapshot()

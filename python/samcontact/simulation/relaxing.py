@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 def relaxing_step(engine: Engine, hold: str | None) -> dict[str, Any]:
     """Return the arguments of `Simulation.step` for the long-time state.
 
-    hold: "load" or "approach", which remains constant; None: the one prescribed in the last step.
+    hold: which of "load" and "approach" is kept; None: the one that the last step prescribed.
 
     Raises ValueError if no body is viscoelastic, or if one is a fluid.
     """
@@ -28,8 +28,8 @@ def relaxing_step(engine: Engine, hold: str | None) -> dict[str, Any]:
         terms = relaxation_of(body)
         if terms is not None and long_time_share(terms) == 0:
             raise ValueError(
-                f"shares of body{n} must have a sum < 1 for relax, got 1: a fluid flows "
-                "without limit and has no long-time state"
+                f"for relax, the relaxation shares of body{n} must have a sum < 1, got 1: a fluid "
+                "flows without limit and has no long-time state"
             )
     if hold is None:
         last = (engine.history.steps or [{}])[-1]

@@ -46,7 +46,7 @@ def coarsened_path(simulation: Simulation, path: Path) -> tuple[list[dict[str, A
 def coarsened(simulation: Simulation, heat: Heat) -> Simulation:
     """Return a new simulation at its start, with cells twice as large along x, y and z.
 
-    Eigenstrain is averaged over the coarser cells. A preparation is repeated on these cells.
+    Eigenstrain is averaged over the coarser cells. A preparation (e.g. dents) is repeated on them.
 
     Raises ValueError if the grid cannot be coarsened, see `coarser`.
     """

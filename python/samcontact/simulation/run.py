@@ -45,7 +45,7 @@ def run_into(
     *,
     leave: bool = True,
 ) -> None:
-    """Run a path, appending each state to `states`. leave: keep the progress bar at the end."""
+    """Run a path, appending each state to `states`. leave: whether the bar remains at the end."""
     monitor.warn_of_units(engine.estimate, engine.heat, largest_target(steps), stacklevel=3)
     if not any(engine.heat.shares) and (load := largest_cold_load(steps)) is not None:
         engine.make_room(load)

@@ -60,7 +60,7 @@ class Simulation(Configured, HtmlTable):
         Tolerance of an increment [-], in [1e-11, 1): bound of the relative change of the plastic
         strain increment and of the yield violation; with inclusions at least 1e-4 (voids: 1e-3).
     increment_tol : float, optional
-        Tolerance of automatic sub-increments [-], in [10 tol, 1), on pressure and equivalent
+        Tolerance of automatic sub-increments [-], in [10 tol, 1): error of pressure and equivalent
         plastic strain relative to their maxima. Each sub-increment is solved in one step and in two
         halves, then extrapolated to second order. If more than 64 are needed, a ValueError states a
         sufficient tolerance. Default: no subdivision, first order.
@@ -75,7 +75,7 @@ class Simulation(Configured, HtmlTable):
         "exact": influence coefficients of cuboids at cell centres, as a reference: 1 kB per cell;
         plastic strain may alternate between layers (`ResolutionWarning`) or not converge.
     image_tol : float, optional
-        Maximum error of "fast" due to periodicity, relative to the residual stress, in [1e-6, 0.1].
+        Limit of the relative error of "fast" due to periodic Fourier transforms, in [1e-6, 0.1].
     zones : {"auto", "one"}, optional
         Boxes of cells with plastic strain. "auto": several boxes if this saves work, e.g. on rough
         surfaces; "one": one box. The choice changes results by about 1e-3 of the residual stress.
@@ -98,9 +98,9 @@ class Simulation(Configured, HtmlTable):
 
     Notes
     -----
-    If the contact reaches the edge, the grid is enlarged by cells of unchanged size, up to 64 times
-    the cells; `run` returns all states on the last grid. The grid is fixed if it is periodic, and
-    with heat.history, softening or attraction.
+    If the contact reaches the edge, the grid is enlarged by cells of unchanged size, to at most 64
+    times the initial number; `run` returns all states on the last grid. A periodic grid is never
+    enlarged, and no grid is enlarged with heat.history, softening or attraction.
     """
 
     _last = "engine"
@@ -204,24 +204,24 @@ class Simulation(Configured, HtmlTable):
         shear : array_like, shape (nx, ny) or (2, nx, ny), optional
             Shear s_x, or (s_x, s_y), on body 2 [Pa], with `pressure`; default friction * pressure.
         advance : pair of floats, or pair of pairs, optional
-            Displacement of the surfaces of bodies 1 and 2 through the contact, positive along +x
-            [m]: equal for rolling towards -x, different for sliding by the difference (creepage
-            with `Coulomb`). Plastic strain moves with the body. For fractions of a cell, see
-            `State.origin`. ((x1, y1), (x2, y2)) adds motion along y: whole cells, or full sliding.
+            Displacement of the surfaces of bodies 1 and 2 through the contact [m], positive along
+            +x: equal for rolling towards -x, different for sliding by the difference (creepage with
+            `Coulomb`). Plastic strain moves with the body. Fractions of a cell: `State.origin`.
+            ((x1, y1), (x2, y2)) adds motion along y: whole cells with `Coulomb` or plastic strain.
         shift : pair of floats, optional
             With `Coulomb`: tangential displacement of body 1 relative to body 2 in this increment
             [m]. None for a component leaves that direction to `tangential_load`.
         tangential_load : pair of floats, optional
-            With `Coulomb`: final force on body 2 [N]. Without force and shift: no motion.
+            With `Coulomb`: final force on body 2 [N]. Directions without force or shift are held.
         twist : float, optional
             With `Coulomb`: rotation of body 1 relative to body 2 about z in this increment [rad].
         torque : float, optional
-            Final moment on body 2 [N m]. Without twist and torque, no rotation.
+            Final moment about z on body 2 [N m]. Without twist and torque: no rotation.
         heat_factor : float or pair of floats, optional
             New heat flux per unit pressure, from this increment on [m/s]; 0 for no heating.
         duration : float, optional
             Duration of the increment [s]: >= 0 with viscoelastic bodies, which move by whole cells;
-            > 0 with `heat.partition`, `heat.history` or `FallingCoulomb`, or 0 to move unloaded.
+            > 0 with `heat.partition`, `heat.history` (unloaded: 0 is allowed) or `FallingCoulomb`.
         moment, tilt : pair of floats, optional
             As in `ContactSolver.solve`, at the end of the increment; if omitted, the tilt is kept.
 
@@ -232,9 +232,9 @@ class Simulation(Configured, HtmlTable):
         Raises
         ------
         ValueError
-            Invalid arguments, or GridTooSmallError.
+            Invalid arguments, or GridTooSmallError if the contact reaches the grid edge.
         ConvergenceError, PullOffError
-            Attributes: `iterations`, `residual`. After any error the previous state remains.
+            No convergence, or pull-off; has `iterations`, `residual`. Errors keep the old state.
         MemoryError
             The plastic zone requires more memory than is available.
         RuntimeError
@@ -245,7 +245,7 @@ class Simulation(Configured, HtmlTable):
         ElasticStrainWarning, SingularPressureWarning, UnitWarning, PlasticStrainWarning, \
         GridTooSmallWarning, ResolutionWarning, IncrementWarning
             Each is issued at most once per simulation; docs/conventions.md lists the conditions.
-            With on_stall="warn", ConvergenceWarning is issued for each increment concerned.
+            With on_stall="warn", each increment without convergence issues a ConvergenceWarning.
         """
         given = {
             "load": load, "approach": approach, "pressure": pressure, "shear": shear, "tilt": tilt,
@@ -308,7 +308,7 @@ class Simulation(Configured, HtmlTable):
         """Advance viscoelastic bodies to their long-time state, at an unchanged time.
 
         hold: "load" or "approach", kept constant; default: as in the last step. Raises ValueError
-        without a viscoelastic body, or for a fluid. `State.viscous_work` assumes a slow change.
+        without a viscoelastic body, or for a fluid. `State.viscous_work` assumes a slow advance.
         """
         return self.step(**relaxing_step(self.engine, hold))
 
@@ -333,7 +333,7 @@ class Simulation(Configured, HtmlTable):
     ) -> None:
         """Set the plastic strain of an elastic-plastic body.
 
-        Raises ValueError for a wrong shape, or values that are not finite or out of range.
+        Raises ValueError for a wrong shape, and for values that are infinite, NaN or out of range.
 
         Parameters
         ----------

@@ -49,15 +49,15 @@ _BY_CELLS = ("if heat.history is given", "with partial slip or plastic strain")
 """Conditions under which bodies must move by whole cells along x, and along y."""
 
 Travels = tuple[tuple[float, float], tuple[float, float]]
-"""Distances by which the surfaces of bodies 1 and 2 move along x, and along y [cells]."""
+"""Distances [cells] by which the surfaces of bodies 1 and 2 move: two along x, two along y."""
 
 
 @dataclass(frozen=True)
 class Step:
-    """Targets and motions of an increment for the compiled core, and the heat from then on."""
+    """Targets and motions of an increment for the compiled core, and the heat from this one on."""
 
     normal: NormalDrive | None
-    """None with prescribed tractions."""
+    """Load or approach, and moments or tilts; None with prescribed tractions."""
     heat: Heat
     heating: list[Any]
     duration: float
@@ -167,7 +167,7 @@ class StepArguments:
     def _require_heat_of_motion(
         self, heat: Heat, duration: float, travels: Travels, *, is_loaded: bool
     ) -> None:
-        """Raise ValueError unless the motion in an increment agrees with the heat."""
+        """Raise ValueError unless the motion in an increment agrees with the data of the heat."""
         grid = self.grid
         if heat.history is not None:
             _require_motion_of_heat(heat, duration, travels, grid)
@@ -187,7 +187,7 @@ class StepArguments:
         if heat.partition is not None:
             raise ValueError(
                 f"heat_factor cannot be combined with heat.partition, "
-                f"got {in_short(factor)}: the heat flux follows from the frictional power"
+                f"got {in_short(factor)}: omit it, because the frictional power gives the heat flux"
             )
         changed = replace(heat, factor=value_per_body("heat_factor", factor))
         if self.relaxes:
@@ -197,7 +197,7 @@ class StepArguments:
     def _heating_of(self, heat: Heat, duration: float | None) -> list[Any]:
         """Return the heating of both bodies for the compiled core.
 
-        duration: that of the increment [s] with heat.history; otherwise None.
+        duration: duration of the increment [s] with heat.history; otherwise None.
         """
         known = self._heated
         if known is None or known[0] is not heat or known[1] != duration:
@@ -238,9 +238,9 @@ def _require_no_friction_along_y(
     if friction.sticks or friction.is_frictionless or given or travels[0] == travels[1]:
         return
     raise ValueError(
-        f"advance of both bodies along y must be equal with friction = {friction!r}, because the "
-        f"shear of full sliding acts along x, got a difference of {travels[0] - travels[1]:.6g} "
-        "cells: set friction = 0, or prescribe pressure and shear"
+        "advance of both bodies along y must be equal in full sliding, whose shear acts along x, "
+        f"got friction = {friction!r} and a difference of {travels[0] - travels[1]:.6g} cells: set "
+        "friction = 0, or prescribe pressure and shear"
     )
 
 
@@ -267,8 +267,8 @@ def _require_possible(
         )
     if torque is not None and advance != _STANDING:
         raise ValueError(
-            f"torque cannot be combined with advance, got {in_short(torque)}: prescribe "
-            "twist = spin * (distance rolled)"
+            f"torque cannot be combined with advance, got {in_short(torque)}: prescribe the "
+            "rotation instead, twist = spin * (distance rolled)"
         )
 
 
@@ -277,7 +277,7 @@ def _require_no_tilt(**given: Any) -> None:
         if value is not None:
             raise ValueError(
                 f"{name} cannot be combined with a prescribed pressure, got {in_short(value)}: "
-                "no equilibrium is solved"
+                "omit it, because no equilibrium is solved"
             )
 
 
@@ -304,7 +304,7 @@ def _duration(heat: Heat, duration: float | None, *, is_unloaded: bool) -> float
         if duration is not None:
             raise ValueError(
                 "duration has no effect without heat.history, heat.partition or a viscoelastic "
-                "body: omit duration, or set one of them"
+                "body: omit duration, or use one of these"
             )
         return None
     if duration is None:
@@ -339,14 +339,15 @@ def _require_motion_of_heat(heat: Heat, duration: float, advance: Travels, grid:
     """Raise ValueError unless the bodies move by whole cells along x, and at heat.velocity.
 
     With heat.track, the velocity follows from the motion, and is not checked. With a track along y,
-    the bodies may move by fractions of a cell; if they have a history, the caller checks this.
+    the bodies may move by fractions of a cell, except in partial slip or with plastic strain; the
+    caller checks this exception.
     """
     if heat.track is not None:
         for axis, (cells, length) in enumerate(zip(advance, heat.tracks, strict=True)):
             if any(cells) and length == 0:
                 raise ValueError(
-                    f"heat.track must be > 0 along {'xy'[axis]} for a path along {'xy'[axis]}, got "
-                    f"{heat.track!r}: set it to the pair of lengths of the path along x and y"
+                    f"heat.track must be > 0 along {'xy'[axis]} if bodies move along {'xy'[axis]}, "
+                    f"got {heat.track!r}: set it to the lengths of the path along x and y, a pair"
                 )
     if heat.tracks[1] == 0:
         require_whole_cells(advance[0], grid.dx, axis=0)
@@ -378,7 +379,7 @@ def _require_velocity_of_heat(heat: Heat, duration: float, advance: Travels, gri
         if share > 0 and abs(moved - expected) > 1e-6 * size:
             where = " along y" if axis else ""
             raise ValueError(
-                f"advance of body {n}{where} must be velocity x duration, {expected!r} m, got "
-                f"{moved!r} m: make both equal; for bodies with heat.history that stop, turn or "
-                "return, set heat.track instead of heat.velocity"
+                f"advance of body {n}{where} must be heat.velocity x duration, {expected!r} m, got "
+                f"{moved!r} m: change advance, duration or heat.velocity; if bodies with "
+                "heat.history stop, turn or return, set heat.track instead of heat.velocity"
             )

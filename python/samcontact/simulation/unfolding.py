@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Increments of a path with retractions, whose number of increments depends on the solution."""
+"""Increments of paths with retractions; the number of increments depends on the solution."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .engine import Engine
 
 _STEP_PER_LENGTH = 0.25
-"""Default step of a retraction, relative to the work of adhesion over the peak attraction."""
+"""Default step of a retraction, divided by the ratio of work of adhesion to peak attraction."""
 
 Path = Sequence[Mapping[str, Any]]
 
@@ -29,7 +29,7 @@ def run_list(name: str, path: Any) -> list[dict[str, Any]]:
     retractions: dict[int, dict[str, Any]] = {}
 
     def steps() -> Iterator[Any]:
-        """Iterate over the steps; replace each retraction by a plain step, and remember it."""
+        """Iterate over the steps; replace each retraction by a plain step, and store it."""
         for n, step in enumerate(path):
             if not isinstance(step, Mapping) or "pull_off" not in step:
                 yield step
@@ -71,7 +71,7 @@ def unfolded(
 
 
 def solved_path(path: Path, engine: Engine, states: Sequence[State]) -> list[Mapping[str, Any]]:
-    """Return the arguments of the increments whose states a run along a path has returned.
+    """Return the arguments of those increments of a path whose states a run has returned.
 
     Raises ValueError if the path begins with a retraction, because its initial state is unknown.
     """
@@ -99,7 +99,7 @@ def count_text(path: Path) -> str:
 
 
 def _step_of(retraction: Retraction, engine: Engine) -> float:
-    """Return the step of a retraction [m]; ValueError without adhesion, or if it is unknown."""
+    """Return the step of a retraction [m]; ValueError if it is unknown, or without adhesion."""
     law = engine.setup.resolved_adhesion(engine.domain.grid)
     if not law.attracts:
         raise ValueError(
@@ -111,7 +111,8 @@ def _step_of(retraction: Retraction, engine: Engine) -> float:
         return retraction.step
     if not law.varies:
         raise ValueError(
-            f"step of pull_off is required with adhesion = {law!r}, whose attraction has no range"
+            f"step of pull_off is required with adhesion = {law!r}, whose attraction has no range "
+            "from which a default could follow: give the step [m]"
         )
     core = law.to_core()
     return float(_STEP_PER_LENGTH * core.work / core.largest_attraction)

@@ -156,7 +156,7 @@ def test_load_and_moments_need_few_more_iterations(roughness):
 
 def test_a_tilt_in_degrees_is_refused():
     gap = sc.surfaces.paraboloid(GRID, 12e-3)
-    with pytest.raises(ValueError, match=r"tilt about x must be .* got 1\.0: degrees"):
+    with pytest.raises(ValueError, match=r"tilt about x must be .* got 1\.0: convert degrees"):
         solver().solve(gap, load=LOAD, tilt=(1.0, 0.0))
 
 

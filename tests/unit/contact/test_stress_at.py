@@ -164,5 +164,5 @@ def test_points_too_far_for_numbers_are_refused():
     found = solver.solve(gap, load=50.0)
     far = solver.stress_at(found, 0.0, 0.0, 1e9)
     assert far[2] == pytest.approx(-3 * 50.0 / (2 * math.pi * 1e18), rel=1e-9)
-    with pytest.raises(ValueError, match="x must be finite and <="):
+    with pytest.raises(ValueError, match="x must be finite, and <="):
         solver.stress_at(found, 1e160, 0.0, 1.0)

@@ -69,5 +69,5 @@ def test_motion_of_adhering_bodies_under_partial_slip_is_refused():
     law = sc.Adhesion.exponential(0.05, 2.5e-9)
     simulation = sc.Simulation(grid, TIP, SOFT, gap, sc.Coulomb(0.3), adhesion=law)
     simulation.step(approach=0.0)
-    with pytest.raises(ValueError, match=r"and partial slip, got \(1e-08, 1e-08\): motion"):
+    with pytest.raises(ValueError, match=r"and partial slip, got \(1e-08, 1e-08\): with"):
         simulation.step(approach=0.0, advance=(1e-8, 1e-8))

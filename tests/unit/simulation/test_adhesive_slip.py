@@ -137,5 +137,5 @@ def test_a_creeping_ball_holds_more_when_pulled_fast():
 
 def test_adhesion_with_a_viscoelastic_fluid_is_refused():
     fluid = sc.Material.elastic(2e9, 0.3).with_relaxation([1.0], [1.0])
-    with pytest.raises(ValueError, match="without a long-time modulus"):
+    with pytest.raises(ValueError, match="which has no long-time modulus"):
         sc.Simulation(GRID, RIGID, fluid, GAP, adhesion=LAW)

@@ -94,7 +94,7 @@ def test_refusals():
     with pytest.raises(ValueError, match=r"heat.factor must be 0 for viscoelastic body2 on a grid"):
         simulation(CREEPS, METAL, layers, heat=sc.Heat((0.0, 1e-6), time=1.0))
     slip = {"heat": sc.Heat(partition=0.5, time=1.0), "friction": sc.Coulomb(0.3)}
-    with pytest.raises(ValueError, match=r"heat.partition: fraction of the heat must be 0 for"):
+    with pytest.raises(ValueError, match=r"heat.partition .fraction of the heat. must be 0 for"):
         simulation(CREEPS, METAL, layers, **slip)
     sim = simulation(CREEPS, METAL, heat=sc.Heat((1e-6, 0.0), history=(0.1, 1e3)))
     with pytest.raises(ValueError, match=r"duration must be >= the shortest step of heat.history"):

@@ -182,7 +182,7 @@ def test_an_invalid_history_of_a_layer_is_refused():
 
 def test_the_load_of_first_yield_is_refused_for_several_laws():
     run, _ = indented(sc.Layered(SANDWICH, STEEL), loads=())
-    with pytest.raises(ValueError, match="does not support layers, which body2 has"):
+    with pytest.raises(ValueError, match="does not support layers, got layers in body2"):
         sc.find_load(lambda load: (run, [{"load": load}]), "yield", largest_load=10.0)
 
 

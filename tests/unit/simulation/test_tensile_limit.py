@@ -143,5 +143,5 @@ def test_the_grid_of_attracting_bodies_is_not_enlarged():
     simulation = sc.Simulation(
         grid, STEEL, SOFT, lambda over: surfaces.paraboloid(over, 1e-3), adhesion=LAW
     )
-    with pytest.raises(sc.GridTooSmallError, match="with a contact law that attracts"):
+    with pytest.raises(sc.GridTooSmallError, match="with an attractive contact law"):
         simulation.step(load=0.05)
