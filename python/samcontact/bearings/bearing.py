@@ -28,7 +28,7 @@ _AXIAL_FACTORS = ((15, 20, 25, 30, 35, 40, 45), (0.46, 0.42, 0.38, 0.33, 0.29, 0
 
 @dataclass(frozen=True)
 class Bearing:
-    """One row of a rolling bearing.
+    """A rolling bearing with one row, or with several equal rows.
 
     Parameters
     ----------
@@ -61,9 +61,9 @@ class Bearing:
 
     Notes
     -----
-    If the clearance is unknown, the load of the most heavily loaded element under a radial load
-    follows from Stribeck's rule, 5 F/(Z cos(alpha)), as in ISO 76. With a clearance, an axial load
-    or a moment, the load follows from the equilibrium of the inner ring (`element_loads`).
+    If the clearance is unknown and the load is purely radial, the maximum element load follows from
+    Stribeck's rule, 5 F/(Z cos(alpha)), as in ISO 76. Otherwise the equilibrium of the inner ring
+    is solved (`element_loads`); for an unknown clearance see `max_element_load`.
     """
 
     kind: str
@@ -107,7 +107,7 @@ class Bearing:
                 )
         if self.has_rollers:
             if self.length is None:
-                raise ValueError("length is required for rollers: their effective length [m]")
+                raise ValueError("length is required for rollers: give their effective length [m]")
             given["length"] = positive("length", self.length)
             choice("profile", given["profile"], ("straight", "logarithmic"))
         for name, value in given.items():
@@ -129,8 +129,8 @@ class Bearing:
         room = self.pitch_diameter * math.sin(math.pi / self.elements)
         if room < width * (1.0 - 1e-9) and self.elements > 2:
             raise ValueError(
-                f"elements: {self.elements} elements of {self.element_diameter!r} m do not fit on "
-                f"a pitch diameter of {self.pitch_diameter!r} m"
+                f"elements: {self.elements} elements of diameter {self.element_diameter!r} m do "
+                f"not fit on a pitch diameter of {self.pitch_diameter!r} m"
             )
         for race in RACES:
             self.race(race)
@@ -160,7 +160,7 @@ class Bearing:
         return ball_on_race(D, pitch, conformity=f, contact_angle=angle, race=race)
 
     def gap(self, race: str, tilt: float = 0.0) -> Callable[[surfaces.SurfaceGrid], FloatArray]:
-        """Gap between an element and a race: a function that returns the gap on a grid.
+        """Return a function that gives the gap between an element and a race on a grid.
 
         tilt: tilt of a roller relative to the race [rad]; 0 for balls.
         """
@@ -205,11 +205,11 @@ class Bearing:
         radial_load, axial_load : float
             Loads on the bearing, >= 0 [N]. One element lies directly under the radial load.
         moment : float, optional
-            Moment in the plane of the radial load [N m]; a positive moment presses the element
-            under the radial load in the direction of the axial load. Default: None, the rings
-            remain parallel. With 0, the inner ring is free to tilt.
+            Moment in the plane of the radial load [N m]. A positive moment moves the inner ring,
+            at the element under the radial load, in the direction of the axial load. Default: None,
+            the rings remain parallel. With 0, the inner ring is free to tilt.
         E_star : float, optional
-            Contact modulus of balls and races [Pa]; rollers have the stiffness of steel.
+            Contact modulus of balls and races [Pa]; not used for rollers, which are of steel.
 
         Returns
         -------
@@ -233,7 +233,7 @@ class Bearing:
             0.0 if moment is None else finite("moment", moment),
         ])  # fmt: skip
         if not forces.any():
-            raise ValueError("radial_load, axial_load or moment must be > 0, got 0 for all")
+            raise ValueError("radial_load, axial_load or moment must differ from 0, got 0 for all")
         clearance, tilts = self.clearance or 0.0, moment is not None
         if self.has_rollers:
             length = float(self.length or 0.0)
@@ -300,7 +300,7 @@ class Bearing:
         axial_load: float = 0.0,
         moment: float | None = None,
     ) -> float:
-        """Common factor of all loads at which the largest element load becomes `element_load` [-].
+        """Factor by which all loads are multiplied to reach the element load `element_load` [-].
 
         element_load: load [N], > 0. Other arguments as for `max_element_load`.
         """
@@ -315,7 +315,9 @@ class Bearing:
             turned = None if loads[2] is None else factor * loads[2]
             found = self.max_element_load(factor * loads[0], factor * loads[1], turned)
             if found == 0.0:
-                raise ValueError("radial_load, axial_load or moment must load an element, got 0")
+                raise ValueError(
+                    "radial_load, axial_load or moment must load an element, got no loaded element"
+                )
             return math.log(found / target)
 
         low = high = -excess(0.0)

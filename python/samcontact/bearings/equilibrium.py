@@ -12,14 +12,15 @@ from .._util.checks import FloatArray
 from .._util.display import ShortRepr
 
 LINE_CONTACT_EXPONENT = 10.0 / 9.0
-"""Exponent n of load ~ approach^n of a roller between two races."""
+"""Exponent n in load ~ approach^n for a roller between two races."""
 LINE_STIFFNESS = 3.5948e10
-"""Stiffness of a steel roller of length L between two races in SI units.
+"""Stiffness constant of steel rollers between two races, in SI units.
 
-load = LINE_STIFFNESS L^(8/9) approach^(10/9). ISO/TS 16281 gives 35948 L^(8/9) N/mm^(10/9).
+A roller of length L has load = LINE_STIFFNESS L^(8/9) approach^(10/9). ISO/TS 16281 gives the
+factor 35948 L^(8/9) N/mm^(10/9), with L in mm.
 """
 SLICES = 40
-"""Number of slices of a roller."""
+"""Number of slices into which a roller is divided."""
 _MAX_ITERATIONS = 300
 _TOLERANCE = 1e-10
 
@@ -41,7 +42,7 @@ class ElementLoads(ShortRepr):
         Contact angles under load [rad].
     displacement : ndarray, shape (3,)
         Displacement of the inner ring: radial [m], axial [m], and rotation [rad] in the plane of
-        the radial load. The rotation moves the ring axially at psi = 0.
+        the radial load. A positive rotation moves the ring axially at psi = 0.
     """
 
     angles: FloatArray
@@ -118,7 +119,7 @@ def rollers_in_equilibrium(
 ) -> ElementLoads:  # fmt: skip
     """Solve the equilibrium of a cylindrical roller bearing by slices (ISO/TS 16281).
 
-    forces: radial load [N], axial load 0 and moment [N m]. clearance: diametral clearance [m].
+    forces: radial load [N], axial load (0) and moment [N m]. clearance: diametral clearance [m].
     slices: positions of the slices along the roller [m]. drop: drop of the roller profile at these
     positions [m]. tilts: as for `balls_in_equilibrium`.
     """
@@ -153,7 +154,7 @@ def _minimum(energy: Energy, forces: FloatArray, scales: FloatArray) -> FloatArr
     """Return the displacements that minimise an energy, by Newton's method with damping.
 
     scales: typical size of each displacement; a displacement whose scale is 0 is held at 0. Raises
-    ValueError if no equilibrium of the loads with the elements is found.
+    ValueError if no displacement is found at which the elements carry the loads.
     """
     size = float(np.abs(scales * forces).max())
     u, damping = np.zeros(3), 1e-2
@@ -175,6 +176,6 @@ def _minimum(energy: Energy, forces: FloatArray, scales: FloatArray) -> FloatArr
         else:
             damping = min(10.0 * damping, 1e12)
     raise ValueError(
-        "radial_load, axial_load and moment must be in equilibrium with the elements, but no "
+        "the elements must be able to carry radial_load, axial_load and moment, but no "
         "equilibrium was found: check the units"
     )

@@ -101,7 +101,7 @@ def ball_load(
         without clearance; the load is then 4.37 F_r/(Z cos(alpha)) for balls and 4.08 F_r/(Z
         cos(alpha)) for rollers. Clearance reduces epsilon.
     exponent : float, optional
-        1.5 for balls (default), 10/9 for rollers.
+        Exponent n as in `sjovall`: 1.5 for balls (default), 10/9 for rollers.
 
     Returns
     -------
@@ -128,8 +128,8 @@ def _mean_normal(radial_load: float, balls: int, contact_angle: float) -> float:
     angle = angle_of(contact_angle)
     if angle > 0.5 * math.pi - 1e-9:
         raise ValueError(
-            "contact_angle must be < pi/2 rad for a bearing under radial "
-            f"load, got {angle!r} rad: a thrust bearing carries no radial load"
+            "contact_angle must be < pi/2 rad for a radial load, got "
+            f"{angle!r} rad: a thrust bearing carries no radial load"
         )
     return load / (count * math.cos(angle))
 
@@ -171,7 +171,7 @@ def load_zone(
     *,
     exponent: float = POINT_CONTACT_EXPONENT,
 ) -> LoadZone:
-    """Loads in an angular-contact row under combined radial and axial load.
+    """Load zone in a row with angular contact under combined radial and axial load.
 
     Parameters
     ----------
@@ -182,7 +182,7 @@ def load_zone(
     contact_angle : float
         Contact angle under load [rad], between 0 and pi/2, equal for all elements.
     exponent : float, optional
-        1.5 for balls (default), 10/9 for rollers.
+        Exponent n as in `sjovall`: 1.5 for balls (default), 10/9 for rollers.
 
     Returns
     -------
@@ -209,7 +209,7 @@ def load_zone(
     if ratio >= 1.0:
         raise ValueError(
             "axial_load must be greater than radial_load tan(contact_angle), which is "
-            f"{F_r * math.tan(angle)!r} N, got {F_a!r} N"
+            f"{F_r * math.tan(angle)!r} N, got {F_a!r} N: otherwise the rings separate"
         )
     if ratio == 0.0:
         return LoadZone(normal, math.inf, n)

@@ -69,7 +69,7 @@ def angle_of(contact_angle: float) -> float:
 
 
 def _warn_of_size(name: str, diameter: float) -> None:
-    """Issue a `UnitWarning` for a rolling element that is implausibly large [m]."""
+    """Issue a `UnitWarning` if the diameter of a rolling element [m] is implausibly large."""
     if diameter > MAX_DIAMETER:
         warnings.warn(
             f"likely unit error: {name} is {diameter!r} m (≤ {MAX_DIAMETER:g} m expected). Use m: "
@@ -128,15 +128,16 @@ def ball_on_race(
     D, pitch = positive("ball_diameter", ball_diameter), positive("pitch_diameter", pitch_diameter)
     _warn_of_size("ball_diameter", D)
     if (groove_radius is None) == (conformity is None):
-        raise ValueError("exactly one of groove_radius and conformity must be given")
+        given = "none" if conformity is None else "both"
+        raise ValueError(f"exactly one of groove_radius and conformity must be given, got {given}")
     if groove_radius is None:
         f = positive("conformity", conformity)
     else:
         f = positive("groove_radius", groove_radius) / D
     if f <= 0.5:
         raise ValueError(
-            f"groove_radius/ball_diameter must be > 0.5, got {f!r}: the groove must be wider than "
-            "the ball"
+            f"conformity = groove_radius/ball_diameter must be > 0.5, got {f!r}: the groove must "
+            "be wider than the ball"
         )
     return RaceContact(
         _rolling_radius(D, pitch, angle_of(contact_angle), race), D / (2.0 - 1.0 / f)
@@ -182,7 +183,7 @@ def roller_on_race(
 
     Notes
     -----
-    The axis and the raceways of a tapered roller have different angles. The equivalent radius
+    The axis of a tapered roller is not parallel to its raceways. The equivalent radius
     follows from Harris's formula with mean diameters, an approximation for small taper angles. At
     the ends of a straight roller of finite length, the pressure is higher than in a line contact.
     """

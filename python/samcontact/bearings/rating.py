@@ -15,7 +15,7 @@ from .races import RaceContact
 STEEL_CONTACT_MODULUS = 2.07e11 / (1.0 - 0.3**2) / 2.0
 """Contact modulus used for the factors of ISO 76 [Pa]: E = 207 GPa, nu = 0.3 for both bodies."""
 PALMGREN_FACTOR = 1.3e-19
-"""Palmgren's factor [m^4/N^2]; 1.3e-7 in mm and N."""
+"""Factor of Palmgren's formula (`palmgren_deformation`) [m^4/N^2]; 1.3e-7 in mm and N."""
 
 
 def static_load_rating(
@@ -128,9 +128,9 @@ def palmgren_deformation(race: RaceContact, load: float, ball_diameter: float) -
 
     Notes
     -----
-    At the pressures of `static_load_rating`, the formula gives a deformation of about 1e-4 of the
-    ball diameter, as the standard states. Formula and pressures were derived from the same tests,
-    so this agreement validates neither of them.
+    At the pressures listed in `static_load_rating`, the formula gives a deformation of about 1e-4
+    of the ball diameter, as the standard states. Formula and pressures were derived from the same
+    tests, so this agreement validates neither of them.
     """
     require_type("race", race, RaceContact)
     Q, D = non_negative("load", load), positive("ball_diameter", ball_diameter)

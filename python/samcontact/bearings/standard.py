@@ -55,9 +55,9 @@ def _size_of(designation: str | int) -> StandardSize:
     match = _DESIGNATION.fullmatch(text.strip())
     if match is not None and match[1] in SIZES:
         return SIZES[match[1]]
-    hint = "create a Bearing from the dimensions of another one"
+    hint = "for other bearings, create a Bearing from the dimensions"
     if match is None and text.strip()[:4] in SIZES:
-        hint = "the suffix may belong to other internal dimensions: omit it if it does not"
+        hint = "the suffix is unknown; omit it if it does not affect the internal dimensions"
     raise ValueError(
         f"designation must be one of {', '.join(SIZES)}, got {in_short(designation)}: {hint}"
     )

@@ -35,14 +35,15 @@ def read(
     ----------
     path : str or path
         File in any format of SurfaceTopography (.al3d, .sur, .x3p, .opd, .vk4, .nc, text, ...), or
-        a plain array (.npy), or plain text with decimal points and a header that states no sizes.
+        a plain array (.npy), or plain text (with decimal points; a header must not state sizes).
         Columns are separated by blanks in .txt, .dat and .asc files, and by commas or semicolons in
         .csv files. A plain file contains one of the following: rows of heights, which require `dx`;
         two columns x and z of a profile; or three columns x, y, z of points that fill a grid, in
         any order.
     format : str, optional
         Name of a reader in SurfaceTopography ("sur", "x3p", "nms", ...), "array" for rows of
-        heights, or "xyz" for columns of positions. Default: determined from content and suffix.
+        heights, or "xyz" for columns of positions and heights. Default: determined from content and
+        suffix.
     channel : int or str, optional
         Number (from 0) or name of the map in the file. Default: the first map of heights.
     detrend : {"center", "height", "slope", "curvature"} or None
@@ -61,8 +62,8 @@ def read(
     MeasuredSurface
         Surface. Its `attrs` contain source, format, channel, unit of the file, trend and number of
         filled points, and, if available, instrument and acquisition_time. A profile has heights of
-        shape (n, 1). A profile with unequal steps is interpolated, and `attrs` contains the
-        original steps.
+        shape (n, 1). A profile with unequal steps is interpolated to equal steps; `attrs` then
+        contains the original steps.
 
     Raises
     ------
@@ -90,7 +91,7 @@ def read(
     step_x = None if dx is None else positive("dx", dx)
     step_y = step_x if dy is None else positive("dy", dy)
     if step_y is not None and step_x is None:
-        raise ValueError(f"dx is required with dy = {in_short(dy)}, got None: give both steps [m]")
+        raise ValueError(f"dx is required if dy is given, got dy = {in_short(dy)}: give both [m]")
     steps = None if step_x is None or step_y is None else (step_x, step_y)
     surface = _read(source, require_format(format), ReaderArguments(channel, steps, unit))
     warn_of_size(surface.heights, surface.steps, str(source), stacklevel=2)
@@ -118,8 +119,8 @@ def _read(source: Path, format: str | None, given: ReaderArguments) -> MeasuredS
         return _surface_from_rows(source, given)
     if format == "array":
         raise ValueError(
-            f'format must not be "array": {source} is not a plain file of numbers (.npy, .txt, '
-            ".dat, .asc, .csv without a header)"
+            f'format must not be "array", because {source} is not a plain file of numbers (.npy, '
+            "or .txt, .dat, .asc or .csv without a header): omit format"
         )
     return with_library(source, format, given)
 
@@ -130,7 +131,10 @@ def _surface_from_rows(source: Path, given: ReaderArguments) -> MeasuredSurface:
     if given.steps is None:
         raise ValueError(f"dx is required, because {source} does not contain it")
     if given.channel not in _DEFAULT_CHANNELS:
-        raise ValueError(f"channel must be 0: {source} has one map, got {in_short(given.channel)}")
+        raise ValueError(
+            f"channel must be 0, because {source} contains only one map, got "
+            f"{in_short(given.channel)}"
+        )
     kind = "npy" if is_array(source) else source.suffix.lower()[1:]
     attrs = {"source": str(source), "format": kind}
     if given.unit is not None:
@@ -151,7 +155,10 @@ def _surface_from_columns(
     if given.steps is not None:
         raise ValueError(f"dx must be None, got {in_short(given.steps[0])}: {rows}")
     if given.channel not in _DEFAULT_CHANNELS:
-        raise ValueError(f"channel must be 0: {source} has one map, got {in_short(given.channel)}")
+        raise ValueError(
+            f"channel must be 0, because {source} contains only one map, got "
+            f"{in_short(given.channel)}"
+        )
     units = [found.units[column] for column in which]
     if given.unit is None and None in units:
         known = [f"{name} in {unit}" for name, unit in zip(names, units, strict=True) if unit]

@@ -49,7 +49,7 @@ def require_format(name: str | None) -> str | None:
     if key in known:
         return key
     near = difflib.get_close_matches(key, known, 1)
-    hint = f"did you mean {near[0]!r}?" if near else f"one of {', '.join(known)}"
+    hint = f"did you mean {near[0]!r}?" if near else f"use one of {', '.join(known)}"
     raise ValueError(f"format must be the name of a reader, got {in_short(name)}: {hint}")
 
 
@@ -187,7 +187,7 @@ def _profile(topography: Any, attrs: dict[str, Any], written: FloatArray | None)
     if written is not None and len(written) == len(x):
         x = written
     if len(x) < 2 or not ((np.diff(x) > 0).all() or (np.diff(x) < 0).all()):
-        raise _ReaderError("x of the profile must increase from point to point")
+        raise _ReaderError("the positions x of the profile must increase or decrease throughout")
     heights, step, uneven = profile(x, np.ma.filled(z.astype(float), np.nan))
     return MeasuredSurface(
         heights, step, attrs=attrs | ({"interpolated_from": uneven} if uneven else {})

@@ -156,9 +156,9 @@ def columns(values: FloatArray, path: Path) -> tuple[int, ...] | None:
         steps = np.diff(values[:, first])
         turns = np.flatnonzero(np.sign(steps) != np.sign(values[-1, first] - values[0, first]))
         raise ValueError(
-            f"path: x of the profile in {path} must increase or decrease from row to row, but "
-            f"reverses at row {turns[0] + 2}; if the lines are rows of heights, set "
-            'format="array"'
+            f"path: the positions x of the profile in {path} must increase or decrease throughout, "
+            f"but their direction reverses at row {turns[0] + 2}; if the lines are rows of "
+            'heights, set format="array"'
         )
     return None
 
@@ -207,8 +207,8 @@ def _last_digit(x: FloatArray, step: float) -> float:
 def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, float]:
     """Return the heights of points x, y, z as an array [i][j], and the steps along x and y.
 
-    The points may be in any order. Raises ValueError unless each node of a regular grid has one
-    point.
+    The points may be in any order. Raises ValueError unless each node of a regular grid has
+    exactly one point.
     """
     axes = [_places(points[:, axis]) for axis in (0, 1)]
     (i, x), (j, y) = axes
@@ -216,8 +216,9 @@ def grid_of_points(points: FloatArray, path: Path) -> tuple[FloatArray, float, f
     if missing or len(points) != len(x) * len(y) or min(len(x), len(y)) < 2:
         raise ValueError(
             f"path: the three columns of {path} are interpreted as points x, y, z, which must fill "
-            f"a grid, got {len(points)} points at {len(x)} values of x and {len(y)} of y: "
-            'interpolate them to a grid or, if the lines are rows of heights, set format="array"'
+            f"a grid, got {len(points)} points at {len(x)} values of x and {len(y)} values of y: "
+            "interpolate the points to a grid or, if the lines are rows of heights, set "
+            'format="array"'
         )
     steps = []
     for name, places in (("x", x), ("y", y)):
@@ -276,12 +277,15 @@ def _array(path: Path) -> Any:
 
 
 def _rows(lines: list[str], is_csv: bool, skip: list[str] | None = None) -> FloatArray:
-    """Return the rows of numbers in a text; a decimal comma is refused. skip: header lines."""
+    """Return the rows of numbers in a text; raise ValueError for decimal commas.
+
+    skip: header lines.
+    """
     first = next((line for line in lines if _is_data(line)), "")
     delimiter = ";" if ";" in first else "," if is_csv and "," in first else None
     if "," in first and delimiter != ",":
         raise ValueError(
-            "numbers must have decimal points, and commas as separators in .csv only, got "
+            "numbers must have decimal points; commas may separate columns only in .csv files, got "
             f"{first.strip()[:40]!r}"
         )
     with warnings.catch_warnings():

@@ -14,7 +14,7 @@ from .._util.errors import UnitWarning
 MAX_LENGTH = 1.0
 """Maximum length of a measured area [m]."""
 MAX_RMS_SLOPE = 2.0
-"""Maximum plausible rms slope [-], because instruments measure slopes up to about 70 degrees."""
+"""Maximum plausible rms slope [-]; instruments measure local slopes up to about 70 degrees."""
 
 
 def warn_of_size(
@@ -24,7 +24,7 @@ def warn_of_size(
 
     heights: shape (nx, ny) [m], NaN where undefined; steps: sample spacing along x and y [m].
     Issues a UnitWarning if the measured area is longer than 1 m, the rms slope is above 2, or the
-    height range exceeds the longer side.
+    height range exceeds the longer side of the area.
     """
     size = [n * step for n, step in zip(heights.shape, steps, strict=True)]
     sides = size[:1] if heights.shape[1] == 1 else size

@@ -100,7 +100,7 @@ def _inside(positions: FloatArray, axis: int, size: float, edge: float, sampling
             f"grid must lie inside the measured area, {-half:.6g} to {half:.6g} m along "
             f"{'xy'[axis]} from the centre of this area, but the cells of the grid extend from "
             f"{positions.min() - edge:.6g} to {positions.max() + edge:.6g} m: reduce the grid, or "
-            "set fill"
+            "set fill, the height outside the area"
         )
     return inside
 

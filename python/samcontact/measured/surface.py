@@ -70,8 +70,8 @@ class MeasuredSurface(ShortRepr):
     Raises
     ------
     ValueError
-        The heights have an invalid shape, or are infinite or all undefined; or a spacing is not
-        positive.
+        The heights have an invalid shape, contain infinite values or are all undefined; or a
+        spacing is not positive.
 
     Notes
     -----
@@ -90,7 +90,7 @@ class MeasuredSurface(ShortRepr):
         heights = heights[:, None] if heights.ndim == 1 else heights
         if heights.ndim != 2 or heights.shape[0] < 2 or heights.shape[1] < 1:
             raise ValueError(
-                "heights must have shape (nx, ny), each >= 2, or (nx, 1) for a profile, got "
+                "heights must have shape (nx, ny) with nx, ny >= 2, or (nx, 1) for a profile, got "
                 f"{given}"
             )
         if np.isinf(heights).any():
@@ -141,7 +141,7 @@ class MeasuredSurface(ShortRepr):
             Trend to subtract. "center": mean height; "height": plane with minimum rms height of the
             residual; "slope": plane with minimum rms slope of the residual; "curvature":
             second-order polynomial, which also removes the shape of a ball. For maps, every trend
-            except the mean requires SurfaceTopography. For profiles, a line replaces the plane, and
+            except "center" requires SurfaceTopography. For profiles, a line replaces the plane, and
             a parabola replaces the polynomial.
 
         Returns
@@ -216,7 +216,7 @@ class MeasuredSurface(ShortRepr):
         fill: float | None = None,
         periodic: str = "",
     ) -> FloatArray:
-        """Heights in the cells of a grid.
+        """Return the heights in the cells of a grid.
 
         Parameters
         ----------
@@ -231,12 +231,13 @@ class MeasuredSurface(ShortRepr):
             mean removes wavelengths shorter than a cell: use it for cells larger than the sample
             spacing.
         fill : float, optional
-            Height outside the measured area [m]; -inf if there is no body. By default the grid must
-            lie inside the measured area.
+            Height outside the measured area [m]; -inf if the body ends there. By default the grid
+            must lie inside the measured area.
         periodic : {"", "x", "y", "xy"}, optional
             Directions in which the measured area, nx dx long and ny dy wide, is one period of a
             repeated surface. The spline is smooth across the ends of the period. If the grid is
-            periodic along such a direction, its length must be a whole number of periods.
+            periodic along such a direction, the length of the grid must be a whole number of
+            periods.
 
         Returns
         -------

@@ -35,7 +35,7 @@ __all__ = [
 ]
 
 _PLACES = {"films_dataset": "films", "films_of": "films", "to_pvd": "pvd", "to_vtk": "vtk"}
-"""Modules of the functions that are imported on first use."""
+"""Module of each function that is imported on first use."""
 
 
 def __getattr__(name: str) -> Any:

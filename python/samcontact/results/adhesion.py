@@ -26,10 +26,10 @@ _MAX_ELLIPTICITY = 1.02
 def add_adhesion(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
     """Add the variables of adhesion to the dataset; add nothing for a contact without adhesion.
 
-    These are the repulsion and the energy of the attraction. If the attraction depends on the gap,
-    adhesion stress and work of the load are added too. The work is summed from the first increment
-    by the trapezoidal rule. When the approach has returned to its initial value, this work is the
-    energy lost in jumps and plastic flow.
+    These variables are the repulsion and the energy of the attraction. If the attraction depends on
+    the gap, the adhesion stress and the work of the load are added too. The work is summed from the
+    first increment by the trapezoidal rule. When the approach has returned to its initial value,
+    this work is the energy lost in jumps and plastic flow.
     """
     if not simulation.adhesion.attracts:
         return
@@ -44,7 +44,7 @@ def add_adhesion(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 
 
 def adhesion_attributes(simulation: Simulation, states: Sequence[State]) -> dict[str, Any]:
-    """Return the attributes of adhesion: law, its constants as used on the grid, pull-off force."""
+    """Return the attributes of adhesion: law and constants used on the grid, and pull-off force."""
     law = simulation.adhesion
     if not law.attracts:
         return {}

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def hertz_rows(
     dataset: xr.Dataset, peak: int, reference: PointContact | EllipticContact, body: int
 ) -> list[tuple[Quantity, float, float]]:
-    """Return one row for each compared quantity: quantity, Hertz value and computed value.
+    """Return one row for each compared quantity: its name, Hertz value and computed value.
 
     Parameters
     ----------

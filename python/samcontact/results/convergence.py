@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def add_convergence(dataset: xr.Dataset, states: Sequence[State], inelastic: Sequence[int]) -> None:
     """Add residuals, maximum plastic strains, and the resolution of contact and plastic zone.
 
-    The resolution includes the distances of contact and plastic zone from the edge of the grid.
+    The distances of the contact and of the plastic zone from the edge of the grid are added too.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def free_cells(
     Returns
     -------
     float
-        Whole number, 0 at the edge; NaN if the region or the edge is empty.
+        Whole number, 0 at the edge; NaN if the region is empty or the edge has no sides.
     """
     free = []
     counted = along_x, along_y, True

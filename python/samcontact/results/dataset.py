@@ -84,7 +84,8 @@ def to_dataset(
         Case whose title, text and [output] settings are used.
     body : {1, 2}, optional
         Body whose stresses are stored even if it is elastic. Default: the body of the case; without
-        a case, body 2, or body 1 if body 2 is rigid. Elastic-plastic bodies are always stored.
+        a case, body 2, or body 1 if body 2 is rigid. Those of elastic-plastic bodies are
+        always stored.
     volume : {"none", "last", "peak_and_last", "all"} or sequence of int, optional
         Increments for which volume fields are stored, as a word or as increment numbers. Default:
         the setting of the case, or "peak_and_last". The peak is the increment with the maximum von
@@ -99,11 +100,12 @@ def to_dataset(
     -------
     xarray.Dataset
         Dimensions increment, x, y and, for a grid with layers, output_increment, z, component. If
-        the plastic strain of a body is in several subdomains, its volume fields have the dimension
-        cell_body1 or cell_body2 instead of x, y, z (see `on_grid`). With partial slip, the dataset
-        has tangential forces and motions, slip, sticking cells and the energy balance. For an
-        elastic-plastic body that moved, the dimension track_position_body1 or track_position_body2
-        spans its whole track at the end. Every variable has ``units`` (SI) and ``long_name``.
+        the plastic strain of a body is computed in several subdomains (separate parts of the grid),
+        its volume fields have the dimension cell_body1 or cell_body2 instead of x, y, z (see
+        `on_grid`). With partial slip, the dataset has tangential forces and motions, slip, sticking
+        cells and the energy balance. For an elastic-plastic body that moved, the dimension
+        track_position_body1 or track_position_body2 spans its whole track at the end. Every
+        variable has ``units`` (SI) and ``long_name``.
 
     Raises
     ------

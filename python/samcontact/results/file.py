@@ -73,8 +73,8 @@ def open_results(path: str | Path) -> xr.Dataset:
     """Open a results file; each field is read from the file when it is first used.
 
     The bytes of a file written by `save` are compared with its digest. A file modified by another
-    program has no digest and is first read completely by a separate process: HDF5 may crash on
-    damaged metadata, or not terminate.
+    program has no digest and is first read completely by a separate process, because HDF5 may
+    crash on damaged metadata, or not terminate.
 
     Parameters
     ----------
@@ -151,7 +151,7 @@ def _is_table(dtype: np.dtype[np.generic]) -> bool:
 
 
 def _try(path: Path) -> None:
-    """Read the metadata of a file, to raise any error here.
+    """Read the metadata of a file, so that errors in them are raised at once.
 
     The file is closed in any case, whereas `xarray.open_dataset` leaves an invalid file open.
     """

@@ -40,7 +40,7 @@ _HEAT_FIELDS = {
 }  # fmt: skip
 """Attribute of `FilmHeat` for each variable of the dataset."""
 MAX_SHARE_OF_FORMULA = 0.01
-"""Share of the load on the boundary layer [-] up to which a film is compared with a formula."""
+"""Fraction of the load on the boundary layer [-], up to which a film is compared with a formula."""
 _FIELDS = {
     "pressure": "pressure", "boundary_pressure": "boundary_pressure", "film": "film",
     "filling": "filling", "undeformed_gap": "gap",
@@ -74,7 +74,8 @@ def films_dataset(
     Raises
     ------
     ValueError, TypeError
-        There are no films, or they have several grids, lubricants or boundary layers.
+        `films` is empty or contains objects that are not films, or the films have different grids,
+        lubricants or boundary layers.
     """
     if not films:
         raise ValueError("films must contain at least one solution, got none")
@@ -83,7 +84,7 @@ def films_dataset(
     first = films[0]
     for name in ("grid", "lubricant", "boundary"):
         if any(getattr(film, name) != getattr(first, name) for film in films):
-            raise ValueError(f"films must have one {name}, got several: write one file for each")
+            raise ValueError(f"films must share one {name}, got several: write one file for each")
     rows = [_scalars(film, case) for film in films]
     if is_history(films):
         for row, value in zip(rows, storage_imbalance(films), strict=True):
@@ -197,8 +198,9 @@ def _scalars(film: FilmSolution, case: FilmCase | None) -> dict[str, float]:
 def _plastic_scalars(film: FilmSolution) -> dict[str, float]:
     """Return the scalar results of elastic-plastic bodies: maxima, imprint and gap mismatch.
 
-    The gap mismatch is the difference between the gap of the film and the gap of the plastically
-    deformed bodies, relative to the central film thickness.
+    The imprint is the range of the residual displacement. The gap mismatch is the maximum
+    difference between the gap of the film and the gap of the plastically deformed bodies, relative
+    to the central film thickness.
     """
     bodies = film.plasticity
     if bodies is None:
@@ -273,9 +275,9 @@ def _attributes(
 
 
 def films_of(dataset: xr.Dataset) -> tuple[FilmSolution, ...]:
-    """Return the solutions stored in a dataset of `films_dataset`, without plastic deformation.
+    """Return the solutions stored in a dataset of `films_dataset`.
 
-    Raises ValueError for other datasets.
+    The plastic deformation of bodies is not restored. Raises ValueError for other datasets.
     """
     with parts_of_a_run():
         attributes = dataset.attrs

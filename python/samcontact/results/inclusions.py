@@ -27,7 +27,7 @@ MAX_INTERFACES = 50
 
 
 def add_inclusions(dataset: xr.Dataset, simulation: Simulation, states: Sequence[State]) -> None:
-    """Add the geometry of the inclusions, and maximum stresses in each increment.
+    """Add the geometry of the inclusions, and the maximum stresses in each increment.
 
     The stresses are those of the matrix and, for up to `MAX_INTERFACES` inclusions, those at the
     interfaces of the inclusions.
@@ -96,8 +96,8 @@ def _maximum(field: FloatArray, where: Any) -> float:
 def _of_interfaces(state: State, body: int) -> tuple[float, float]:
     """Return maximum tension and von Mises stress at the interfaces of the inclusions [Pa].
 
-    Inclusions outside the grid are not included. Both are NaN if there is no inclusion in the grid,
-    or if the fields of the body do not coincide with grid cells (`State.offset` is not 0).
+    Inclusions outside the grid are ignored. Both values are NaN if there is no inclusion in the
+    grid, or if the fields of the body do not coincide with grid cells (`State.offset` is not 0).
     """
     if state.offset(body):
         return np.nan, np.nan

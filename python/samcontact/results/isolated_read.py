@@ -24,11 +24,11 @@ Begin = Callable[..., None]
 CALL_TIME = 2.0
 """Limit of the processor time of one HDF5 call [s], without the time allowed for reading values."""
 MIN_BYTES_PER_SECOND = 2e7
-"""Number of bytes per second that a slow machine decompresses; sets the time to read values."""
+"""Number of bytes per second that a slow machine decompresses; sets the time limit for reading."""
 BLOCK_BYTES = 1 << 24
 """Number of bytes that are read in one call from variables without chunks."""
 MAX_COMPRESSION_RATIO = 2000
-"""Compression ratio above which a file counts as damaged; deflate compresses by up to 1032."""
+"""Compression ratio above which a file counts as damaged; deflate reaches at most 1032."""
 
 _READER_PROGRAM = """
 import json, runpy, sys
@@ -56,18 +56,18 @@ def try_to_read(path: Path, call: float = CALL_TIME) -> None:
     command = [sys.executable, "-I", "-c", _READER_PROGRAM, *here]
     done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
     if done.returncode == -signal.SIGVTALRM:
-        raise ValueError("it is damaged: reading does not terminate")
+        raise ValueError("the file is damaged: reading it does not terminate")
     if done.returncode < 0:
         raise ValueError(
-            f"it is damaged: reading terminates with {signal.Signals(-done.returncode).name}"
+            f"the file is damaged: reading it ends with {signal.Signals(-done.returncode).name}"
         )
     if done.returncode:
         lines = done.stderr.decode(errors="replace").strip().splitlines()
-        raise ValueError(lines[-1] if lines else "it cannot be read")
+        raise ValueError(lines[-1] if lines else "the file cannot be read")
 
 
 def read_all(path: str, call: float) -> None:
-    """Read all attributes, dimension scales and values of a file, in a process of its own.
+    """Read all attributes, dimension scales and values of a file; runs in a separate process.
 
     A signal ends the process if an HDF5 call takes more than `call` seconds. If reading fails, the
     exit code is not 0 and the last line of stderr is the error message.

@@ -33,10 +33,12 @@ def add_motion(
 ) -> None:
     """Add the travel of the bodies, and the tracks of moving elastic-plastic bodies.
 
-    Nothing is added if no body moved. A track shows the body after the last increment. It is added
-    if the body has moved along x and, after the last increment, is not displaced along y.
-    inelastic: numbers of the elastic-plastic bodies. If `volume` is False, a track contains only
-    the residual imprint.
+    Nothing is added if no body moved. A track contains the fields of a body along its whole path,
+    after the last increment. It is added if the body has moved along x and, after the last
+    increment, is not displaced along y. If `volume` is False, the track contains only the
+    residual imprint.
+
+    inelastic: numbers of the elastic-plastic bodies.
     """
     moved = moving_bodies(states)
     if any(any(state.lateral_travel) for state in states):
@@ -59,12 +61,12 @@ def add_motion(
 
 
 def _stored_names(body: int) -> dict[str, str]:
-    """Return the names of track variables in results files, by their names in a track dataset."""
+    """Return the name in results files of each variable of a track dataset."""
     return {name: f"track_{'position' if name == 'x' else name}_body{body}" for name in TRACK}
 
 
 def track_of(dataset: xr.Dataset, body: int) -> xr.Dataset | None:
-    """Return the stored track of a body, named as in `Track.to_dataset`, or None if missing."""
+    """Return the stored track of a body, named as in `Track.to_dataset`, or None if not stored."""
     names = _stored_names(body)
     if names["x"] not in dataset.coords:
         return None

@@ -26,10 +26,11 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
     dataset : xarray.Dataset
         Result of `samcontact.results.to_dataset` or `open_results`.
     path : str or Path
-        File of the collection of volume fields, with all increments for which they are stored. The
-        collection of surface fields, with all increments, is written to ``*_surface.pvd``. The file
-        names of each increment contain the increment number with five digits: ``*_00001.vtr`` (or
-        .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The folder must exist.
+        File that lists the volume fields of all increments for which they are stored (a PVD
+        collection). The collection ``*_surface.pvd`` lists the surface fields of all increments.
+        The file names of each increment contain the increment number with five digits:
+        ``*_00001.vtr`` (or .vtu), ``*_00001_surface.vtr``. The suffix .pvd is added if missing. The
+        folder must exist.
     body : {1, 2}, optional
         Body for which volume fields and residual imprint are written. Default: the body set in
         [output] of the case; if only the other body has volume fields, that body.
@@ -38,7 +39,7 @@ def to_pvd(dataset: xr.Dataset, path: str | Path, body: int | None = None) -> li
     -------
     list of Path
         Paths of the collections, of the files of each increment, and of the files of a track. The
-        time in a collection is the end of the increment [s] for transient heating (`history`),
+        time in a collection is the end of the increment [s] if the dataset has the variable `time`,
         otherwise the number of the increment.
 
     Raises

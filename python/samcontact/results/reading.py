@@ -48,7 +48,7 @@ def body_shown(dataset: xr.Dataset, body: int | None = None) -> int:
 
 
 def cell_size(dataset: xr.Dataset, axis: str) -> float:
-    """Return the cell size along "x", "y" or "z" [m]; if not stored, from the cell centres."""
+    """Return the cell size along "x", "y" or "z" [m], from the cell centres if it is not stored."""
     given = dataset.attrs.get(f"d{axis}")
     if given is not None:
         return float(given)

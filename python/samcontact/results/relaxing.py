@@ -40,7 +40,7 @@ def add_relaxing(dataset: xr.Dataset, simulation: Simulation, states: Sequence[S
 
 
 def relaxation_attributes(prefix: str, terms: RelaxationTerms | None) -> dict[str, Any]:
-    """Return relaxation times and modulus shares as dataset attributes with a prefix."""
+    """Return relaxation times and shares as dataset attributes named with `prefix`."""
     if terms is None:
         return {}
     named = zip(("times", "shares"), terms, strict=True)

@@ -34,8 +34,9 @@ def to_vtk(
 ) -> list[Path]:
     """Write the fields of one increment as VTK XML files of rectilinear grids (.vtr).
 
-    If the plastic strain of a body is in several subdomains, its volume fields are written for the
-    cells with plastic strain only, as an unstructured grid (.vtu).
+    If the plastic strain of a body is computed in several subdomains (separate parts of the grid),
+    its volume fields are written only for the cells with plastic strain, as an unstructured grid
+    (.vtu).
 
     For a body that has moved, the residual fields along its whole track at the end of the run are
     also written; x = 0 is the initial contact position on the body.
@@ -92,7 +93,7 @@ def _write_all(dataset: xr.Dataset, target: Path, increment: int, body: int) -> 
 
 
 def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Write the volume fields of a body at an increment number, and return the path."""
+    """Write the volume fields of a body in increment `number`, and return the path."""
     fields = dataset[volume_names(dataset, body)].sel(output_increment=number)
     edges = _volume_edges(dataset, number, body)
     cells = cells_of(next(iter(fields.data_vars.values())), dataset)
@@ -109,7 +110,7 @@ def write_volume(dataset: xr.Dataset, target: Path, number: int, body: int) -> P
 
 
 def write_surface(dataset: xr.Dataset, target: Path, number: int, body: int) -> Path:
-    """Write the surface fields at an increment number, and return the path."""
+    """Write the surface fields of increment `number`, and return the path."""
     fields = dataset[_surface_names(dataset, body)].sel(increment=number)
     edges = [_edges(dataset, "x"), _edges(dataset, "y"), np.zeros(1)]
     _write(target, _rectilinear(edges), fields, body, number)
@@ -162,7 +163,7 @@ def stored_number(dataset: xr.Dataset, increment: int, volume: bool) -> int:
     if increment not in stored:
         what = "increments with volume fields" if volume else "increments of the file"
         listed = ", ".join(str(number) for number in stored)
-        raise ValueError(f"increment must be one of the {what}, {listed}, got {increment}")
+        raise ValueError(f"increment must be one of the {what} ({listed}), got {increment}")
     return increment
 
 

@@ -116,7 +116,7 @@ def cells_of(field: xr.DataArray, dataset: xr.Dataset) -> NDArray[np.int64] | No
 
 
 def _value_outside(name: str) -> float:
-    """Return the value of a gathered field in cells not stored: 0 for strains, else NaN."""
+    """Return the value of a gathered field in other cells: 0 for strains, NaN for stresses."""
     return 0.0 if "strain" in name else np.nan
 
 

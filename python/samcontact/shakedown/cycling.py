@@ -80,12 +80,13 @@ def run(
     Returns
     -------
     ShakedownResult
-        "elastic shakedown": a cycle adds an equivalent plastic strain of less than tol times the
-        yield strain. "plastic shakedown": a cycle changes the plastic strain by less than tol times
+        Result whose attribute `response` is one of the following. "elastic shakedown": a cycle adds
+        an equivalent plastic strain of less than tol times the yield strain ("elastic" if no cycle
+        adds any). "plastic shakedown": a cycle changes the plastic strain by less than tol times
         the yield strain, and the plastic flow in this cycle equals the flow in the preceding cycle
         to 2 %. "ratcheting": the strain added per cycle has changed by less than 10 % over the last
         20 cycles; a rate that decreases more slowly than this cannot be distinguished from a steady
-        rate.
+        rate. "undecided": none of these.
 
     Raises
     ------
@@ -135,8 +136,8 @@ def run(
     if repeated.response == UNDECIDED:
         last = repeated.cycles[-1]
         warnings.warn(
-            f"response is not steady after {last.number} cycles: the last cycle adds a "
-            f"plastic strain of {last.net:.3g} and has a plastic flow of {last.flow:.3g}; "
+            f"response is not steady after {last.number} cycles: the last cycle has a plastic flow "
+            f"of {last.flow:.3g} and a net change of the plastic strain of {last.net:.3g}; "
             f"increase cycles, which is {count}",
             NotSteadyWarning,
             stacklevel=2,

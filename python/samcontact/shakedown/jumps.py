@@ -31,7 +31,8 @@ MAX_JUMP_CYCLES = 20
 _MAX_PREDICTION_ERROR = 0.3
 """Maximum error of a predicted plastic strain, relative to the change per cycle.
 
-It applies to the sum of the changes over a jump and to the change in the cycle after the jump.
+This limit applies to the sum of the changes over a jump and to the change in the cycle after the
+jump.
 """
 _MIN_REMAINING_FRACTION = 0.1
 """Fraction of a decaying change per cycle that must remain after a jump, so that solved cycles
@@ -73,7 +74,7 @@ class Trend:
         return norm([b - self.factor * a for a, b in zip(*self.steps, strict=True)])
 
     def weight(self, cycles: int) -> float:
-        """Return mu + ... + mu^cycles, by which `later` multiplies the latest difference."""
+        """Return mu + ... + mu^cycles, the factor of the latest difference in `later`."""
         return float(np.sum(self.factor ** np.arange(1, cycles + 1)))
 
     def total(self, cycles: int) -> float:
@@ -109,7 +110,7 @@ class Trend:
 
 
 def trend(changes: Sequence[Changes], field: str) -> Trend | None:
-    """Return the trend of a field over three cycles, or None if the cells of the field changed."""
+    """Return the trend of a field over three cycles; None if the cells of the field differ."""
     by_body = [at_common_depth([each[body].of(field) for each in changes]) for body in changes[-1]]
     cells = {tuple((c.first, c.of(field).shape[:-1]) for c in each.values()) for each in changes}
     if len(cells) != 1:
@@ -148,8 +149,8 @@ class Jump:
 
         A deviation is the change in a solved cycle minus the predicted change. The error is the
         deviation in the first cycle after the jump plus the deviations in the skipped cycles. The
-        latter are assumed to grow uniformly from 0 to the deviation in the second cycle, or in the
-        first cycle if there is no second cycle.
+        deviations in the skipped cycles are assumed to grow uniformly from 0 to the deviation in
+        the second cycle, or in the first cycle if there is no second cycle.
         """
         missed = max(map(max_equivalent, self.away(first)))
         grown = (

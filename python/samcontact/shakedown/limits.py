@@ -150,7 +150,7 @@ def line(friction: float = 0.0, nu: float = 0.3, criterion: str = "tresca") -> S
 
     A body shakes down if some residual stress keeps the stress within the yield surface during the
     whole passage. Residual stress after repeated passages is uniform along the surface. Equilibrium
-    then allows only the components sigma_xx and sigma_yy, with any variation with depth, so this
+    then allows only the components sigma_xx and sigma_yy, which may vary with depth, so this
     limit is exact.
 
     Parameters

@@ -23,7 +23,7 @@ _SHEAR_WEIGHTS = np.array([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])[:, None, None, None]
 class PlasticChange:
     """Change of the plastic state of a body in one cycle.
 
-    Index 0 of its fields along x is row `first` of the grid.
+    Index 0 of its fields along x means row `first` of the grid.
     """
 
     first: int
@@ -65,7 +65,7 @@ def at_common_depth(fields: Sequence[FloatArray]) -> list[FloatArray]:
 
 
 def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[int, Track]:
-    """Return the fields of each elastic-plastic body in all cells that the contact has passed.
+    """Return the fields of each elastic-plastic body in all cells where the contact has passed.
 
     Raises ValueError if plastic strain lies outside the volume fields.
     """
@@ -77,8 +77,8 @@ def tracks(simulation: Simulation, state: State, bodies: Sequence[int]) -> dict[
         grid = simulation.grid
         if (grid.nz and nz > grid.nz) or first < 0 or first + ny > grid.ny:
             raise ValueError(
-                f"grid must contain the plastic strain of body {body} in depth and along y: {nz} "
-                f"layers, rows {first} to {first + ny - 1} along y; got {grid!r}: "
+                f"grid must contain the plastic strain of body {body}, which extends over {nz} "
+                f"layers and from index {first} to {first + ny - 1} along y, got {grid!r}: "
                 "omit nz, or enlarge ny"
             )
     return {body: state.track(body, margin=0) for body in bodies}

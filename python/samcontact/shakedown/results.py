@@ -41,7 +41,7 @@ class ShakedownResult(ShortRepr, HtmlTable):
     response : str
         "elastic": no plastic flow. "elastic shakedown": flow has ceased. "plastic shakedown":
         plastic flow cancels over each cycle. "ratcheting": each cycle adds as much plastic strain
-        as the preceding one. "undecided": none of these responses is clear so far.
+        as the preceding one. "undecided": none of these responses has been found.
     rate : float
         Maximum magnitude of the plastic strain change over the last cycle [-]: `cycles[-1].net`.
     flow : float
@@ -79,7 +79,7 @@ class ShakedownResult(ShortRepr, HtmlTable):
         return self.response in (ELASTIC, SHAKEDOWN, PLASTIC)
 
     def strain_per_cycle(self, body: int = 2) -> FloatArray:
-        """Plastic strain of a body added in the last cycle [-].
+        """Return the plastic strain that the last cycle added to a body [-].
 
         Parameters
         ----------

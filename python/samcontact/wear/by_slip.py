@@ -33,14 +33,14 @@ from .repeating import repeat
 from .results import FrettingCycle, FrettingResult
 
 _MAX_PRESSURE_CHANGE = 1.0
-"""Maximum relative decrease of a pressure wave that wear may cause between two contact solutions.
+"""Maximum relative decrease of a pressure wave by wear between two contact solutions.
 
-The limit applies to the shortest wave on the grid. If the decrease were 2 or more, the amplitude of
-this wave would grow from one solution to the next.
+The limit applies to the amplitude of the shortest wave on the grid. If the decrease were 2 or more,
+this amplitude would grow from one solution to the next.
 """
 _MAX_PARTS = 10_000
 _MAX_SHEAR_MISMATCH = 1e-2
-"""Maximum change of the shear traction over a loop that counts as periodic, relative to max mu p.
+"""Maximum change of the shear traction over a periodic loop, divided by the maximum of mu p.
 
 The limit is not smaller because, at the edge of the stick zone, slip directions rotate slightly
 over many repeats. This rotation does not noticeably affect the frictional work.
@@ -48,11 +48,11 @@ over many repeats. This rotation does not noticeably affect the frictional work.
 _MAX_REPEATS = 20
 _MAX_CREEPING_REPEATS = 200
 _MIN_MISMATCH_OF_TOL = 10.0
-"""Smallest limit for the relative change of pressure and shear over a loop of viscoelastic bodies
-that counts as periodic, divided by the solver tolerance `tol`."""
+"""Smallest limit for the relative change of pressure and shear over a periodic loop of
+viscoelastic bodies, divided by the solver tolerance `tol`."""
 _SMALL_FLOW = 0.01
-"""Limit of the equivalent plastic strain that the last computed repeat may add without a warning,
-relative to the yield strain."""
+"""Maximum equivalent plastic strain that the last computed repeat may add without a warning,
+divided by the yield strain."""
 
 
 def fretting(
@@ -78,18 +78,18 @@ def fretting(
     Parameters
     ----------
     grid, body1, body2, gap, relief1, relief2
-        As for `Simulation`. The bodies do not travel; they only slip. If all surfaces are given as
+        As for `Simulation`. The bodies slip, but must not roll. If all surfaces are given as
         functions, the grid is enlarged when the contact reaches its edge. Plastic strain, and the
         layers of a layered body, are treated as in `run`. Inclusions of elastic bodies come closer
         to the worn surface: each moves up by the mean worn depth above it.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``paths.fretting_loop(load=W, force=(Q, 0))``. Each step
-        has `load` or `approach`, and may have `shift` or `tangential_load`, and `twist` or
-        `torque`. With ``heat=Heat(partition=...)``, each step also has a `duration`. The last step
-        must return to the load and the tangential forces or motions of an earlier step. The steps
-        up to this earlier step are a lead-in, and the steps after it form the loop. The lead-in
-        causes no wear, and neither do the first loops, until the shear traction is periodic. For
-        viscoelastic bodies see Notes.
+        has either `load` or `approach`. It may have one of `shift` and `tangential_load`, and one
+        of `twist` and `torque`. With ``heat=Heat(partition=...)``, each step also has a `duration`.
+        The last step must return to the load and the tangential forces or motions of an earlier
+        step. The steps up to this earlier step are a lead-in, and the steps after it form the loop.
+        The lead-in causes no wear, and neither do the first loops, until the shear traction is
+        periodic. For viscoelastic bodies see Notes.
     friction : Coulomb
         Friction law with a finite coefficient > 0.
     energy : float or pair of floats
@@ -121,10 +121,11 @@ def fretting(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range (before the first cycle); a cycle requires more than 10 000
-        contact solutions, or does not become periodic; a contact reaches the edge of the grid; wear
-        reaches a void; a checkpoint was written by a run with different arguments. An exception
-        after the first cycle holds the result of the completed cycles in its attribute `result`.
+        An argument is outside its range (found before the first cycle); a cycle requires more than
+        10 000 contact solutions, or does not become periodic; a contact reaches the edge of the
+        grid; wear reaches a void, or removes the whole top layer; a checkpoint was written by a run
+        with different arguments. An exception after the first cycle holds the result of the
+        completed cycles in its attribute `result`.
 
     Warns
     -----
@@ -137,12 +138,12 @@ def fretting(
 
     Notes
     -----
-    If a body is viscoelastic, each step has a `duration`. With ``repeats=1`` the loops follow each
-    other in time: the lead-in is computed once, and then each cycle is one loop, which continues
-    the creep of the previous loop. Wear then starts in the first loop. With more repeats, the loop
-    is computed again until pressure and shear are periodic, i.e. until further creep would change
-    them by less than 1 %. The remaining loops are assumed to be equal. A long hold in the lead-in
-    reduces the number of computed loops.
+    If a body is viscoelastic, each step must have a `duration`. With ``repeats=1`` the loops follow
+    each other in time: the lead-in is computed once, and then each cycle is one loop, which
+    continues the creep of the previous loop. Wear then starts in the first loop. With more repeats,
+    the loop is computed again until pressure and shear are periodic, i.e. until further creep would
+    change them by less than 1 %. The remaining loops are assumed to equal the last computed loop.
+    Holding the load for a long time in the lead-in reduces the number of computed loops.
     """
     boolean("progress", progress)
     count = integer("cycles", cycles, 1)
@@ -171,8 +172,8 @@ def _warn_of_flow(setup: FrettingSetup, last: FrettingCycle) -> None:
         warnings.warn(
             f"the bodies have not shaken down: the last computed loop of cycle {last.number} adds "
             f"an equivalent plastic strain of {last.plastic_flow:.3g}, and the plastic strain that "
-            "the other loops would add is neglected; use fewer repeats and more cycles, or apply "
-            "samcontact.shakedown.run to the unworn bodies",
+            "the other loops would add is neglected; use fewer repeats and more cycles, or check "
+            "with samcontact.shakedown.run whether the unworn bodies shake down",
             IncrementWarning,
             stacklevel=3,
         )
@@ -229,11 +230,13 @@ def _closed(
         if setup.follows_time or _is_periodic(setup, start, states):
             return tuple(states), flow_between(setup, start, states[-1])
     remedy = (
-        "hold the load for a long time in the lead-in" if setup.relaxes else "use a closed cycle"
+        "hold the load for a long time in the lead-in"
+        if setup.relaxes
+        else "use paths.fretting_loop"
     )
     raise ValueError(
-        "cycle must give a periodic response, but the tractions at its end still change "
-        f"after {count} repetitions: {remedy}"
+        "cycle must contain a loop with a periodic response, but the tractions at the end of the "
+        f"loop still change after {count} repetitions: {remedy}"
     )
 
 
@@ -260,8 +263,8 @@ def _advance(
     first = _solve_repeat(setup, now)
     if not standing.cycles and not any(state.in_contact.any() for state in first.states):
         raise ValueError(
-            "cycle must bring the bodies into contact when it is repeated, "
-            "got no contact: increase the load"
+            "cycle must bring the bodies into contact in the steps that are repeated, "
+            "got no contact in them: increase the load"
         )
     while left > 0:
         solved = _solve_repeat(setup, now) if parts else first
@@ -270,16 +273,18 @@ def _advance(
         max_repeats = _max_repeats(setup, solved)
         if setup.follows_time and max_repeats < 1:
             raise ValueError(
+                "for viscoelastic bodies with repeats = 1, "
                 f"{setup.law} must be at most {max_repeats * max(setup.coefficients):.3g} 1/Pa, so "
-                "that the wear of a loop of viscoelastic bodies hardly changes the pressure, got "
+                "that the wear in one loop hardly changes the pressure, got "
                 f"{max(setup.coefficients)!r} 1/Pa: check the unit, or use larger cells"
             )
         if left > (_MAX_PARTS - parts) * max_repeats:
             raise ValueError(
                 f"{setup.law} and repeats are too large: a cycle may be divided into at "
-                f"most {_MAX_PARTS} solutions, and one solution can represent at most "
+                f"most {_MAX_PARTS} contact solutions, and each can represent at most "
                 f"{max_repeats:.3g} repeats; got {setup.law} = {max(setup.coefficients)!r} 1/Pa "
-                f"and repeats = {setup.repeats}: use fewer repeats, or check the unit"
+                f"and repeats = {setup.repeats}: use fewer repeats, or check the unit of "
+                f"{setup.law}"
             )
         count = min(left, max_repeats)
         removed = removed + count * solved.worn

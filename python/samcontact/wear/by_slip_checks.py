@@ -35,7 +35,7 @@ _ALLOWED_ARGUMENTS = (
     "load", "approach", "shift", "tangential_load", "twist", "torque", "duration",
 )  # fmt: skip
 _ROUNDING_ERROR = 1e-9
-"""Difference, relative to the maximum of a cycle, below which loads or motions count as equal."""
+"""Difference below which loads or motions count as equal, divided by their maximum in a cycle."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class FrettingSetup(WearProblem):
 
     @property
     def relaxes(self) -> bool:
-        """Whether a body is viscoelastic."""
+        """Whether at least one body is viscoelastic."""
         return relaxes(*self.bodies)
 
     @property
@@ -69,7 +69,7 @@ class FrettingSetup(WearProblem):
         return FrettingCycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row that can wear and the number of such rows: all rows of the grid."""
+        """Return the first row that can wear (0), and the number of such rows (all)."""
         return 0, self.grid.nx
 
 
@@ -91,9 +91,7 @@ def make_setup(
     require_endless("wear does not support ends of bodies", *bodies)
     sticking_law(friction)
     if friction.is_frictionless or friction.prevents_slip:
-        raise ValueError(
-            f"friction must be > 0 and finite for wear by frictional work, got {friction!r}"
-        )
+        raise ValueError(f"friction must be > 0 and finite for fretting wear, got {friction!r}")
     law = exactly_one(energy=energy, archard=archard)
     coefficients = value_per_body(law, archard if energy is None else energy)
     if not any(coefficients):
@@ -127,8 +125,8 @@ def _require_long_time_state(bodies: tuple[Body, Body]) -> None:
         terms = relaxation_of(body)
         if terms is not None and long_time_share(terms) == 0:
             raise ValueError(
-                f"repeats must be 1 because the shares of body{n} have the sum 1: a fluid flows "
-                "without limit, and its response never becomes periodic"
+                f"repeats must be 1 because body{n} is a viscoelastic fluid (its shares add up to "
+                "1), whose response never becomes periodic"
             )
 
 
@@ -155,7 +153,7 @@ def closing(path: list[dict[str, Any]]) -> int:
 
 
 def _places(path: list[dict[str, Any]]) -> list[list[tuple[str, float]]]:
-    """Return the loads or approaches and the tangential forces or motions at all instants.
+    """Return the load or approach and the tangential forces or motions at each instant.
 
     The instants are the start of the path and the end of each step.
 

@@ -37,7 +37,7 @@ def _identity(problem: WearProblem) -> Identity:
 
 
 def alone(path: str | os.PathLike[str]) -> AbstractContextManager[None]:
-    """Context manager in which no other run can write to a checkpoint file."""
+    """Context manager that keeps other runs from writing to a checkpoint file."""
     file = file_path("checkpoint", path)
     return locked(file.parent, "choose another checkpoint", f".{file.name}.lock")
 
@@ -142,7 +142,7 @@ def _cycles(records: Tree, problem: WearProblem) -> list[AnyCycle]:
         per_body = item.name in problem.record.PER_BODY
         shape: tuple[int, ...] = (count, worn) if per_body else (count,)
         if np.shape(records[item.name]) != shape:
-            raise ValueError(f"{item.name} of all cycles must be finite numbers of shape {shape}")
+            raise ValueError(f"{item.name} must be an array of finite numbers of shape {shape}")
     if list(records["number"]) != list(range(1, count + 1)):
         raise ValueError("the cycles must be numbered consecutively")
     return [problem.record(**{k: _plain(v[n]) for k, v in records.items()}) for n in range(count)]

@@ -43,8 +43,8 @@ from .steps import Gaussian, Polynomials, Window, scaled_to_volume, window_and_o
 YIELD_STRAIN = 20e-6
 """Plastic strain at the conventional yield point [-]; the threshold of wear must be larger.
 
-The threshold need not exceed the elastic strain at yield, about 1 % for a hard steel, because it
-refers to the plastic strain alone. A threshold of 0.2 % is far beyond yield.
+The threshold refers to the plastic strain alone. It need not exceed the elastic strain at yield,
+about 1 % for a hard steel. Even a threshold of 0.2 % is far beyond yield.
 """
 _MOVING_MEAN_WIDTH = math.sqrt(12.0)
 """Width of a moving mean divided by the standard deviation of a Gaussian with equal variance."""
@@ -75,7 +75,7 @@ class WearSetup(WearProblem):
         return Cycle
 
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row of a body that can wear, and the number of such rows.
+        """Return the first row that can wear in a body, and the number of such rows.
 
         A row is a line of cells along y. Rows that pass through the grid during the cycle can wear.
         Further rows on both sides can wear because the smoothing filter spreads the wear.
@@ -89,7 +89,7 @@ class WearSetup(WearProblem):
         return first, end - first
 
     def smoothed(self, depth: FloatArray) -> FloatArray:
-        """Return a worn depth after smoothing [m]; the smoothing is periodic if the grid is."""
+        """Return a smoothed wear depth [m]; on a periodic grid, the smoothing is periodic."""
         if not self.grid.along_x:
             return self.filter(depth)
         rows = self.grid.nx
@@ -111,12 +111,12 @@ def make_setup(
 ) -> WearSetup:
     """Check all arguments and return them.
 
-    The width of the smoothing filter is compared with the contact size, for which one elastic
-    contact is solved.
+    One elastic contact is solved to compare the width of the smoothing filter with the contact
+    size.
     """
     require_type("grid", grid, Grid)
     if not grid.has_volume:
-        raise ValueError("grid must have layers (dz) for plastic strain, got dz = None")
+        raise ValueError("grid must have layers for wear by plastic strain, got dz = None: set dz")
     require_bodies(*bodies)
     require_endless("wear does not support ends of bodies", *bodies)
     surfaces = given.over(grid)
@@ -134,7 +134,8 @@ def make_setup(
         material = bodies[choice("worn", index, (1, 2)) - 1]
         if not material.is_plastic:
             raise ValueError(
-                f"worn must name elastic-plastic bodies, got body {index} with law {material.law}"
+                "worn must contain only elastic-plastic bodies, got "
+                f"body {index} with law {material.law}"
             )
     path = step_list("cycle", cycle, STEP_ARGUMENTS)
     _check_cycle(path, grid)
@@ -161,7 +162,7 @@ def _kept_heat(keep_heat: bool, heat: Heat | None) -> bool:
     """Check `keep_heat`, which requires heating with `history`, and return it."""
     if boolean("keep_heat", keep_heat) and (heat is None or heat.history is None):
         raise ValueError(
-            f"keep_heat requires heat with history, got heat = {in_short(heat)}: set "
+            f"keep_heat requires a heat history, got heat = {in_short(heat)}: set "
             "heat.history, or omit keep_heat"
         )
     return keep_heat
@@ -175,16 +176,16 @@ def make_filter(
     if (smoothing_length is None) == (window is None):
         given = "none" if window is None else f"{smoothing_length!r} and {window!r}"
         raise ValueError(
-            "exactly one of smoothing_length (metres) and window (cells, Boucly's filter; 1 for no "
-            f"smoothing) must be given, got {given}"
+            "exactly one of smoothing_length [m] and window [cells] must be given, got "
+            f"{given}: for no smoothing, use window = 1"
         )
     if smoothing_length is None:
         x, y, degree = window_and_order(window, 2 if order is None else order)
         return Polynomials((x, y), degree)
     if order is not None:
         raise ValueError(
-            "order requires window and cannot be combined with smoothing_length, got "
-            f"{in_short(order)}"
+            "order applies only to the filter given by window, and must be omitted with "
+            f"smoothing_length, got order = {in_short(order)}"
         )
     length = positive("smoothing_length", smoothing_length)
     cell = max(grid.dx, grid.dy)
@@ -213,7 +214,10 @@ def _check_cycle(path: list[dict[str, Any]], grid: Grid) -> None:
 
 
 def travels(path: list[dict[str, Any]]) -> FloatArray:
-    """Return the travel of both bodies initially and after each step [m], shape (steps + 1, 2)."""
+    """Return the distance travelled by each body at all instants [m], shape (steps + 1, 2).
+
+    The instants are the start of the cycle and the end of each step.
+    """
     steps = [along_x(step.get("advance", (0.0, 0.0)), "in a cycle of wear") for step in path]
     return np.concatenate([np.zeros((1, 2)), np.cumsum(steps, axis=0)])
 
@@ -238,7 +242,7 @@ def _check_filter(setup: WearSetup) -> None:
                 longest = max(extent, 1) * dx / _MOVING_MEAN_WIDTH
                 raise ValueError(
                     f"smoothing_length must be <= {longest:.3g} m, so that wear is not spread "
-                    f"beyond {size}, got {cells * dx:.6g}"
+                    f"beyond {size}, got {cells * dx:.6g} m"
                 )
         elif setup.filter.sides[axis] > max(extent, 1):
             raise ValueError(

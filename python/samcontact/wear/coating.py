@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear of layered bodies: worn share of the top layer, and its limits."""
+"""Wear of layered bodies: worn share of the top layer, and limits of this share."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..bodies.layered import Body, top_thickness
 from .problem import WearProgress
 
 MAX_WORN_SHARE = 0.2
-"""Maximum worn share of a top layer without a warning [-]."""
+"""Share of the thickness of a top layer that may wear without a warning [-]."""
 
 
 def worn_shares(
@@ -42,12 +42,11 @@ def warn_of_worn_coating(standing: WearProgress, *, stacklevel: int) -> bool:
     shares = zip(standing.heights, last.coating_worn_share, strict=True)
     worn = {body: share for body, share in shares if share > MAX_WORN_SHARE}
     if worn:
-        listed = " and ".join(f"{share:.0%} of body {body}" for body, share in worn.items())
+        listed = " and ".join(f"{share:.0%} on body {body}" for body, share in worn.items())
         warnings.warn(
-            f"the top layer is worn by {listed} in cycle {last.number} (at most "
-            f"{MAX_WORN_SHARE:.0%} expected): displacement and stress are computed with the "
-            "initial thickness of the layers; for larger wear, repeat the run with a thinner top "
-            "layer",
+            f"wear exceeds {MAX_WORN_SHARE:.0%} of the thickness of the top layer: it reaches "
+            f"{listed} after cycle {last.number}, but displacement and stress are computed with "
+            "the initial thickness; for larger wear, repeat the run with a thinner top layer",
             WornCoatingWarning,
             stacklevel=stacklevel + 1,
         )

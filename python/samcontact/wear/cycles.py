@@ -59,27 +59,27 @@ def run(
 ) -> WearResult:
     """Simulate repeated load cycles with wear controlled by plastic strain.
 
-    After each cycle, material at the surface with too much plastic strain is removed. The
+    After each cycle, surface material whose plastic strain exceeds a threshold is removed. The
     computation ends when a cycle removes no more material, or after the given number of cycles.
 
     Parameters
     ----------
     grid, body1, body2, gap, friction, relief1, relief2
-        As for `Simulation`; the grid must have dz. If all surfaces are given as functions, the grid
-        is enlarged when the contact or the smoothed wear reaches its edge. For layered bodies see
-        Notes.
+        As for `Simulation`; the grid must have `dz`. If all surfaces are given as functions, the
+        grid is enlarged when the contact or the smoothed wear reaches its edge. For layered bodies
+        see Notes.
     cycle : iterable of dict
         Steps of `Simulation.step`, e.g. ``[{"load": 2000.0}, {"load": 0.0}]``. The last step must
         have zero load, and the advances of each body must add up to 0, or to whole periods on a
         grid that is periodic along x.
     threshold : float
         Accumulated equivalent plastic strain [-] above which material at the surface is removed. It
-        must be above `YIELD_STRAIN` and below 5 %.
+        must be above `YIELD_STRAIN` (0.002 %) and below 5 %.
     cycles : int, optional
         Maximum number of cycles, >= 1.
     worn : sequence of {1, 2}, optional
-        Elastic-plastic bodies that wear. The other body may be viscoelastic. In this case each step
-        has a `duration`, and the creep of a cycle continues in the next cycle.
+        Elastic-plastic bodies that wear. The other body may be viscoelastic; then each step must
+        have a `duration`, and the creep of a cycle continues in the next cycle.
     smoothing_length : float, optional
         Standard deviation of the Gaussian filter that smooths the edge of the worn area [m], from
         one cell to 0.29 times the contact size. As this length does not depend on the grid, results
@@ -118,10 +118,11 @@ def run(
     Raises
     ------
     ValueError, TypeError
-        An argument is outside its range (before the first cycle); the plastic strain exceeds the
-        threshold at the bottom of the grid, or material wears at the sides of the grid; a coating
-        is worn through; a checkpoint was written by a run with different arguments. An exception
-        after the first cycle holds the result of the completed cycles in its attribute `result`.
+        An argument is outside its range (found before the first cycle); the plastic strain exceeds
+        the threshold at the bottom of the grid, or material wears at the sides of the grid; a
+        coating is worn through; a checkpoint was written by a run with different arguments. An
+        exception after the first cycle holds the result of the completed cycles in its attribute
+        `result`.
 
     Warns
     -----
@@ -204,7 +205,7 @@ def _solve(setup: WearSetup, standing: WearProgress) -> Moments:
 
 
 def _wear(setup: WearSetup, standing: WearProgress, peak: State) -> WearProgress:
-    """Remove material above the threshold after a cycle, and move the remaining strain up.
+    """Remove material whose plastic strain exceeds the threshold; move the remaining strain up.
 
     standing: heights at the start of the cycle, and plastic strain at the end of the cycle.
     """
@@ -255,8 +256,8 @@ def _worn_depth(setup: WearSetup, body: int, kept: BodyStrain | None) -> FloatAr
     side = setup.filter.sides[1] // 2
     if side and (found[:, :side].any() or found[:, -side:].any()):
         raise ValueError(
-            f"wear of body {body} must be more than {side} cells from the sides of the grid, y = "
-            f"+-{0.5 * grid.ny * grid.dy!r} m (half the filter width): enlarge ny dy, or smooth "
-            "less"
+            f"the worn area of body {body} must be more than {side} cells (half the filter width) "
+            f"from the sides of the grid, y = +-{0.5 * grid.ny * grid.dy!r} m: enlarge ny dy, or "
+            "smooth less"
         )
     return found

@@ -12,7 +12,7 @@ from .steps import below_worn_surface, deviator_below_worn_surface
 
 
 def strains_of(problem: WearProblem, state: State) -> dict[int, BodyStrain]:
-    """Return the plastic strain of each elastic-plastic body, in all cells the contact has passed.
+    """Return the plastic strain of each elastic-plastic body where the contact has passed.
 
     Bodies without plastic strain are omitted. Raises ValueError if plastic strain lies below the
     deepest layer or beyond the sides of the grid.
@@ -45,7 +45,7 @@ def _strain_of(state: State, body: int) -> BodyStrain | None:
 
 
 def largest(kept: BodyStrain | None, layers: slice) -> float:
-    """Return the maximum equivalent plastic strain in some layers; 0 without plastic strain."""
+    """Return the maximum equivalent plastic strain in the given layers; 0 if there is none."""
     return 0.0 if kept is None else float(kept.equivalent[:, :, layers].max())
 
 

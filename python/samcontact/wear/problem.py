@@ -52,14 +52,14 @@ class WearProblem(ABC):
 
     @abstractmethod
     def rows(self, body: int) -> tuple[int, int]:
-        """Return the first row of a body that can wear, and the number of such rows.
+        """Return the first row that can wear in a body, and the number of such rows.
 
         A row is a line of cells along y. Row 0 is the first row of the grid.
         """
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """Arguments by which a checkpoint is recognised; surface heights are on the first grid."""
+        """Arguments by which a checkpoint is recognised, on the initial grid before enlargement."""
         names = (item.name for item in dataclasses.fields(self) if item.name != "surfaces")
         return {name: getattr(self, name) for name in names}
 
@@ -87,7 +87,7 @@ class WearProblem(ABC):
 
 @dataclass
 class BodyStrain:
-    """Plastic state of a body; index 0 along x of its fields is row `first` of the grid."""
+    """Plastic state of a body; index 0 of its fields along x means row `first` of the grid."""
 
     first: int
     strain: FloatArray
@@ -117,7 +117,7 @@ class WearProgress:
         return WearProgress(problem.grid, heights)
 
     def over(self, problem: WearProblem) -> WearProgress:
-        """Return the state on the grid of `problem`, which must be at least as large.
+        """Return the state on the grid of `problem`, which must not be smaller than `self.grid`.
 
         Added cells have the initial heights of `problem`, i.e. no wear.
         """

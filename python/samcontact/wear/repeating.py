@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repetition of cycles of wear, by plastic strain or by slip, with checkpoints."""
+"""Repeated cycles of wear by plastic strain or by slip, with checkpoints."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ S = TypeVar("S", bound=WearProblem)
 R = TypeVar("R", bound=BaseWearResult)
 Moments = tuple[State, ...]
 Advance = Callable[[S, WearProgress], tuple[Moments, WearProgress]]
-"""Function that solves a cycle; it returns the states of the cycle and the progress after it."""
+"""Function that solves a cycle and returns its states and the progress after the cycle."""
 
 
 def repeat(

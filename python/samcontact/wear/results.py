@@ -63,7 +63,7 @@ class Cycle:
         "layers_across_plastic_zone", "coating_worn_share",
     )  # fmt: skip
     OPTIONAL: ClassVar = ("coating_worn_share",)
-    """Quantities that a dataset contains only if they differ from 0."""
+    """Quantities that `to_dataset` omits if they are 0 in all cycles."""
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class FrettingCycle:
         "volume", "lost_volume", "depth", "max_equivalent_plastic_strain", "coating_worn_share",
     )  # fmt: skip
     OPTIONAL: ClassVar = ("max_equivalent_plastic_strain", "plastic_flow", "coating_worn_share")
-    """Quantities that a dataset contains only if they differ from 0."""
+    """Quantities that `to_dataset` omits if they are 0 in all cycles."""
 
 
 AnyCycle: TypeAlias = Cycle | FrettingCycle
@@ -134,7 +134,7 @@ class BaseWearResult(ShortRepr):
 
     @cached_property
     def first(self) -> Any:
-        """States of the first cycle, in the same order as the states of the last cycle in `last`.
+        """States of the first cycle, in the same order as the states in `last`.
 
         After a resumed run, the first cycle is solved again to obtain them.
         """
@@ -212,7 +212,7 @@ class WearResult(BaseWearResult):
 
     cycles: list[Cycle]
     last: Moments = field(repr=False)
-    """States of the last cycle at maximum load, and unloaded, before material is removed."""
+    """States of the last cycle at maximum load and after unloading, before material is removed."""
 
 
 @dataclass(eq=False, repr=False)

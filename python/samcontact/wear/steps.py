@@ -21,7 +21,7 @@ _BISECTIONS = 60
 _CUTOFF_DEVIATIONS = 4.0
 """Distance at which a Gaussian is cut off, in standard deviations."""
 _MAX_RELATIVE_TRACE = 1e-9
-"""Maximum trace of a deviator, relative to its largest component."""
+"""Trace up to which a tensor counts as a deviator, divided by its largest component."""
 
 
 def depth(equivalent: ArrayLike, dz: float, threshold: float) -> FloatArray:

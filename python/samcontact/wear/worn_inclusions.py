@@ -25,18 +25,18 @@ def require_worn_inclusions(*bodies: Body) -> None:
             continue
         if isinstance(body.matrix, Layered):
             raise ValueError(
-                f"body{number} must not have layers to wear with inclusions, got {body!r}: "
-                "inclusions come closer to the surface, but interfaces do not"
+                f"for wear, body{number} must not have both layers and inclusions, got {body!r}: "
+                "wear moves the inclusions closer to the surface, but not the interfaces of layers"
             )
         if body.is_plastic:
             raise ValueError(
-                f"body{number} must be elastic to wear with inclusions, got {body!r}: the plastic "
-                "strain of cells with inclusions cannot be moved up to the worn surface"
+                f"for wear, body{number} must be elastic, because it has inclusions, got {body!r}: "
+                "the plastic strain of cells with inclusions cannot be moved up to the worn surface"
             )
         if body.measured is not None:
             raise ValueError(
-                f"body{number} must not have voxels to wear, got {body!r}: the worn depth varies "
-                "across them; use inclusions"
+                f"for wear, body{number} must not have voxels, got {body!r}: the worn depth varies "
+                "across the voxels; use inclusions"
             )
 
 
@@ -71,8 +71,9 @@ def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
         if one.is_void and depth - one.extent[2] <= 0.0:
             raise ValueError(
                 f"body{number}.inclusions[{n}] must stay below the worn surface, but wear has "
-                f"reached this void, at {quantity(z - one.extent[2], 'm')} below the initial "
-                "surface: an open pore is a dent; use fewer cycles or repeats, or omit the void"
+                f"reached this void {quantity(z - one.extent[2], 'm')} below the initial "
+                "surface: open pores are not modelled; use fewer cycles or repeats, or omit the "
+                "void"
             )
         if depth + one.extent[2] > 0.0:
             kept.append(Inclusion((x, y, depth), one.radii, one.axes, one.material, one.misfit))
@@ -82,7 +83,7 @@ def raised(body: Body, number: int, worn: FloatArray, grid: Grid) -> Body:
 def mean_depth(inclusion: Inclusion, worn: FloatArray, grid: Grid) -> float:
     """Mean worn depth above an inclusion [m].
 
-    In this mean, each column of cells has a weight, the height of the inclusion in the column.
+    Columns of cells are weighted by the height of the inclusion in them.
     """
     x, y, _ = inclusion.center
     along_x, along_y, _ = inclusion.extent

@@ -128,9 +128,12 @@ def test_gaps_are_those_of_the_races():
     ("call", "message"),
     [
         (lambda: bearings.standard("6280"), "designation must be one of 6203, .*got '6280'"),
-        (lambda: bearings.standard("6208ETN9"), "got '6208ETN9': the suffix may belong to other"),
+        (lambda: bearings.standard("6208ETN9"), "got '6208ETN9': the suffix is unknown"),
         (lambda: Bearing("ball", D, PITCH, 9), "kind must be one of 'deep_groove'"),
-        (lambda: Bearing("deep_groove", D, PITCH, 17), "17 elements of 0.0127 m do not fit"),
+        (
+            lambda: Bearing("deep_groove", D, PITCH, 17),
+            "17 elements of diameter 0.0127 m do not fit",
+        ),
         (lambda: Bearing("deep_groove", D, PITCH, 9, contact_angle=0.3), "contact_angle must be"),
         (lambda: Bearing("angular_contact", D, PITCH, 9), "contact_angle must be > 0"),
         (lambda: Bearing("deep_groove", D, PITCH, 9, length=0.01), "length does not apply"),

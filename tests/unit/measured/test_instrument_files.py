@@ -228,8 +228,8 @@ class TestColumns:
         x, y = np.meshgrid(np.arange(4.0), np.arange(5.0), indexing="ij")
         points = np.column_stack([x.ravel(), y.ravel(), x.ravel()])
         for wrong, text in (
-            (points[:-1], "19 points at 4 values of x and 5 of y"),
-            (np.vstack([points[:-1], points[:1]]), "20 points at 4 values of x and 5 of y"),
+            (points[:-1], "19 points at 4 values of x and 5 values of y"),
+            (np.vstack([points[:-1], points[:1]]), "20 points at 4 values of x and 5 values of y"),
             (points * [1, 1, 1] + (points[:, :1] == 3) * [0.5, 0, 0], "equal steps along x"),
         ):
             np.savetxt(tmp_path / "c.txt", wrong)

@@ -226,14 +226,14 @@ def test_mirrored(surface):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda: MeasuredSurface(np.zeros((1, 3)), 1.0), r"each >= 2, .* profile, got \(1, 3\)"),
-        (lambda: MeasuredSurface(0.0, 1.0), r"shape \(nx, ny\), .* got \(\)"),
+        (lambda: MeasuredSurface(np.zeros((1, 3)), 1.0), r"nx, ny >= 2, .* profile, got \(1, 3\)"),
+        (lambda: MeasuredSurface(0.0, 1.0), r"shape \(nx, ny\) with .* got \(\)"),
         (lambda: MeasuredSurface(np.full((2, 2), np.nan), 1.0), "defined in at least one point"),
         (lambda: MeasuredSurface([[0, np.inf], [0, 0]], 1.0), "finite, or NaN"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 0.0), "dx must be a finite number > 0"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 1.0).detrended("x"), "trend must be one of"),
         (lambda: MeasuredSurface(np.zeros((2, 2)), 1.0).mirrored("z"), "axis must be one of"),
-        (lambda: measured.read("h.npy", dy=1.0), "dx is required with dy"),
+        (lambda: measured.read("h.npy", dy=1.0), "dx is required if dy is given"),
         (lambda: measured.read("h.npy", detrend="no"), "detrend must be one of 'center', "),
         (lambda: measured.read("h.npy", undefined="no"), "undefined must be one of"),
     ],

@@ -142,7 +142,7 @@ def test_equal_layers_wear_as_a_homogeneous_body(elastic, yielding):
 def test_a_coating_that_wears_thin_is_told_and_one_worn_through_is_refused():
     coated = sc.Layered([(STEEL, 0.02e-6)], STEEL)
     with (
-        pytest.warns(sc.WornCoatingWarning, match="the top layer is worn by 31% of body 2 in cycl"),
+        pytest.warns(sc.WornCoatingWarning, match="it reaches 31% on body 2 after cycl"),
         pytest.raises(ValueError, match="top layer of body2 must not be worn through") as caught,
     ):
         frets(body2=coated, cycles=20, repeats=10_000)

@@ -133,7 +133,7 @@ def test_repeats_wear_in_the_periodic_response():
     assert lost[0] == pytest.approx(lost[1], rel=0.03)  # 1 % of the largest pressure
     fast = frets((1e-10, 0.0), 1)
     assert 2 * (fast.heights[1][-1] * WAVE).mean() < 1.2 * lost[0]  # the first loop, not yet crept
-    with pytest.raises(ValueError, match=r"repeats must be 1 because the shares of body2"):
+    with pytest.raises(ValueError, match=r"repeats must be 1 because body2 is a visc"):
         frets((1e-10, 0.0), 1, repeats=2, bodies=(HARD, SOFT.with_relaxation([1.0], [1.0])))
     with pytest.raises(ValueError, match=r"archard must be at most .* hardly changes the pressure"):
         frets((1e-6, 0.0), 1)

@@ -164,7 +164,7 @@ def test_dataset_and_report(worn, tmp_path, undrawn):
         ({"repeats": 0}, "repeats must be"),
         ({"cycle": to_and_fro(8.0, 2.0)[:2]}, "must end with the load"),
         ({"cycle": []}, "at least one step"),
-        ({"energy": 1e-5}, "energy and repeats are too large: .* at most 10000 solutions"),
+        ({"energy": 1e-5}, "energy and repeats are too large: .* at most 10000 contact solutions"),
         ({"cycle": [{"load": 0.0}]}, "must bring the bodies into contact"),
         ({"cycle": [{"load": 8.0, "shift": (0.0, 0.0), "tangential_load": (1.0, 0.0)}]}, "both"),
     ],

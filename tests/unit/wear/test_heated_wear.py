@@ -82,5 +82,5 @@ def test_a_resumed_run_keeps_the_temperatures(warm, checkpoint):
 
 
 def test_heat_is_kept_only_with_a_history():
-    with pytest.raises(ValueError, match="keep_heat requires heat with history"):
+    with pytest.raises(ValueError, match="keep_heat requires a heat history"):
         wears(heat=sc.Heat(factor=0.02, time=1e-3))
