@@ -26,7 +26,7 @@ INTRODUCTION = """
 This page shows the forces, energy and imprints of two colliding asperities (called tugging in the
 thesis), and compares the results with part 4 of Boucly's thesis (2008). Two perfectly plastic
 spheres with a radius of 1 m and a yield stress of 0.9115 GPa pass each other at constant height,
-without friction and rotation. Forces, energy U and interference ω are divided by their critical
+without friction or rotation. Forces, energy U and interference ω are divided by their critical
 values (U_c, ω_c and so on), i.e. by their values at the onset of yield (Green 2005). X is the
 offset of the sphere centres, negative before the centres are aligned, and R = 0.5 m is the
 equivalent radius. The load ratio is the tangential force divided by the normal force. A positive

@@ -17,10 +17,10 @@ this page are halved in size, or when the grid is enlarged
 """
 COARSE_MESH_NOTE = """\
 Sensitivity: the numbers are also computed with a mesh about half as fine as the mesh of this page.
-On this coarser mesh, the size of the cells, of the layers or of the increments is then halved, or
-the grid is enlarged. The column gives the largest change of the numbers ([sensitivity of the
-gallery to the mesh](../sensitivity.md)). This change is approximately an upper bound of the error
-of this page.
+This coarser mesh is then changed in one respect at a time: the cells, the layers or the increments
+are halved in size, or the grid is enlarged. The column gives the largest of the resulting changes
+of the numbers ([sensitivity of the gallery to the mesh](../sensitivity.md)). This change is
+approximately an upper bound of the error of this page.
 """
 BOTH_MESHES_NOTE = """\
 Sensitivity: the largest change of the numbers when the cells, layers or increments of the mesh of

@@ -26,9 +26,9 @@ cycle the surface material with more than 0.2 % accumulated plastic strain is re
 Swift hardening with B = 1735 MPa, C = 16 and n = 0.067. The thesis states neither whether both
 balls are elastic-plastic nor the width of its smoothing filter. Here body 2 is elastic-plastic and
 wears, body 1 is elastic, and the filter is 300 µm wide and of second order. After the border of the
-worn region has been smoothed, the remaining plastic strain moves up to the new surface. It moves
-either by the wear depth before smoothing, as described in the thesis, or by the smoothed wear depth
-([theory](../theory/wear.md)).
+worn region has been smoothed, the plastic strain that remains in the material is shifted towards
+the new surface. The shift is either the wear depth before smoothing, as described in the thesis, or
+the smoothed wear depth ([theory](../theory/wear.md)).
 
 As stated in the thesis, wear does not cease. The wear rate is constant if the strain moves by the
 smoothed depth, and decreases if it moves by the depth before smoothing. However, both calculations

@@ -69,8 +69,9 @@ APPLICATION = Application(
     gains="The load on a bearing 6208 that leaves the permanent deformation permitted by ISO 76, "
     "compared with the static load rating.",
     text="A radial load of {radial} on the bearing leaves a permanent deformation of 1e-4 of the "
-    "ball diameter at the inner race. The rating C₀ is {rated}: the bearing withstands more than "
-    "its rating. The outer race needs a higher load on the ball, {outer} instead of {inner}.",
+    "ball diameter at the inner race. The rating C₀ is {rated}: before the deformation exceeds "
+    "the permitted value, the bearing withstands more than its rating. The same deformation at "
+    "the outer race needs a higher load on the ball, {outer} instead of {inner}.",
     commands=('find bearing.toml "permanent_deformation=1e-4 D"', "run bearing.toml"),
     shown=("Bearing 6208",),
     functions=(

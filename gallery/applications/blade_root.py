@@ -84,11 +84,11 @@ APPLICATION = Application(
     name="blade_root",
     title="Fretting of a blade",
     kind="blade",
-    gains="The slip zone, the friction work and the tension at the edge of a blade root that is "
-    "pressed and oscillated.",
+    gains="The slip zone, the friction work and the tension at the edge of the contact when a "
+    "blade root is pressed and moved to and fro.",
     text="At full force {stick} of the contact sticks, and the edges slip. Each cycle dissipates "
     "{work} per millimetre. The tension at the trailing edge reaches {tension}; Findley's stress "
-    "is largest there, {findley}, {place} from the edge of the contact.",
+    "also has its maximum near this edge, {findley}, {place} from the edge of the contact.",
     commands=("run blade.toml",),
     shown=("Estimated grid errors", "Fatigue of body 2"),
     functions=(
@@ -99,8 +99,8 @@ APPLICATION = Application(
     ),
     guide=("fretting and wear", "fretting.md"),
     limits="The pad is a cylinder of 100 mm radius; the bulk stress of the blade is not included. "
-    "The error of the stick fraction is one cell. Findley's stress is largest within two cells of "
-    "the edge, also on coarser cells.",
+    "The error of the stick fraction corresponds to one cell. The maximum of Findley's stress is "
+    "within two cells of the edge, also on larger cells.",
     answers=answers,
     picture=picture,
     caption="Shear traction and stress along the surface at full force, and the fretting loop.",

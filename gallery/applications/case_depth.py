@@ -64,9 +64,10 @@ APPLICATION = Application(
     title="Case depth of a gear",
     kind="case_depth",
     gains="Stress divided by local strength at each depth of a hardened flank, and the case depth "
-    "beyond which a deeper case gains nothing.",
+    "beyond which a deeper case gains little.",
     text="The exposure is the orthogonal shear stress divided by the local strength. It is {chd0} "
-    "with a case hardening depth of 0.3 mm, {chd1} with 0.5 mm, {chd2} with 0.7 mm and {chd4} with "
+    "with a case hardening depth (CHD) of 0.3 mm, {chd1} with 0.5 mm, {chd2} with 0.7 mm and "
+    "{chd4} with "
     "1.1 mm. A value of 1 is the limit: the thinnest case is not deep enough, and further "
     "depth gains little.",
     commands=(
@@ -85,7 +86,8 @@ APPLICATION = Application(
     "from the hardness by the correlations on the page [life](../theory/life.md).",
     answers=answers,
     picture=picture,
-    caption="Exposure over depth for a case of 0.5 mm, and largest exposure for each case depth.",
+    caption="Exposure (stress divided by local strength) over depth for a case of 0.5 mm, and "
+    "largest exposure for each case depth.",
     coarser=(
         ("nx = 96", "nx = 48"),
         ("dx = 20e-6", "dx = 40e-6"),

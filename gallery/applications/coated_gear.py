@@ -85,11 +85,11 @@ APPLICATION = Application(
     name="coated_gear",
     title="Coated gear",
     kind="coated_gear",
-    gains="Tension in the coating of a gear flank under friction, and the shear stress at its "
-    "interface.",
+    gains="Tension in the coating of a gear flank under friction, and the shear stress at the "
+    "interface between coating and steel.",
     text="Behind the contact, friction causes a tension of {tension} in the coating, and of "
     "{steel} in the steel below, which is softer and has the same strain. The interface transmits "
-    "a shear stress of {shear}. The coating hardly changes the pressure, {p0}.",
+    "a shear stress of {shear}. The coating hardly changes the maximum pressure, which is {p0}.",
     commands=("run coated_gear.toml",),
     shown=("Estimated grid errors",),
     functions=(
@@ -99,8 +99,8 @@ APPLICATION = Application(
         ("sc.State.interface_stress", "the same in a simulation"),
     ),
     guide=("coatings and layers", "coating.md"),
-    limits="The coating adheres perfectly and has no growth stress here (field residual_stress of "
-    "a layer). Roughness and lubricant are not modelled.",
+    limits="The coating adheres perfectly. It has no growth stress here; the field "
+    "`residual_stress` of a layer prescribes one. Roughness and lubricant are not modelled.",
     answers=answers,
     picture=picture,
     caption="Stress along the profile at the interface, on both sides, and over depth where the "

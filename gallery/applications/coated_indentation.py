@@ -67,8 +67,9 @@ APPLICATION = Application(
     kind="coated_indentation",
     gains="The indentation curve of a coated steel, the imprint, and the plastic strain of the "
     "steel below the coating.",
-    text="The tip reaches a depth of {depth} and leaves an imprint of {imprint}. The coating stays "
-    "elastic and is bent over the steel, which yields to a plastic strain of {strain}. A load of "
+    text="The tip reaches a depth of {depth} and leaves an imprint of {imprint}. The coating "
+    "stays elastic and bends where the steel below it yields, up to a plastic strain of {strain}. "
+    "A load of "
     "{load} leaves an imprint of 10 nm.",
     commands=(
         "run coated_indentation.toml",

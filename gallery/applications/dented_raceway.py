@@ -64,9 +64,11 @@ APPLICATION = Application(
     name="dented_raceway",
     title="Dented raceway, rolled over",
     kind="dent",
-    gains="The pressure peak and the fatigue stress at a dent of a hard particle when a ball rolls "
+    gains="The pressure peak and the fatigue stress at the dent left by a hard particle when a "
+    "ball rolls "
     "over it.",
-    text="The particle leaves a dent of {depth}. The ball then causes a pressure of {peak} at the "
+    text="The particle leaves a dent with a depth of {depth}. The ball then causes a pressure of "
+    "{peak} at the "
     "shoulder of the dent; before the dent the pressure is {away}. Dang Van's stress is largest at "
     "the shoulder: {dang_van} at {place} from the middle of the dent. Below the contact it reaches "
     "{deep}, {below} deep. Cracks are therefore expected to start at the shoulder.",
@@ -80,7 +82,7 @@ APPLICATION = Application(
     ),
     guide=("gears, cams, wheels and indenters", "parts.md#dents-of-hard-particles"),
     limits="The particle is rigid and does not break. The lubricant is not modelled. For several "
-    "dents use a list of particles, or draw them at random by "
+    "dents give a list of particles, or draw random particles with "
     "[[dents.random]](../case_files.md#dents).",
     answers=answers,
     picture=picture,

@@ -72,9 +72,10 @@ APPLICATION = Application(
     kind="roller",
     gains="The pressure at the end of a roller with the logarithmic profile of ISO/TS 16281 when "
     "it is tilted by 1 mrad.",
-    text="The tilt raises the maximum pressure from {aligned} to {tilted}; in the middle it is "
-    "{middle}. The peaks of pressure at the ends extend over a few per cent of the length, and the "
-    "cells are refined until the error is below 2 %.",
+    text="The tilt raises the maximum pressure from {aligned} to {tilted}; in the middle of the "
+    "roller the pressure is "
+    "{middle}. The peaks of pressure at the ends extend over a few per cent of the length, so the "
+    "cells are refined until the estimated error of the maximum pressure is below 2 %.",
     commands=("run roller.toml", "sweep roller.toml --set surface.tilt=0.0,0.0005,0.001"),
     shown=("Estimated errors", "At maximum von Mises stress"),
     functions=(
@@ -83,9 +84,10 @@ APPLICATION = Application(
         ("sc.to_accuracy", "solution to a prescribed accuracy"),
     ),
     guide=("static overload of a bearing", "bearing.md#misalignment"),
-    limits="The error of the tilted roller is estimated by the run to a prescribed accuracy, from "
-    "three grids. The half-spaces continue beyond the ends of the roller. The ends are therefore "
-    "stiffer than the ends of a real roller.",
+    limits="The command `run` solves the case to a prescribed accuracy, and estimates the error "
+    "of the maximum pressure with tilt from three grids. In the model, both bodies are "
+    "half-spaces that continue beyond the ends of the roller. The ends are therefore stiffer than "
+    "those of a real roller.",
     answers=answers,
     picture=picture,
     caption="Pressure along the roller: maximum over the width of the contact, and map.",

@@ -65,12 +65,15 @@ def answers(record: dict[str, Any]) -> str:
 
 def errors(application: Application) -> str:
     """Return the sentences on the errors."""
-    text = "The commands estimate the errors by a second solution on cells of twice the size."
+    text = (
+        "The commands themselves estimate errors by a second solution on cells of twice the size."
+    )
     if not application.coarser:
         return text
     changed = ", ".join(f"`{new}`" for _, new in application.coarser)
     other = (
-        "The errors of the other answers are the\ndifferences from a run of the same commands with"
+        "For answers without such an estimate, the error is the\ndifference from a run of "
+        "the same commands with"
     )
     return f"{text} {other} {changed} in the case file."
 

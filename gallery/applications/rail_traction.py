@@ -80,8 +80,11 @@ APPLICATION = Application(
     kind="rail",
     gains="The force that a wheel transmits at a creepage of 0.1 %, the stick zone, and the "
     "plastic strain of the rail.",
-    text="The wheel pulls with {force}; {stick} of the contact sticks. The pressure is {p0}, and "
-    "one pass leaves a plastic strain of {strain}. The rail first yields at {onset}.",
+    text="The wheel transmits a force of {force}; {stick} of the contact sticks. The maximum "
+    "pressure is "
+    "{p0}, and "
+    "one pass leaves a plastic strain of {strain}. At this creepage the rail first yields at a "
+    "load of {onset}.",
     commands=("run rail.toml", "find rail.toml yield"),
     shown=("Estimated grid errors", "Wheel on rail"),
     functions=(
@@ -92,7 +95,7 @@ APPLICATION = Application(
     ),
     guide=("traction rolling of wheel and rail", "rail.md"),
     limits="The wheel is elastic. The friction coefficient does not fall with the sliding speed. "
-    "For several wheels in succession use the fields passes and "
+    "For several wheels in succession use the fields `passes` and "
     "[shakedown](../case_files.md#shakedown).",
     answers=answers,
     picture=picture,

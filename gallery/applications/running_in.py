@@ -62,7 +62,8 @@ APPLICATION = Application(
     kind="rough",
     gains="The material that the crests of a rough surface lose until wear ceases, and the "
     "pressure before and after.",
-    text="Crests with a plastic strain above 0.2 % wear. After {cycles} cycles wear ceases. The "
+    text="Crests wear where their plastic strain exceeds 0.2 %. After {cycles} cycles wear "
+    "ceases. The "
     "maximum pressure falls from {first} to {last}, and {volume} are removed.",
     commands=("run rough.toml", SWEEP),
     shown=("Cycles",),
@@ -72,8 +73,9 @@ APPLICATION = Application(
         ("sc.measured.read", "measured surface"),
     ),
     guide=("rough surfaces", "roughness.md"),
-    limits="The command `sweep` solves the case on both grids, first on the larger cells. "
-    "Lubricant and debris are not modelled. The threshold is a constant of the material.",
+    limits="The command `sweep` solves the case twice: first on cells of twice the size, then on "
+    "the cells of the case file. "
+    "Lubricant and debris are not modelled. The threshold of 0.2 % is a constant of the material.",
     answers=answers,
     picture=picture,
     caption="Wear along a line after each cycle, and a map of the worn depth at the end.",
