@@ -49,9 +49,9 @@ estimated](theory/accuracy.md#solution-to-an-accuracy)).
 the true errors. The true error is the difference from a reference. For pressure, approach and area
 of elastic paraboloids, the reference is Hertz's solution. For all other values, the reference is
 extrapolated in two ways: with order 2 in the cell size, from the finest grids that can be solved in
-about {finest:.0f} s; and with orders 1 and 2 in the number of increments, from up to 32 or 64
-increments on a coarser grid. For rolling contacts this reference is hardly more accurate than the
-values that are compared with it. [Finite element
+about {finest:.0f} s; and with orders 1 and 2 in the number of increments, from solutions on a
+coarser grid with up to 32 or, for some contacts, 64 increments. For rolling contacts this reference
+is hardly more accurate than the values that are compared with it. [Finite element
 solutions](#comparison-of-the-reference-with-finite-elements) of three of the cases agree with the
 reference to within the accuracy of the finite elements.
 
@@ -62,10 +62,10 @@ calibrated with these contacts, except for the following {new}: {later}.
 {summary}
 
 A value is covered if its true error does not exceed its stated error. The fourth column is the
-maximum of the true error divided by the stated error, the fifth column the median of the stated
-error divided by the true error. The next table gives the time of each run, summed over all its
-grids, and the number of surface cells of the finest grid. The times were measured on one processor
-of a machine that also did other work.
+maximum of the ratio of true to stated error; the fifth column is the median of the inverse ratio,
+stated to true error. The next table gives the time of each run, summed over all its grids, and the
+number of surface cells of the finest grid. The times were measured on one processor of a machine
+that also did other work.
 
 {costs}
 
@@ -73,18 +73,18 @@ of a machine that also did other work.
 
 These cases were not used to calibrate the error estimate. The reference is a closed form (Hertz;
 Cattaneo and Mindlin for bodies with Poisson's ratio 0; half the von Mises stress for the amplitude
-of Crossland's criterion), or a solution to {finer:g} % by the same program, whose own error limits
-the comparison. The heights of the rough surface are given at samples, and its errors refer to the
-interpolated surface.
+of Crossland's criterion), or a solution of the same program to an accuracy of {finer:g} %, whose
+own error limits the comparison. The heights of the rough surface are given at samples, and the
+errors refer to the surface that is interpolated between the samples.
 
 {uses}
 
 ## Comparison of the reference with finite elements
 
 All values are in SI units. The axisymmetric finite-element results are in `reference/fem`; the
-README file in this folder states their accuracy. At the highest loads of case 2d, the residual
-stress needs finer grids than the time limit of a run permits. An earlier increment of the
-finite-element curve is therefore compared.
+README file in this folder states their accuracy. At the highest loads of case 2d, an accurate
+residual stress needs finer grids than the time limit of a run permits. For case 2d, an earlier
+increment of the finite-element curve is therefore compared.
 
 {elements}
 

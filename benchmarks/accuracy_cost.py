@@ -32,13 +32,13 @@ chosen grid of equal error. `samcontact.to_accuracy` solves a case on several gr
 numbers of increments. A user who knew the required grid and number of increments in advance would
 solve the case only once.
 
-For comparison each grid of the sequence is solved separately, with {increments} increments of
-loading and one increment of elastic unloading, with the default tolerance of case files and with
-the extent of the first grid. Numbers of increments that would take more than about {longest:.0f} s
-are omitted. The best manual grid is the fastest grid whose error does not exceed the error of
-`to_accuracy`. The error is the maximum error of all quantities, relative to the reference values of
-the page [reliability of the estimated errors](accuracy.md), which also lists the cases. Times are
-processor times with one thread.
+For comparison, each grid that `to_accuracy` uses is solved separately, with {increments} increments
+of loading and one increment of elastic unloading, with the default tolerance of case files and
+with the extent of the first grid. Numbers of increments that would take more than about
+{longest:.0f} s are omitted. The "best manual grid" is the fastest combination of grid and number of
+increments whose error does not exceed the error of `to_accuracy`. The error is the maximum error of
+all quantities, relative to the reference values of the page [reliability of the estimated
+errors](accuracy.md), which also lists the cases. Times are processor times with one thread.
 
 {table}
 

@@ -62,7 +62,7 @@ def carter2d() -> Rows:
 
 
 def bentall() -> Rows:
-    """Rollers of different materials: creepage for four pairs of friction and force."""
+    """Rollers of different materials: creepage for four pairs of friction coefficient and force."""
     grid = sc.Grid(216, 1, 1e-6, 1.0)
     gap, load = sc.surfaces.paraboloid(grid, 25e-3, math.inf), 16201.9
     bodies = of_shear_modulus(23e9, 0.31), of_shear_modulus(82e9, 0.28)
@@ -77,7 +77,7 @@ def bentall() -> Rows:
 
 
 def catt_to_cart() -> Rows:
-    """A ball that is pulled and then rolls, in steps of one cell."""
+    """A ball that is loaded tangentially and then rolls in steps of one cell."""
     grid, body = sc.Grid(33, 33, 0.25, 0.25), of_shear_modulus(1.0, 0.28)
     gap, load, mu = sc.surfaces.paraboloid(grid, 1 / (2 * 0.002963)), 0.4705, 0.4013
     solver = sc.ContactSolver(grid, body, body, sc.Coulomb(mu))
@@ -157,7 +157,7 @@ def veldep_fric() -> Rows:
 
 
 def plastic_3bl() -> Rows:
-    """One cell with a third body that hardens or softens, shifted to and fro."""
+    """One cell in motion to and fro, with a third-body layer that hardens or softens."""
     cell, steel = sc.Grid(1, 1, 1e-3, 1e-3), of_shear_modulus(82e9, 0.28)
     layers = {
         "clay": (sc.ThirdBody(0.7, 200e6, 106.25e6, 20e-6, hardening=435e9),

@@ -56,11 +56,11 @@ and needed {memory:.1f} GB.
 
 ![Errors against the cells per shortest wave](figures/rough_resolution.png)
 
-Errors of area and mean pressure are relative to values extrapolated with order one from the two
-finest grids; errors of strain and stress are relative to the finest grid. At the edges of contact
-spots, single cells have peaks of pressure and, in the first layer, peaks of strain, at any
-tolerance of the solver. These peaks grow as the cells become finer: the maximum pressure and the
-residual stress of the first layer do not converge.
+Errors of area and mean pressure are relative to values extrapolated from the two finest grids,
+assuming first-order convergence; errors of strain and stress are relative to the finest grid. At
+the edges of contact spots, single cells have peaks of pressure and, in the first layer, peaks of
+strain, at any tolerance of the solver. These peaks grow as the cells become finer: the maximum
+pressure and the residual stress of the first layer do not converge.
 
 {tables}
 
@@ -71,7 +71,7 @@ several increments, with {parted} cells per shortest wave:
 
 {parts}
 
-The residual stress depends more on the increments than on the cells.
+The residual stress depends more on the number of increments than on the cell size.
 
 ## Source of the error
 
@@ -90,11 +90,11 @@ round spot d cells across is {round:.2f}/d of its area: {eight:.0f} % with 8 cel
 with 4. The column "cells across a spot" is the value of d for round spots with the same S/N.
 
 The [contact area](theory/contact.md#contact-area) in states and results is corrected for this error
-if spots are small; if they are large, the edge is located within the cells. The area in the tables
-is the number of cells in contact times the area of a cell, without correction; the mean pressure is
-too low by the same factor by which this area is too large. Plastic strain and residual stress below
-the surface are largest in spots that are wider than the average, and are therefore considerably
-more accurate than the area.
+if spots are small. If spots are large, the area follows from the position of their edge within the
+cells. The area in the tables is the number of cells in contact times the area of a cell, without
+correction; the mean pressure is too low by the same factor by which this area is too large. Plastic
+strain and residual stress below the surface are largest in spots that are wider than the average,
+and are therefore considerably more accurate than the area.
 
 ## Recommendations
 
@@ -104,9 +104,9 @@ more accurate than the area.
 - The error is proportional to the cell size. If two grids are solved, the second with half the cell
   size, twice the area on the finer grid minus the area on the coarser grid is more accurate than
   either area.
-- `ResolutionWarning` is issued if the area uncertainty of several spots exceeds {warn:.0f} % in a
-  run, or {fail:.0f} % in a single increment. Results contain it as `area_uncertainty`, and the
-  check of a report fails above {fail:.0f} %.
+- `ResolutionWarning` is issued if there are several contact spots and the area uncertainty exceeds
+  {warn:.0f} % in a run, or {fail:.0f} % in a single increment. Results contain this uncertainty as
+  `area_uncertainty`, and the check of a report fails above {fail:.0f} %.
 """
 
 

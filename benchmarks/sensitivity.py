@@ -37,10 +37,10 @@ This page states by how much [%] the numbers on each page of the [gallery](galle
 the mesh is changed. Four changes are made, one at a time: cells of half the size along x and y
 (column "cells"), layers of half the thickness ("layers"), load increments of half the size
 ("increments"), and a grid that is a quarter wider and deeper ("grid size"). Each section states
-which mesh was changed: the mesh of the gallery page, or the coarse mesh of the tests, which is
-about half as fine. A change on the coarse mesh is approximately the improvement from the coarse
-mesh to the mesh of the page. This change is also approximately an upper bound of the remaining
-error of the page.
+which of two meshes was changed: the mesh of the gallery page, or the coarse mesh of the tests,
+which is about half as fine. If the coarse mesh is refined, a number changes by about as much as
+from the coarse mesh to the mesh of the page. This change is also approximately an upper bound of
+the remaining error of the page.
 
 If a row of a gallery page contains several numbers, the table gives the largest change, relative to
 the largest of these numbers. Numbers in text are rounded as on the page, so a change of the last

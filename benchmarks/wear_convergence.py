@@ -38,7 +38,7 @@ layers, which determines the depth at which the strain is compared with the thre
 
 The filter is a moving average over 25 µm (`window` in cells, `order` 1), as closely as the cells
 permit. The border of the worn region is then a ramp with sharp edges. On coarse grids the edges are
-no sharper than a cell, and running-in ends. On finer grids each edge carries the next contact, at a
+no sharper than a cell, and running-in ends. On finer grids the next contact is on these edges, at a
 pressure that increases as the cells shrink. The edge is strained beyond the threshold, is removed,
 and leaves new edges: the volume per cycle increases again, and wear does not cease. The pressure at
 a sharp edge grows without limit as the cells shrink, so refinement does not help.
@@ -47,9 +47,9 @@ a sharp edge grows without limit as the cells shrink, so refinement does not hel
 
 Two smooth balls are loaded by 2000 N, with a smoothing length of 87 µm (equivalent to a moving
 average over 300 µm). The first cycle removes a lens deeper than the approach of the balls. The
-contacts of the following cycles are on the rim of this pit; their pressures exceed the Hertz
-pressure, and their strains exceed the small-strain limit. Wear does not cease, and each cycle
-depends more on the mesh than the previous one.
+contacts of the following cycles are on the rim of this pit; the pressures there exceed the Hertz
+pressure, and the strains exceed the small-strain limit. Wear does not cease, and each cycle depends
+more on the mesh than the previous one.
 """,
 }
 COMPARED = {

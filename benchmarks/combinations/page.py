@@ -52,12 +52,12 @@ REASONS = (
         is_limit=True,
     ),
     Reason(
-        "lubricant enters and leaves there",
+        "lubricant enters and leaves at the ends",
         "Along x, lubricant enters and leaves a film, whose flow therefore does not repeat.",
         is_limit=True,
     ),
     Reason(
-        r"press\(\) got an unexpected|under a film|must not have reliefs|only Simulation supports|"
+        r"press\(\) got an unexpected|under a film|only Simulation supports|"
         "got inf at index",
         "Under a lubricant film: prescribed approach, duration, moments, motion through the grid "
         "of plastic strain and of reliefs (`sc.lubrication.transient` moves reliefs of elastic "
@@ -77,12 +77,12 @@ REASONS = (
         is_limit=True,
     ),
     Reason(
-        "uniform heating of a half-space has no steady state",
+        "uniformly heated half-space has no steady state",
         "The mean temperature of a half-space that is heated everywhere rises without limit.",
         is_limit=True,
     ),
     Reason(
-        "there are no closed-form kernels|exact kernels cannot be summed",
+        "requires closed-form kernels|exact kernels cannot be summed",
         'No closed form exists for the kernels of the method "exact". The default method, "fast", '
         "has no such limit.",
         is_limit=True,

@@ -62,10 +62,11 @@ approach of {approach:.3f} µm (1500 N, 4.1 GPa by Hertz) is applied in {up} inc
 in {down}:
 
 - CalculiX, axisymmetric: quadratic elements with reduced integration. The table states the number
-  of elements on the contact radius. Elements are uniform to {fine} contact radii in depth and
-  width; each further element is {growth} times as large as the previous one, out to {far:.0f}
-  radii. The contact is face to face, with a stiffness that permits 4 nm of interpenetration. This
-  model has the advantage of two dimensions: samcontact does not use the axisymmetry.
+  of elements on the contact radius. Elements are of uniform size up to {fine} contact radii in
+  depth and width; each further element is {growth} times as large as the previous one, out to
+  {far:.0f} contact radii. The contact is face to face, with a stiffness that permits 4 nm of
+  interpenetration. This model has the advantage of two dimensions: samcontact does not use the
+  axisymmetry.
 - samcontact, three-dimensional: cubic cells. The table states the number of cells on the contact
   radius. `nz` is not given, and all settings have their defaults; samcontact detects the mirror
   planes.
@@ -86,12 +87,12 @@ in {down}:
 
 {numbers}
 
-The limits of the two codes differ by {differ}. One reason is the slope of the surface, up to
-{slope:.0f} % in the finite element model, whereas the surface of a half-space is plane. In elastic
-contact, the finite elements differ from Hertz by {load:+.2f} % in the load and by {stress:+.2f} %
-in the maximum von Mises stress; with a ball radius four times as large, they differ by
-{flat_load:+.2f} and {flat_stress:+.2f} %. CalculiX evaluates stress and strain at integration
-points near the axis, samcontact at cell centres on the axis.
+Extrapolated to zero cell size, the two codes differ by {differ}. One reason is the slope of the
+surface, which reaches {slope:.0f} % in the finite element model, whereas the surface of a
+half-space is plane. In elastic contact, the finite elements differ from Hertz by {load:+.2f} % in
+the load and by {stress:+.2f} % in the maximum von Mises stress; with a ball radius four times as
+large, they differ by {flat_load:+.2f} and {flat_stress:+.2f} %. CalculiX evaluates stress and
+strain at integration points near the axis, samcontact at cell centres on the axis.
 """
 
 

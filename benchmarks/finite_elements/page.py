@@ -27,12 +27,13 @@ $ apt install calculix-ccx
 $ OMP_NUM_THREADS=1 python -m benchmarks.finite_elements --docs
 ```
 
-The tables give the maximum error of five quantities and the processor time. The errors of each code
-are relative to its own limit on fine meshes, which is extrapolated with order two from the two
-finest meshes. The time for writing the input deck is not included. The lines below each table
-compare the times at equal errors: the time that samcontact needs to reach the error of a mesh of
-CalculiX is interpolated between its runs in the table. Meshes with an error that is larger than
-that of every run of samcontact are left out.
+The tables give the maximum error of five quantities and the processor time. The error of a code is
+the relative difference from the limit of the same code on fine meshes. This limit is extrapolated
+with order two from the two finest meshes of the code. The time for writing the input deck is not
+included. The lines below each table of errors compare the times at equal errors: the time that
+samcontact needs to reach the error of a mesh of CalculiX is interpolated between the runs of
+samcontact in the table. Meshes of CalculiX with an error larger than that of every run of
+samcontact are left out.
 
 {sections}"""
 

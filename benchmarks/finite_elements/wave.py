@@ -57,10 +57,10 @@ The uniform compression of the finite element model over its depth is subtracted
 
 {numbers}
 
-The limits of the two codes differ by {differ}. The slope of the surface is up to {slope:.1f} %, and
-the approach of the finite elements includes the interpenetration due to the finite stiffness of
-their contact. Approach and imprint of the finite elements vary irregularly with the mesh; their
-limits are therefore less certain than the limits of samcontact.
+Extrapolated to zero cell size, the two codes differ by {differ}. The slope of the surface is up to
+{slope:.1f} %, and the approach of the finite elements includes the interpenetration due to the
+finite stiffness of their contact. Approach and imprint of the finite elements vary irregularly with
+the mesh; their limits are therefore less certain than the limits of samcontact.
 """
 
 
