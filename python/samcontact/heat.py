@@ -131,7 +131,7 @@ class Heat:
 
     @property
     def shares(self) -> Pair:
-        """Heat factors of both bodies [m/s]; with `partition`, fractions of the heat [-]."""
+        """Heat flux into each body per unit pressure [m/s]; with `partition`, shares of it [-]."""
         return self.factor if self.partition is None else (1.0 - self.partition, self.partition)
 
     @property

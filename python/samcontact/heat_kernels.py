@@ -248,7 +248,7 @@ def _offsets(name: str, value: ArrayLike) -> tuple[FloatArray, Any]:
 
 
 class _Table:
-    """Checked arguments shared by all tables, in the form required by the core."""
+    """Checked arguments that all tables of coefficients share, as the compiled core needs them."""
 
     def __init__(
         self,

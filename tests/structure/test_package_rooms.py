@@ -50,6 +50,7 @@ FLOORS = [
 # Modules that call the core; all others use these modules.
 CORE_USERS = {
     "__init__",
+    "_util.checks",
     "_util.load_core",
     "_util.version",
     "accuracy.load_search",

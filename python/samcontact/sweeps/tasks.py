@@ -35,8 +35,8 @@ def checked_search(search: Any, cases: list[Any]) -> dict[str, Any] | None:
     unknown = [name for name in search if name not in _SEARCH_ARGUMENTS]
     if unknown or "quantity" not in search:
         raise ValueError(
-            "find must have the entry quantity, and may have value, tolerance and largest_load, "
-            f"got {in_short(dict(search))}"
+            "find must have the key 'quantity', and may have 'value', 'tolerance' and "
+            f"'largest_load', got {in_short(dict(search))}"
         )
     for case in cases:
         if not isinstance(case, Case):

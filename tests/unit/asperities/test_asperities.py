@@ -242,7 +242,9 @@ def test_a_resumed_run_is_bit_identical(tmp_path):
         which, STEEL, STEEL, grid, passes=2, progress=False, checkpoint=tmp_path / "kept"
     )
     xr.testing.assert_identical(plain.series, resumed.series)
-    with pytest.raises(ValueError, match=r"is of another run \(passes 3\.0 instead of 2\.0\)"):
+    with pytest.raises(
+        ValueError, match=r"is a checkpoint of another run \(passes 3\.0 instead of 2\.0\)"
+    ):
         collide(which, STEEL, STEEL, grid, passes=3, progress=False, checkpoint=tmp_path / "kept")
 
 

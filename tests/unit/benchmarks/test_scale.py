@@ -19,6 +19,8 @@ def test_stored_time_and_memory_keep_their_bounds(job):
     assert bytes_a_cell(rows[-1]) <= job.stated
 
 
+@pytest.mark.filterwarnings("ignore::samcontact.GridTooSmallWarning")
+@pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 @pytest.mark.parametrize("job", jobs.JOBS, ids=lambda job: job.function)
 def test_a_size_is_counted_as_stored(job):
     """Cells and, except for rounding, counters are independent of the machine."""

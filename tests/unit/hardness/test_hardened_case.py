@@ -90,7 +90,10 @@ def test_case_files_state_the_case_as_engineers_do():
         ({"hardness": FORM | {"z": [0.0]}}, "surface, core and depth, or z and HV"),
         ({"hardness": {"surface": 620.0}}, "surface, core and depth, or z and HV"),
         ({"hardness": FORM | {"depth": "0.8 m"}}, "depth must be in m"),
-        ({"hardness": {"z": [0.0], "HV": [600.0], "limit": 500.0}}, "limit belongs to depth"),
+        (
+            {"hardness": {"z": [0.0], "HV": [600.0], "limit": 500.0}},
+            "limit is the hardness at depth",
+        ),
         ({"hardness": FORM, "yield_profile": {"z": [0.0], "factor": [2.0]}}, "yield_profile"),
         ({"law": "elastic", "yield_stress": None, "hardness": FORM}, "no effect on an elastic"),
         ({"fatigue": {"exposure": {}}}, r"requires the hardness of body2"),

@@ -216,7 +216,7 @@ GRID = sc.Grid(8, 8, SIZE, SIZE, 2, SIZE)
         (lambda: simulation(GRID, track=(0.0, 0.0)), "track must be > 0 along x or y"),
         (
             lambda: simulation(GRID, track=2 * SIZE).step(**ACROSS),
-            "heat.track must be > 0 along y for a path along y",
+            "heat.track must be > 0 along y if bodies move along y",
         ),
         (
             lambda: simulation(sc.Grid(8, 8, SIZE, SIZE, periodic="y")),

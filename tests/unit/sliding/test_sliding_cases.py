@@ -88,7 +88,7 @@ def test_an_interrupted_run_continues_bit_identically(case_file, tmp_path):
         assert one.friction == other.friction
         assert one.converged is other.converged is True
     other = parse_case(WAVE.replace("5e4", "4e4"), case_file)
-    with pytest.raises(ValueError, match=r"is of another run \(load"):
+    with pytest.raises(ValueError, match=r"is a checkpoint of another run \(load"):
         other.solve(progress=False, checkpoint=kept)
 
 

@@ -96,7 +96,7 @@ def test_a_sweep_judges_fatigue_and_shakedown_of_each_case(tmp_path):
 def test_wear_has_no_load_search():
     case = Case.model_validate(FRETTED)
     for quantity in ("worn_volume", "max_pressure"):
-        with pytest.raises(ValueError, match=r"wear has no load search: remove \[wear\]"):
+        with pytest.raises(ValueError, match=r"does not support wear: remove \[wear\]"):
             sc.sweep(case, {"wear.cycles": [1]}, find={"quantity": quantity}, progress=False)
 
 
@@ -141,11 +141,11 @@ increments = 1
 @pytest.mark.parametrize(
     ("find", "message"),
     [
-        ({"value": 1e9}, "find must have the entry quantity"),
+        ({"value": 1e9}, "find must have the key 'quantity'"),
         ({"quantity": "max_presure"}, "did you mean max_pressure"),
-        ({"quantity": "worn_volume"}, "wear has no load search; solve the wear for several"),
-        ({"quantity": "depth_body2"}, "wear has no load search; solve the wear for several"),
-        ({"quantity": "yield", "load": 3.0}, "find must have the entry quantity, and may have"),
+        ({"quantity": "worn_volume"}, "does not support wear; solve the case for several"),
+        ({"quantity": "depth_body2"}, "does not support wear; solve the case for several"),
+        ({"quantity": "yield", "load": 3.0}, "find must have the key 'quantity', and may have"),
     ],
 )
 def test_searches_are_checked_before_any_case_is_solved(find, message):

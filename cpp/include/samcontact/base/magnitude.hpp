@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Magnitude of the numbers of an array, for checks of input.
 #pragma once
 
 #include <algorithm>
