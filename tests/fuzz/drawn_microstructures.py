@@ -81,8 +81,9 @@ def solved(seed):
             assert np.isfinite(stress).all()
             void = (state.share(2) == 1.0) & np.isin(state.phase(2), voids(state))
             if void.any() and state.converged:
-                assert np.abs(stress[:, void]).max() <= 0.1 * largest
                 assert np.sqrt(np.mean(stress[:, void] ** 2)) <= 0.01 * largest
+                void[[0, -1]] = False  # cells that the end of the grid may cut
+                assert np.abs(stress[:, void]).max(initial=0.0) <= 0.05 * largest
     return True
 
 
