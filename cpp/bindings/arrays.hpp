@@ -6,8 +6,10 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -27,6 +29,11 @@ using Values = py::array_t<double>;
 
 inline Field to_field(const Array& array) {
   return Field(array.data(), array.data() + array.size());
+}
+
+/// The numbers of an array, without a copy.
+inline std::span<const double> numbers_of(const Array& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 /// None becomes an empty field.

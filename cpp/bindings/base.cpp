@@ -3,7 +3,6 @@
 #include <pybind11/gil_safe_call_once.h>
 #include <pybind11/stl.h>
 
-#include <cstddef>
 #include <new>
 #include <optional>
 #include <string>
@@ -125,7 +124,7 @@ void bind_base(py::module_& m) {
   m.def(
       "magnitude_of",
       [](const Array& numbers) {
-        const auto found = magnitude_of({numbers.data(), static_cast<std::size_t>(numbers.size())});
+        const auto found = magnitude_of(numbers_of(numbers));
         return std::pair{found.largest, found.is_finite};
       },
       py::arg("numbers"));

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -168,10 +167,6 @@ std::optional<Values> shear(const ContactSolver& solver, const Array& pressure) 
 
 contact::Cells cells_of(const Array& field, bool along_x, bool along_y) {
   return {static_cast<int>(field.shape(0)), static_cast<int>(field.shape(1)), along_x, along_y};
-}
-
-std::span<const double> numbers_of(const Array& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 /// Cells, sides, reach, whether the pressure rises to a side, and the largest pressure.

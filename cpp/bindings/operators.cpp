@@ -286,9 +286,7 @@ void bind_heat_history(py::module_& m) {
            })
       .def(
           "set_state",
-          [](BoundHistory& self, const Array& state) {
-            self.history.set_state({state.data(), static_cast<std::size_t>(state.size())});
-          },
+          [](BoundHistory& self, const Array& state) { self.history.set_state(numbers_of(state)); },
           py::arg("state"))
       .def_property_readonly("size", [](const BoundHistory& self) { return self.history.size(); });
 }

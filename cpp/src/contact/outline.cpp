@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "samcontact/base/magnitude.hpp"
 #include "samcontact/contact/laws/contact_law.hpp"
 
 namespace samcontact::contact {
@@ -86,8 +87,7 @@ Outline outline(std::span<const double> pressure, const Cells& cells, double ris
 }
 
 bool may_have_steps(std::span<const double> heights, const Cells& cells, double ratio) {
-  const auto infinite = [](double height) { return !std::isfinite(height); };
-  if (std::ranges::any_of(heights, infinite)) return true;
+  if (!magnitude_of(heights).is_finite) return true;
   constexpr int more = std::tuple_size_v<SixCells> - 1;
   const auto row = [&](int i) {
     return heights.data() + static_cast<std::ptrdiff_t>(i % cells.nx) * cells.ny;

@@ -44,7 +44,7 @@ def _has_unit(value: Any) -> bool:
 
 def number(name: str, value: Any) -> float:
     """Return `value` as a float; raise TypeError unless it is a real number (not a bool)."""
-    if type(value) is float and abs(value) <= MAX_NUMBER:
+    if type(value) is float and abs(value) <= MAX_NUMBER:  # the usual case, first to save time
         return value + 0.0  # never -0.0
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]

@@ -15,6 +15,7 @@ from .. import _core
 from .._util import memory
 from .._util.checks import FloatArray, exactly_one, finite_array, require_type
 from .._util.errors import ConvergenceWarning, GridTooSmallWarning
+from .._util.travels import AT_REST
 from ..bodies.free_faces import contact_strip
 from ..bodies.layered import Body, require_bodies
 from ..bodies.viscoelastic import require_no_relaxation
@@ -32,7 +33,7 @@ from .enlargement import counts_for, explain_failed_enlargement
 from .fields import ContactFields
 from .interpenetration import require_apart
 from .normal_drive import NormalDrive
-from .tangential_drive import AT_REST, Pressing, TangentialDriver, at_pace, tangential_drive
+from .tangential_drive import Pressing, TangentialDriver, at_pace, tangential_drive
 
 LOOSEST_ADHESIVE = 1e-7
 """Maximum tolerance with adhesion. Above it, repulsion cannot be distinguished from errors."""

@@ -12,6 +12,7 @@ import numpy as np
 from .. import _core
 from .._util.checks import FloatArray, finite, finite_array, in_cells, non_negative, require_type
 from .._util.short_text import in_short
+from .._util.travels import AT_REST
 from ..problem.contact_law import in_contact
 from ..problem.friction import FrictionLaw, lasting
 from ..problem.grid import Grid
@@ -26,8 +27,6 @@ from ..solutions.contact_solution import (
 )
 
 _DIRECTIONS = ("x", "y")
-AT_REST = (0.0, 0.0)
-"""Default displacements of the surfaces through the contact [m]."""
 
 Pressing = tuple[FloatArray, _core.Drive]
 """Initial gap [m], and the normal drive: load or approach, and moments or tilts."""

@@ -175,7 +175,8 @@ class ContactSetup:
         if min(self.grid.surface_shape) < 3 or self.relieved:
             return None
         chosen, (a, b), basis, fitting = _fit_on(self.grid)
-        if not magnitude_of(self.gap)[1]:  # a finite body is no paraboloid
+        _, is_finite = magnitude_of(self.gap)
+        if not is_finite:  # a body with an end is no paraboloid
             return None
         heights = self.gap[chosen].ravel()
         lowest, highest = float(heights.min()), float(heights.max())

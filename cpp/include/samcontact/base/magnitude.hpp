@@ -14,7 +14,7 @@ struct Magnitude {
   bool is_finite = true;  // whether all numbers are finite
 };
 
-/// Largest magnitude of numbers.
+/// Largest magnitude of the finite numbers, and whether all numbers are finite.
 inline Magnitude magnitude_of(std::span<const double> numbers) {
   Magnitude found;
   for (const double number : numbers) {

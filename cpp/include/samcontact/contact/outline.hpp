@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outline of a contact on the cells of a grid: quantities that diagnostics need for every solution,
-// computed in one sweep.
+// Outline of a contact, and steps of the gap, on the cells of a grid: quantities that diagnostics
+// need for every solution.
 #pragma once
 
 #include <cstddef>
