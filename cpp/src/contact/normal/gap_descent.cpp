@@ -27,7 +27,7 @@ constexpr double opening = 1.0;
 constexpr double shorter = 0.25;
 constexpr int most_shorter = 12;
 /// Rounding error of a gap, relative to the heights of the undeformed surfaces.
-constexpr double last_digits = 32 * std::numeric_limits<double>::epsilon();
+constexpr double gap_rounding = 32 * std::numeric_limits<double>::epsilon();
 /// Rounding error of the energy, relative to the energy or to the work of adhesion of the grid.
 constexpr double rounding = 1e-13;
 
@@ -41,7 +41,7 @@ GapDescent::GapDescent(const AdhesiveSurface& surface, const ContactLaw& law,
       work_of_grid_(law.energy(law.reach()) * static_cast<double>(surface.size())) {
   const double highest = largest_of(
       gap_.size(), [&](std::size_t i) { return gap_.is_body(i) ? gap_.undeformed(i) : 0.0; });
-  rounding_of_pressure_ = last_digits * highest / surface.self_influence();
+  rounding_of_pressure_ = gap_rounding * highest / surface.self_influence();
   for (Field* field : {&p_, &residual_, &before_, &z_, &t_, &q_, &scratch_})
     field->assign(gap_.size(), 0.0);
 }

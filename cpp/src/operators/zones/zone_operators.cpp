@@ -62,28 +62,22 @@ void ZoneOperators::find_neighbours() {
       if (x != 0 || y != 0) shifts_.push_back({x * grid_.nx, y * grid_.ny});
     }
   }
+  std::vector<Box> boxes;
+  boxes.reserve(shifts_.size() * zones_.size());
   for (const auto& [x, y] : shifts_) {
-    for (std::size_t z = 0; z < zones_.size(); ++z) {
-      neighbours_.push_back({zones_[z].moved(x, y), static_cast<int>(z)});
-    }
+    for (const Box& zone : zones_) boxes.push_back(zone.moved(x, y));
   }
+  neighbours_ = BoxIndex(std::move(boxes));
 }
 
 void ZoneOperators::add_ring(int number) {
   const Box& zone = zones_[number];
   const double fades_from = tables_->split().margin_fade_fraction;
-  std::vector<Box> boxes;
-  boxes.reserve(neighbours_.size());
-  for (const Neighbour& neighbour : neighbours_) boxes.push_back(neighbour.box);
-  Box box = zone_with_margin(zone, boxes, tables_->split());
+  Box box = zone_with_margin(zone, neighbours_, tables_->split());
   const int x0 = zone.i0 - box.i0, x1 = box.nx - zone.nx - x0;
   const int y0 = zone.j0 - box.j0, y1 = box.ny - zone.ny - y0;
-  std::vector<int> inside;
-  for (std::size_t n = 0; n < boxes.size(); ++n) {
-    if (box.intersected(boxes[n]).empty()) continue;
-    inside.push_back(static_cast<int>(n));
-    box.nz = std::max(box.nz, boxes[n].nz);
-  }
+  std::vector<int> inside = neighbours_.overlapping(box);
+  for (const int n : inside) box.nz = std::max(box.nz, neighbours_[n].nz);
   // Strain of other zones at larger depths is as far away as the end of the margin.
   const int ring = std::max({x0, x1, y0, y1});
   box.nz = std::min(box.nz, zone.nz + static_cast<int>(std::ceil(ring * grid_.dx / grid_.dz)));
@@ -150,9 +144,9 @@ void ZoneOperators::add_displacement(const Around& around, const double* of_zone
   }
 }
 
-bool ZoneOperators::has_strain(const Neighbour& neighbour, int k, const Field& strain,
-                               const Box& box) const {
-  const auto& [own, zone] = neighbour;
+bool ZoneOperators::has_strain(int neighbour, int k, const Field& strain, const Box& box) const {
+  const Box& own = neighbours_[neighbour];
+  const std::size_t zone = zone_of(neighbour);
   const Box common = own.intersected(box);
   if (k >= own.nz || common.empty()) return false;
   for (int c = 0; c < count(tensor_); ++c) {
@@ -175,7 +169,7 @@ void ZoneOperators::add_others(std::size_t zone, const Field* strain) {
   for (int k = 0; k < around.box.nz; ++k) {
     const auto reaches = [&](int other) {
       return other != static_cast<int>(zone) &&
-             has_strain(neighbours_[other], k, *strain, around.box);
+             has_strain(other, k, *strain, around.box);
     };
     if (std::none_of(around.near.begin(), around.near.end(), reaches)) continue;
     around.spectrum.used[k] = 1;
@@ -191,7 +185,8 @@ const double* ZoneOperators::strain_around(const Around& around, std::span<const
   const std::size_t plane = static_cast<std::size_t>(around.mx) * around.my;
   double* planes = of_zeros(parts * plane);
   for (const int n : neighbours) {
-    const auto& [zone, z] = neighbours_[n];
+    const Box& zone = neighbours_[n];
+    const std::size_t z = zone_of(n);
     if (k >= zone.nz) continue;
     const Box common = own.intersected(zone);
     const double* y = around.fade_y.data() + common.j0 - own.j0;

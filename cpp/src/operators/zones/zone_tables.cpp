@@ -96,6 +96,16 @@ Box zone_with_margin(const Box& zone, const std::vector<Box>& zones, const BandS
   return wide;
 }
 
+Box zone_with_margin(const Box& zone, const BoxIndex& zones, const BandSplit& split) {
+  const int ring = split.near_range;
+  std::vector<Box> near;
+  for (const int n : zones.overlapping(
+           {zone.i0 - ring, zone.j0 - ring, zone.nx + 2 * ring, zone.ny + 2 * ring})) {
+    near.push_back(zones[n]);
+  }
+  return zone_with_margin(zone, near, split);
+}
+
 ZoneTables::ZoneTables(const Grid& grid, const SharedMedium& medium, Tensor tensor,
                        double image_tol, const BandSplit& split, const Heating& heating)
     : grid_(grid),

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <utility>
 
+#include "samcontact/base/box_index.hpp"
 #include "samcontact/fft/plan.hpp"
 #include "samcontact/operators/zones/zone_tables.hpp"
 #include "samcontact/simulation/cells/zones.hpp"
@@ -44,10 +44,11 @@ std::vector<Box> parts_outside(const Box& box, const Box& other, bool rows_in_x)
 }
 
 /// Smallest box around the cells of a box that no zone contains.
-Box left_over(const Box& box, const std::vector<Box>& zones) {
+Box left_over(const Box& box, const BoxIndex& zones) {
   std::vector<Box> parts{box};
-  for (const Box& zone : zones) {
-    if (zone.nz < box.nz || !overlap(zone, box)) continue;
+  for (const int number : zones.overlapping(box)) {
+    const Box& zone = zones[number];
+    if (zone.nz < box.nz) continue;
     std::vector<Box> left;
     for (const Box& part : parts) {
       const std::vector<Box> more =
@@ -64,30 +65,56 @@ class Merging {
  public:
   explicit Merging(const operators::BandSplit& split) : split_(split) {}
 
-  /// Cost of an isolated zone.
-  double cost(const Box& zone) const { return cost(std::vector{zone}); }
-  double cost(const std::vector<Box>& zones) const {
-    return std::accumulate(zones.begin(), zones.end(), 0.0, [&](double sum, const Box& zone) {
-      const Box box = operators::zone_with_margin(zone, zones, split_);
-      const double plane =
-          static_cast<double>(fft::fast_plane_size(box.nx)) * fft::fast_plane_size(box.ny);
-      return sum + plane * zone.nz;
-    });
-  }
-  void unite(std::vector<Box>& boxes) const;
+  /// Cost of all zones.
+  double cost(const BoxIndex& zones) const;
+  void unite(BoxIndex& boxes) const;
   /// Disjoint boxes with the same cells.
-  std::vector<Box> made_disjoint(const std::vector<Box>& boxes) const;
+  BoxIndex made_disjoint(const std::vector<Box>& boxes) const;
 
  private:
+  /// Cost of a zone with its margin.
+  static double cost_within(const Box& margin, const Box& zone) {
+    return static_cast<double>(fft::fast_plane_size(margin.nx)) * fft::fast_plane_size(margin.ny) *
+           zone.nz;
+  }
+  /// Cost of few zones.
+  double cost(const std::vector<Box>& zones) const;
+  /// Cost of an isolated zone.
+  double cost(const Box& zone) const { return cost(std::vector{zone}); }
+  /// Zone and all cells that a box worth merging with it overlaps: at larger distances, the cells
+  /// between both cost more than the margins and the cells by which planes are enlarged to sizes
+  /// of fast transforms.
+  Box within_reach(const Box& zone) const {
+    const Box margin = widened(zone, split_.near_range);
+    return widened(margin, split_.near_range + std::max(margin.nx, margin.ny) / 4);
+  }
   /// Cheapest way to cover two overlapping boxes without merging them: one of them as deep as both
   /// require, and the part of the other outside it.
   std::vector<Box> parted(const Box& a, const Box& b) const;
   /// Whether two of the boxes cost less as one. A merged box that would overlap others is made only
   /// from two that overlap: otherwise it might be cut into these two again.
-  bool better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const;
+  bool better_as_one(const BoxIndex& boxes, int k, int l) const;
+  /// Unites a box with one of a higher number than l. Returns this number; 0 if there is none.
+  int unite_with_one_after(BoxIndex& boxes, int k, int l) const;
 
   const operators::BandSplit& split_;
 };
+
+double Merging::cost(const std::vector<Box>& zones) const {
+  double sum = 0.0;
+  for (const Box& zone : zones) {
+    sum += cost_within(operators::zone_with_margin(zone, zones, split_), zone);
+  }
+  return sum;
+}
+
+double Merging::cost(const BoxIndex& zones) const {
+  double sum = 0.0;
+  for (int k = 0; k < zones.size(); ++k) {
+    sum += cost_within(operators::zone_with_margin(zones[k], zones, split_), zones[k]);
+  }
+  return sum;
+}
 
 std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
   std::vector<Box> best;
@@ -101,47 +128,48 @@ std::vector<Box> Merging::parted(const Box& a, const Box& b) const {
   return best;
 }
 
-bool Merging::better_as_one(const std::vector<Box>& boxes, std::size_t k, std::size_t l) const {
+bool Merging::better_as_one(const BoxIndex& boxes, int k, int l) const {
   const Box both = boxes[k].united(boxes[l]);
   if (overlap(boxes[k], boxes[l])) return cost(both) <= cost(parted(boxes[k], boxes[l]));
   if (cost(both) > cost(boxes[k]) + cost(boxes[l])) return false;
-  for (std::size_t n = 0; n < boxes.size(); ++n) {
-    if (n != k && n != l && overlap(boxes[n], both)) return false;
-  }
-  return true;
+  return std::ranges::all_of(boxes.overlapping(both), [&](int n) { return n == k || n == l; });
 }
 
-void Merging::unite(std::vector<Box>& boxes) const {
+int Merging::unite_with_one_after(BoxIndex& boxes, int k, int l) const {
+  for (const int other : boxes.overlapping(within_reach(boxes[k]))) {
+    if (other <= l || !better_as_one(boxes, k, other)) continue;
+    boxes.replace(k, boxes[k].united(boxes[other]));
+    boxes.remove(other);
+    return other;
+  }
+  return 0;
+}
+
+void Merging::unite(BoxIndex& boxes) const {
   for (bool again = true; again;) {
     again = false;
-    for (std::size_t k = 0; k < boxes.size(); ++k) {
-      for (std::size_t l = k + 1; l < boxes.size();) {
-        if (better_as_one(boxes, k, l)) {
-          boxes[k] = boxes[k].united(boxes[l]);
-          boxes.erase(boxes.begin() + l);
-          again = true;
-        } else {
-          ++l;
-        }
-      }
+    for (int k = 0; k < boxes.size(); ++k) {
+      if (boxes[k].empty()) continue;
+      for (int l = k; (l = unite_with_one_after(boxes, k, l)) > 0;) again = true;
     }
   }
 }
 
-std::vector<Box> Merging::made_disjoint(const std::vector<Box>& boxes) const {
-  std::vector<Box> zones, waiting(boxes.rbegin(), boxes.rend());
+BoxIndex Merging::made_disjoint(const std::vector<Box>& boxes) const {
+  BoxIndex zones;
+  std::vector<Box> waiting(boxes.rbegin(), boxes.rend());
   while (!waiting.empty()) {
     const Box box = left_over(waiting.back(), zones);
     waiting.pop_back();
-    const auto other = std::find_if(zones.begin(), zones.end(),
-                                    [&](const Box& zone) { return overlap(zone, box); });
-    if (other != zones.end()) {
-      const std::vector<Box> parts = parted(*other, box);
-      zones.erase(other);
-      waiting.insert(waiting.end(), parts.rbegin(), parts.rend());
-    } else if (!box.empty()) {
-      zones.push_back(box);
+    if (box.empty()) continue;
+    const std::vector<int> others = zones.overlapping(box);
+    if (others.empty()) {
+      zones.add(box);
+      continue;
     }
+    const std::vector<Box> parts = parted(zones[others.front()], box);
+    zones.remove(others.front());
+    waiting.insert(waiting.end(), parts.rbegin(), parts.rend());
   }
   return zones;
 }
@@ -210,15 +238,15 @@ std::vector<Box> within_period(const std::vector<Box>& boxes, const Period& peri
 
 std::vector<Box> merged(const std::vector<Box>& boxes, const operators::BandSplit& split) {
   const Merging merging(split);
-  std::vector<Box> needed;
+  BoxIndex needed;
   for (const Box& box : boxes) {
     const Box left = left_over(box, needed);
-    if (!left.empty()) needed.push_back(left);
+    if (!left.empty()) needed.add(left);
   }
   merging.unite(needed);
-  std::vector<Box> zones = merging.made_disjoint(needed);
+  BoxIndex zones = merging.made_disjoint(needed.remaining());
   merging.unite(zones);
-  return zones;
+  return zones.remaining();
 }
 
 double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
@@ -234,7 +262,7 @@ double cost_of_zones(const std::vector<Box>& zones, const Box& surface,
   };
   const double middle = planes(Band::middle, 2 * split.window_width);
   const double far = planes(Band::far, 2 * split.window_width + split.fading_nodes);
-  return merging.cost(zones) + (middle + padding(periodic) * far) * all.nz;
+  return merging.cost(BoxIndex(zones)) + (middle + padding(periodic) * far) * all.nz;
 }
 
 double cost_of_box(const Box& box, bool periodic) {

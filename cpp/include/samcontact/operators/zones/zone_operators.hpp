@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "samcontact/base/box_index.hpp"
 #include "samcontact/operators/zones/low_bands.hpp"
 
 namespace samcontact::operators {
@@ -44,14 +45,9 @@ class ZoneOperators {
  private:
   /// Zone with its margin, on a periodic plane.
   struct Around;
-  /// Zone, or an image of it on a periodic surface.
-  struct Neighbour {
-    Box box{};
-    int zone = 0;
-  };
 
-  /// The zones come first, in their order.
   void find_neighbours();
+  std::size_t zone_of(int neighbour) const { return neighbour % zones_.size(); }
   void add_ring(int number);
   /// Transforms the strain of a zone, without that of others.
   void transform_zone(int zone, const Field& strain, std::span<const Axis> axes);
@@ -59,7 +55,7 @@ class ZoneOperators {
   /// strain at all.
   void add_others(std::size_t zone, const Field* strain);
   /// Whether a layer of a zone has strain in a box.
-  bool has_strain(const Neighbour& neighbour, int k, const Field& strain, const Box& box) const;
+  bool has_strain(int neighbour, int k, const Field& strain, const Box& box) const;
   /// Layer of the strain in some neighbours, on the plane around a zone; buffer of this thread,
   /// valid until the next call.
   const double* strain_around(const Around& around, std::span<const int> neighbours, int k,
@@ -74,7 +70,7 @@ class ZoneOperators {
   const Grid& grid_;
   std::vector<Box> zones_;
   std::vector<std::array<int, 2>> shifts_;  // of the images on a periodic surface; 0 first
-  std::vector<Neighbour> neighbours_;
+  BoxIndex neighbours_;  // the zones in their order, then their images on a periodic surface
   std::vector<std::size_t> first_;  // number of cells before each zone
   std::size_t cells_ = 0;
   Tensor tensor_;

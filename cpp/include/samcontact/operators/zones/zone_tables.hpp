@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "samcontact/base/box.hpp"
+#include "samcontact/base/box_index.hpp"
 #include "samcontact/fft/rows.hpp"
 #include "samcontact/operators/volume/volume_operators.hpp"
 #include "samcontact/operators/zones/kernel_bands.hpp"
@@ -20,6 +20,7 @@ namespace samcontact::operators {
 /// Zone with the margin in which strain of other zones acts on it through the near band: wider at
 /// sides with other zones nearby, because the truncated part is next to equally strong strain.
 Box zone_with_margin(const Box& zone, const std::vector<Box>& zones, const BandSplit& split);
+Box zone_with_margin(const Box& zone, const BoxIndex& zones, const BandSplit& split);
 
 /// Planes of the nodes of a band. On a periodic surface their ends are joined: spreading and
 /// gathering then use a sheet that extends beyond the ends; otherwise the sheet is the plane.
