@@ -6,6 +6,7 @@
 #include <map>
 #include <random>
 
+#include "samcontact/base/box_index.hpp"
 #include "samcontact/simulation/cells/zone_choice.hpp"
 #include "samcontact/simulation/cells/zones.hpp"
 
@@ -75,4 +76,29 @@ TEST_CASE("boxes connected from end to end are not all merged") {
   CHECK(zones.size() > 25);
   // Margins of neighbouring zones are wide: more of them are merged.
   CHECK(held < 4 * needed);
+}
+
+TEST_CASE("the index finds the same overlapping boxes as a search of all") {
+  std::mt19937 random(7);
+  std::vector<Box> boxes = spots(200, 500, 7);
+  boxes.push_back({-200, -130, 700, 9, 1});  // across many tiles and negative cells
+  BoxIndex index(boxes);
+  for (int change = 0; change < 400; ++change) {
+    const std::size_t number = random() % boxes.size();
+    const Box box = spots(1, 500, random()).front().moved(-100, -100);
+    if (change % 3 == 0) {
+      index.add(box);
+      boxes.push_back(box);
+    } else {
+      boxes[number] = change % 3 == 1 ? box : Box{};
+      index.replace(static_cast<int>(number), boxes[number]);
+    }
+    std::vector<int> overlapping;
+    for (int n = 0; n < static_cast<int>(boxes.size()); ++n) {
+      if (!boxes[n].intersected(box).empty()) overlapping.push_back(n);
+    }
+    CHECK(index.overlapping(box) == overlapping);
+  }
+  std::erase_if(boxes, [](const Box& box) { return box.empty(); });
+  CHECK(index.remaining() == boxes);
 }

@@ -33,9 +33,8 @@ struct ZoneOperators::Around {
   std::vector<int> near;  // neighbours with cells in it; its own zone first
   ZoneTables::Operators operators;
   Field fade_x, fade_y;  // weights of the strain in the margin
-  std::array<Field, 3>
-      displacement;         // by axis, [i][j] of the plane, due to the strain of the zone itself
-  VolumeSpectrum spectrum;  // of that strain
+  // By axis, [i][j] of the plane, due to the strain of the zone itself.
+  std::array<Field, 3> displacement;
 };
 
 ZoneOperators::ZoneOperators(std::shared_ptr<const ZoneTables> tables, std::vector<Box> zones)
@@ -84,16 +83,14 @@ void ZoneOperators::add_ring(int number) {
   const int mx = fft::fast_plane_size(box.nx), my = fft::fast_plane_size(box.ny);
   Grid plane(mx, my, grid_.dx, grid_.dy, box.nz, grid_.dz);
   plane.period = {mx, my, 0.0};
-  const auto operators = tables_->of(Band::near, plane);
   around_.push_back({box,
                      mx,
                      my,
                      std::move(inside),
-                     operators,
+                     tables_->of(Band::near, plane),
                      fades(x0, zone.nx, x1, fades_from),
                      fades(y0, zone.ny, y1, fades_from),
-                     {},
-                     VolumeSpectrum(operators->transform(), box.nz, tensor_)});
+                     {}});
 }
 
 void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
@@ -113,15 +110,11 @@ void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
 void ZoneOperators::transform_zone(int zone, const Field& strain, std::span<const Axis> axes) {
   Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
-  for (int k = 0; k < around.box.nz; ++k) {
-    around.spectrum.used[k] = k < zones_[zone].nz;
-    if (!around.spectrum.used[k]) continue;
-    forward(near.transform(), strain_around(around, {&zone, 1}, k, strain), around.spectrum, k);
-  }
+  const VolumeSpectrum spectrum = spectrum_around(around, {&zone, 1}, strain);
   for (const Axis axis : axes) {
     Field& displacement = around.displacement[static_cast<int>(axis)];
     displacement.resize(near.grid().surface_size());
-    near.residual_displacement(axis).apply(around.spectrum, displacement.data());
+    near.residual_displacement(axis).apply(spectrum, displacement.data());
   }
 }
 
@@ -160,22 +153,17 @@ bool ZoneOperators::has_strain(int neighbour, int k, const Field& strain, const 
   return false;
 }
 
-void ZoneOperators::add_others(std::size_t zone, const Field* strain) {
-  Around& around = around_[zone];
-  if (strain == nullptr) {
-    std::fill(around.spectrum.data.begin(), around.spectrum.data.end(), 0.0);
-    return;
-  }
+VolumeSpectrum ZoneOperators::spectrum_around(const Around& around, std::span<const int> neighbours,
+                                              const Field& strain) const {
+  const VolumeTransform& transform = around.operators->transform();
+  VolumeSpectrum spectrum(transform, around.box.nz, tensor_);
   for (int k = 0; k < around.box.nz; ++k) {
-    const auto reaches = [&](int other) {
-      return other != static_cast<int>(zone) &&
-             has_strain(other, k, *strain, around.box);
-    };
-    if (std::none_of(around.near.begin(), around.near.end(), reaches)) continue;
-    around.spectrum.used[k] = 1;
-    forward(around.operators->transform(), strain_around(around, around.near, k, *strain),
-            around.spectrum, k);
+    spectrum.used[k] = std::ranges::any_of(
+        neighbours, [&](int n) { return has_strain(n, k, strain, around.box); });
+    if (!spectrum.used[k]) continue;
+    forward(transform, strain_around(around, neighbours, k, strain), spectrum, k);
   }
+  return spectrum;
 }
 
 const double* ZoneOperators::strain_around(const Around& around, std::span<const int> neighbours,
@@ -207,7 +195,7 @@ const double* ZoneOperators::strain_around(const Around& around, std::span<const
 
 void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
                                    const Tractions& tractions, double shear_sign, const Use& use) {
-  Around& around = around_[zone];
+  const Around& around = around_[zone];
   const VolumeOperators& near = *around.operators;
   const Box& box = zones_[zone];
   const Box layer{box.i0, box.j0, box.nx, box.ny, 1};
@@ -228,7 +216,9 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   cut(tractions.pressure, here.pressure);
   cut(tractions.shear_x, here.shear_x);
   cut(tractions.shear_y, here.shear_y);
-  add_others(zone, strain);
+  VolumeSpectrum spectrum = strain != nullptr
+                                ? spectrum_around(around, around.near, *strain)
+                                : VolumeSpectrum(near.transform(), around.box.nz, tensor_);
   const fft::RowRun rows{box.i0 - around.box.i0, box.nx};
   // A periodic plane needs no image correction from the strain.
   const double unused = 0.0;
@@ -242,7 +232,7 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
     }
     use(zone, k, sum.data());
   };
-  near.for_each_layer(around.spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
+  near.for_each_layer(spectrum, strain != nullptr ? &unused : nullptr, any ? &here : nullptr,
                       shear_sign, with_low, box.nz,
                       [&rows](int) { return std::span<const fft::RowRun>(&rows, 1); });
 }

@@ -15,6 +15,23 @@ constexpr int layers_at_once = 8;
 /// Index of a node within its period.
 int folded(int node, int period) { return ((node % period) + period) % period; }
 
+/// Calls use(first value of the sheet, first value of the plane, number of values) for each piece
+/// of the rows of a sheet that lies in one period.
+template <class Use>
+void for_each_piece(const Box& sheet, const Grid& lattice, const Use& use) {
+  std::size_t from = 0;
+  for (int a = 0; a < sheet.nx; ++a) {
+    const std::size_t row = static_cast<std::size_t>(folded(sheet.i0 + a, lattice.nx)) * lattice.ny;
+    for (int b = 0; b < sheet.ny;) {
+      const int at = folded(sheet.j0 + b, lattice.ny),
+                count = std::min(lattice.ny - at, sheet.ny - b);
+      use(from, row + at, count);
+      from += count;
+      b += count;
+    }
+  }
+}
+
 }  // namespace
 
 NodePlanes::NodePlanes(NodeSpread nodes, const Grid& lattice, bool periodic)
@@ -27,11 +44,9 @@ Box NodePlanes::own() const {
 }
 
 void NodePlanes::fold(const double* sheet, double* plane) const {
-  const int nx = lattice_.nx, ny = lattice_.ny;
-  for (int a = 0; a < sheet_.nx; ++a) {
-    double* row = plane + static_cast<std::size_t>(folded(sheet_.i0 + a, nx)) * ny;
-    for (int b = 0; b < sheet_.ny; ++b) row[folded(sheet_.j0 + b, ny)] += *sheet++;
-  }
+  for_each_piece(sheet_, lattice_, [&](std::size_t from, std::size_t to, int count) {
+    for (int n = 0; n < count; ++n) plane[to + n] += sheet[from + n];
+  });
 }
 
 void NodePlanes::spread(const double* cells, int pitch, const Box& box, double* plane) const {
@@ -43,13 +58,10 @@ void NodePlanes::spread(const double* cells, int pitch, const Box& box, double* 
 
 const double* NodePlanes::sheet_of(const double* plane, Field& room) const {
   if (!periodic_) return plane;
-  const int nx = lattice_.nx, ny = lattice_.ny;
   room.resize(sheet_size());
-  double* to = room.data();
-  for (int a = 0; a < sheet_.nx; ++a) {
-    const double* row = plane + static_cast<std::size_t>(folded(sheet_.i0 + a, nx)) * ny;
-    for (int b = 0; b < sheet_.ny; ++b) *to++ = row[folded(sheet_.j0 + b, ny)];
-  }
+  for_each_piece(sheet_, lattice_, [&](std::size_t to, std::size_t from, int count) {
+    std::copy_n(plane + from, count, room.data() + to);
+  });
   return room.data();
 }
 

@@ -51,9 +51,10 @@ class ZoneOperators {
   void add_ring(int number);
   /// Transforms the strain of a zone, without that of others.
   void transform_zone(int zone, const Field& strain, std::span<const Axis> axes);
-  /// Adds the strain of other zones in the margin to the transformed strain of a zone; null: no
-  /// strain at all.
-  void add_others(std::size_t zone, const Field* strain);
+  /// Transformed strain of some neighbours on the plane around a zone. It is not kept from the
+  /// displacement to the stress, as it needs several times the memory of the strain.
+  VolumeSpectrum spectrum_around(const Around& around, std::span<const int> neighbours,
+                                 const Field& strain) const;
   /// Whether a layer of a zone has strain in a box.
   bool has_strain(int neighbour, int k, const Field& strain, const Box& box) const;
   /// Layer of the strain in some neighbours, on the plane around a zone; buffer of this thread,
