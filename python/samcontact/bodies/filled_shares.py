@@ -103,8 +103,17 @@ def shares(
     -------
     ndarray, shape (n, m, l)
     """
-    if not (metric - np.diag(np.diag(metric))).any():
-        offset = (np.abs(offset[0]), np.abs(offset[1]), np.abs(offset[2]))  # mirrors to the digit
+    if (metric - np.diag(np.diag(metric))).any():
+        return _of_cells(metric, offset, size)
+    # Mirror images are equal to the digit, and computed once.
+    (x, i), (y, j), (z, k) = (np.unique(np.abs(o), return_inverse=True) for o in offset)
+    return _of_cells(metric, (x, y, z), size)[np.ix_(i, j, k)]
+
+
+def _of_cells(
+    metric: FloatArray, offset: tuple[FloatArray, FloatArray, FloatArray], size: FloatArray
+) -> FloatArray:
+    """Filled fractions of the cells of a box, shape (n, m, l); arguments as for `shares`."""
     points = np.stack(np.meshgrid(*offset, indexing="ij"), -1)
     to_unit_sphere = np.linalg.cholesky(metric)  # |p L|^2 = p Q p
     distance = np.linalg.norm(points @ to_unit_sphere, axis=-1)
