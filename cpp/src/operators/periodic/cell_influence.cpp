@@ -109,6 +109,10 @@ kernels::Parity stress_parity(Traction traction, int component) {
   return {load.odd_x != own.odd_x, load.odd_y != own.odd_y, own.odd_z};
 }
 
+const std::array<std::size_t, 6>& exchanged_places(Tensor tensor) {
+  return tensor == Tensor::full ? exchanged_full : exchanged_deviator;
+}
+
 kernels::Stress select(kernels::Stress s, Tensor tensor) {
   if (tensor == Tensor::full) return s;
   const double mean = (s[0] + s[1] + s[2]) / 3;
@@ -222,9 +226,8 @@ Field cell_stress(double nu, Traction traction, const Grid& grid, const CellOffs
     for (double& v : s) v /= 2 * pi;
     return s;
   };
-  const auto& exchanged = tensor == Tensor::full ? exchanged_full : exchanged_deviator;
   return corner_sums<6>(offsets, grid.dy / grid.dx, count(tensor), corner,
-                        traction == Traction::pressure ? &exchanged : nullptr);
+                        traction == Traction::pressure ? &exchanged_places(tensor) : nullptr);
 }
 
 CellInfluence stress_of_cell(double nu, Traction traction, const Grid& grid, double z) {
@@ -259,7 +262,7 @@ Field cell_residual_displacement(double nu, Axis axis, const Grid& grid, const C
     return u;
   };
   return corner_sums<6>(offsets, grid.dy / grid.dx, 6, corner,
-                        axis == Axis::z ? &exchanged_full : nullptr);
+                        axis == Axis::z ? &exchanged_places(Tensor::full) : nullptr);
 }
 
 CellInfluence residual_of_cell(double nu, Axis axis, const Grid& grid, int layer) {

@@ -66,7 +66,8 @@ ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransfo
           for (double& value : quarter) value *= factor;
           store(spectrum, c, first_ + k, quarter.data());
         }
-      });
+      },
+      axis == Axis::z ? &exchanged_places(tensor) : nullptr);
 }
 
 ResidualDisplacement::ResidualDisplacement(const Grid& grid, const VolumeTransform& transform,

@@ -15,10 +15,11 @@ namespace samcontact::operators {
 
 /// For n = 0..count-1 calls use(n, values(level n+1) - values(level n)), where values(m) are N
 /// corner functions on the lattice at depth z(m). Each thread takes a contiguous run of layers, so
-/// that a level is evaluated once, or twice where two runs meet.
+/// that a level is evaluated once, or twice where two runs meet. exchanged: see CornerLattice.
 template <std::size_t N, class Depth, class Corner, class Use>
 void for_each_layer_difference(const CornerLattice& lattice, int count, const Depth& z,
-                               const Corner& corner, const Use& use) {
+                               const Corner& corner, const Use& use,
+                               const std::array<std::size_t, N>* exchanged = nullptr) {
   check_interrupt();
 #pragma omp parallel
   {
@@ -31,7 +32,8 @@ void for_each_layer_difference(const CornerLattice& lattice, int count, const De
     Field lower(N * lattice.size()), upper(N * lattice.size());
     const auto evaluate = [&](int level, Field& values) {
       const double depth = z(level);
-      lattice.evaluate<N>([&](double x, double y) { return corner(x, y, depth); }, values.data());
+      lattice.evaluate<N>([&](double x, double y) { return corner(x, y, depth); }, values.data(),
+                          exchanged);
     };
     if (begin < end) evaluate(begin, lower);
     for (int n = begin; n < end; ++n) {

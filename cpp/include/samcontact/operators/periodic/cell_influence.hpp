@@ -33,6 +33,8 @@ kernels::Parity stress_parity(Traction traction, int component);
 /// traction, by Betti's theorem; each shear component is counted with its transpose.
 double betti_factor(Traction traction, int component);
 
+/// Index of each stored component after x and y are exchanged.
+const std::array<std::size_t, 6>& exchanged_places(Tensor tensor);
 /// Moves the components that a field of this kind stores to the front.
 kernels::Stress select(kernels::Stress s, Tensor tensor);
 /// Selected components of tables [component][plane].
