@@ -9,8 +9,10 @@
 
 namespace samcontact::operators::layers {
 
-// Wavenumbers handled together: one AVX-512 register of doubles.
-inline constexpr int width = VolumeTransform::lanes;
+/// Wavenumbers handled together: one AVX2 register of doubles. Compilers keep wider vectors in
+/// memory on machines without AVX-512.
+inline constexpr int width = 4;
+static_assert(VolumeTransform::lanes % width == 0);
 
 /// Storage of a tensor in a spectrum.
 struct Layout {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Operations of the fast residual-stress sweeps on eight wavenumbers at a time: tensors from and to
-// a spectrum, rotated into the frame of the wavevector, and the sums over cells of eqs. (25) and
+// Operations of the fast residual-stress sweeps on several wavenumbers at a time: tensors from and
+// to a spectrum, rotated into the frame of the wavevector, and the sums over cells of eqs. (25) and
 // (26) of docs/theory/residual_stress.md.
 #pragma once
 
@@ -167,8 +167,8 @@ SAMCONTACT_INLINE void load(const Layout& layout, const double* values, int laye
       number[0] = a;
     } else {
       const Loose b = *reinterpret_cast<const Loose*>(from + width);
-      number[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
-      number[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15);
+      number[0] = __builtin_shufflevector(a, b, 0, 2, 4, 6);
+      number[1] = __builtin_shufflevector(a, b, 1, 3, 5, 7);
     }
     rotate<parts>(number, layout.turns[m]);
     for (int p = 0; p < parts; ++p) v[p][m] = number[p];
@@ -198,9 +198,9 @@ SAMCONTACT_INLINE void store(const Target& target, const Lanes v[][6], int layer
     if constexpr (parts == 1) {
       put(to, more, number[0]);
     } else {
-      put(to, more, __builtin_shufflevector(number[0], number[1], 0, 8, 1, 9, 2, 10, 3, 11));
+      put(to, more, __builtin_shufflevector(number[0], number[1], 0, 4, 1, 5));
       put(to + width, more == nullptr ? nullptr : more + width,
-          __builtin_shufflevector(number[0], number[1], 4, 12, 5, 13, 6, 14, 7, 15));
+          __builtin_shufflevector(number[0], number[1], 2, 6, 3, 7));
     }
   }
 }
