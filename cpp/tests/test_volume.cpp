@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <span>
+#include <tuple>
 #include <vector>
 
 #include "samcontact/base/box.hpp"
@@ -146,6 +148,74 @@ TEST_CASE("kernels of a shallower box are taken over by a deeper one") {
   const VolumeOperators deep(grid_of(7), steel, options, shallow);
   const VolumeOperators fresh(grid_of(7), steel, options);
   CHECK(stress_and_displacement(deep) == stress_and_displacement(fresh));
+}
+
+TEST_CASE("the effect of strain in a part of a box needs no coefficients beyond its reach") {
+  const SharedMedium steel = half_space({210e9, 0.3});
+  // With and without equal cell sides.
+  for (const double dy : {1.0, 1.3}) {
+    const Grid grid(14, 12, 1.0, dy, 3, 0.8);
+    // The part is in the middle with mirrors.
+    for (const auto& [symmetry, i0, j0] :
+         {std::tuple{Symmetry::none, 2, 5}, std::tuple{Symmetry::y, 2, 4},
+          std::tuple{Symmetry::xy, 5, 4}}) {
+      constexpr int width = 4;
+      const auto inside = [&, first = i0, left = j0](int i, int j) {
+        return i >= first && i < first + width && j >= left && j < left + width;
+      };
+      Field strain = symmetric_strain(grid, symmetry, Tensor::full);
+      for (std::size_t n = 0; n < strain.size(); ++n) {
+        const int j = static_cast<int>(n % grid.ny), i = static_cast<int>(n / grid.ny % grid.nx);
+        if (!inside(i, j)) strain[n] = 0.0;
+      }
+      VolumeOptions options{Tensor::full, symmetry, ResidualMethod::fast, 1e-5};
+      const VolumeOperators all(grid, steel, options);
+      options.reach = {std::max(i0 + width, grid.nx - i0), std::max(j0 + width, grid.ny - j0)};
+      REQUIRE(options.reach.x < grid.nx);
+      const VolumeOperators part(grid, steel, options);
+      const VolumeTransform& transform = all.transform();
+      const Field own = stored(strain, grid, transform);
+      for (const Axis axis : all_axes) {
+        const auto displacement = [&](const VolumeOperators& operators) {
+          VolumeSpectrum spectrum = operators.make_spectrum();
+          forward(transform, own.data(), spectrum);
+          Field u(transform.plane_size());
+          operators.residual_displacement(axis).apply(spectrum, u.data());
+          return u;
+        };
+        CHECK(largest_difference(displacement(part), displacement(all)) < 1e-16);
+      }
+
+      Tractions tractions;
+      tractions.pressure.assign(transform.plane_size(), 1e9);
+      const Field expected = all.stress(own.data(), &tractions, 1.0);
+      const int first = std::max(0, i0 - (grid.nx - transform.nx())),
+                rows = i0 + width - (grid.nx - transform.nx()) - first;
+      const fft::RowRun run{first, rows};
+      VolumeSpectrum spectrum = part.make_spectrum();
+      forward(transform, own.data(), spectrum);
+      int layers = 0;
+      part.for_each_layer(
+          spectrum, own.data(), &tractions, 1.0,
+          [&, left = j0](int k, const double* stress) {
+            ++layers;
+            const int skipped = grid.ny - transform.ny();
+            for (int c = 0; c < 6; ++c) {
+              for (int i = first; i < first + rows; ++i) {
+                for (int j = std::max(0, left - skipped); j < left + width - skipped; ++j) {
+                  const std::size_t at = static_cast<std::size_t>(i) * transform.ny() + j;
+                  const double value = expected[(static_cast<std::size_t>(c) * grid.nz + k) *
+                                                    transform.plane_size() +
+                                                at];
+                  CHECK(std::fabs(stress[c * transform.plane_size() + at] - value) < 1e-3);
+                }
+              }
+            }
+          },
+          grid.nz, [&](int) { return std::span<const fft::RowRun>(&run, 1); });
+      CHECK(layers == grid.nz);
+    }
+  }
 }
 
 TEST_CASE("a transform and its inverse reproduce the planes") {

@@ -24,6 +24,11 @@ T* moved(T* values, std::size_t by) {
   return values == nullptr ? nullptr : values + by;
 }
 
+/// Whether the numbers are all zero; null: no numbers.
+bool are_zero(const double* values, std::size_t count) {
+  return values == nullptr || std::all_of(values, values + count, [](double v) { return v == 0; });
+}
+
 }  // namespace
 
 MirroredTransform::Mirror::Mirror(int n, int m_)
@@ -48,8 +53,9 @@ void MirroredTransform::Mirror::join(const double* even, const double* odd, doub
   if (!shifted) row[0] = even ? even[0] : 0.0;
 }
 
-void MirroredTransform::Mirror::divide(const double* row, double* even, double* odd) const {
-  for (int i = 0; i < stored; ++i) {
+void MirroredTransform::Mirror::divide(const double* row, int count, double* even,
+                                       double* odd) const {
+  for (int i = 0; i < count; ++i) {
     const double here = row[i], there = row[image(i)];
     if (even) even[i] = 0.5 * (here + there);
     if (odd) odd[i] = 0.5 * (here - there);
@@ -105,6 +111,16 @@ void MirroredTransform::forward_rows(std::span<const Plane> planes) const {
     const double* o = odd < 0 ? nullptr : planes[odd].values;
     for (int i0 = 0; i0 < hx_; i0 += block) {
       const int rows = std::min(block, hx_ - i0);
+      const std::size_t first = static_cast<std::size_t>(i0) * hy_;
+      if (are_zero(moved(e, first), static_cast<std::size_t>(rows) * hy_) &&
+          are_zero(moved(o, first), static_cast<std::size_t>(rows) * hy_)) {
+        for (const int plane : {even, odd}) {
+          if (plane < 0) continue;
+          double* to = w.middle.data() + plane * middle_size() + i0;
+          for (int ky = 0; ky < mh_; ++ky, to += hx_) std::fill_n(to, rows, 0.0);
+        }
+        continue;
+      }
       for (int r = 0; r < rows; ++r) {
         const std::size_t from = static_cast<std::size_t>(i0 + r) * hy_;
         y_.join(moved(e, from), moved(o, from), w.real.data() + static_cast<std::size_t>(r) * my_);
@@ -173,20 +189,25 @@ void MirroredTransform::forward_mirrored_columns(std::span<const Plane> planes,
   }
 }
 
-void MirroredTransform::inverse(std::span<const Plane> planes, std::size_t stride) const {
+void MirroredTransform::inverse(std::span<const Plane> planes, std::size_t stride,
+                                std::span<const RowRun> rows) const {
+  const RowRun all{0, hx_};
+  if (rows.empty()) rows = {&all, 1};
+  const int end = rows.back().first + rows.back().count;
   Work& w = work();
   w.middle.resize(planes.size() * middle_size());
   w.half.resize(static_cast<std::size_t>(block) * std::max(mk_, mh_));
   w.real.resize(static_cast<std::size_t>(block) * std::max(mx_, my_));
   if (mirror_x_) {
-    inverse_mirrored_columns(planes, stride);
+    inverse_mirrored_columns(planes, stride, end);
   } else {
-    inverse_columns(planes, stride);
+    inverse_columns(planes, stride, end);
   }
-  inverse_rows(planes);
+  inverse_rows(planes, rows);
 }
 
-void MirroredTransform::inverse_columns(std::span<const Plane> planes, std::size_t stride) const {
+void MirroredTransform::inverse_columns(std::span<const Plane> planes, std::size_t stride,
+                                        int end) const {
   Work& w = work();
   for (std::size_t p = 0; p < planes.size(); ++p) {
     for (int ky0 = 0; ky0 < mh_; ky0 += block) {
@@ -197,15 +218,15 @@ void MirroredTransform::inverse_columns(std::span<const Plane> planes, std::size
       }
       fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
       for (int r = 0; r < rows; ++r) {
-        std::copy_n(w.real.data() + static_cast<std::size_t>(r) * mx_, hx_,
+        std::copy_n(w.real.data() + static_cast<std::size_t>(r) * mx_, end,
                     w.middle.data() + p * middle_size() + static_cast<std::size_t>(ky0 + r) * hx_);
       }
     }
   }
 }
 
-void MirroredTransform::inverse_mirrored_columns(std::span<const Plane> planes,
-                                                 std::size_t stride) const {
+void MirroredTransform::inverse_mirrored_columns(std::span<const Plane> planes, std::size_t stride,
+                                                 int end) const {
   Work& w = work();
   for (const auto& [even, odd] : pairs(planes, true)) {
     double* const to_even = even < 0 ? nullptr : w.middle.data() + even * middle_size();
@@ -224,37 +245,44 @@ void MirroredTransform::inverse_mirrored_columns(std::span<const Plane> planes,
       fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
       for (int r = 0; r < rows; ++r) {
         const std::size_t to = static_cast<std::size_t>(ky0 + r) * hx_;
-        x_.divide(w.real.data() + static_cast<std::size_t>(r) * mx_, moved(to_even, to),
+        x_.divide(w.real.data() + static_cast<std::size_t>(r) * mx_, end, moved(to_even, to),
                   moved(to_odd, to));
       }
     }
   }
 }
 
-void MirroredTransform::inverse_rows(std::span<const Plane> planes) const {
-  Work& w = work();
+void MirroredTransform::inverse_rows(std::span<const Plane> planes,
+                                     std::span<const RowRun> runs) const {
   for (const auto& [even, odd] : pairs(planes, false)) {
-    const double* e = even < 0 ? nullptr : w.middle.data() + even * middle_size();
-    const double* o = odd < 0 ? nullptr : w.middle.data() + odd * middle_size();
-    double* const to_even = even < 0 ? nullptr : planes[even].values;
-    double* const to_odd = odd < 0 ? nullptr : planes[odd].values;
-    for (int i0 = 0; i0 < hx_; i0 += block) {
-      const int rows = std::min(block, hx_ - i0);
-      for (int ky = 0; ky < mh_; ++ky) {
-        const double c = y_.cos_[ky], s = y_.sin_[ky];
-        for (int r = 0; r < rows; ++r) {
-          const std::size_t from = static_cast<std::size_t>(ky) * hx_ + i0 + r;
-          const double a = e ? e[from] : 0.0, b = o ? o[from] : 0.0;
-          w.half[static_cast<std::size_t>(r) * mh_ + ky] = {c * a + s * b, s * a - c * b};
-        }
-      }
-      fftw_execute_dft_c2r(rows_inverse_.get(), raw(w.half.data()), w.real.data());
-      for (int r = 0; r < rows; ++r) {
-        const std::size_t to = static_cast<std::size_t>(i0 + r) * hy_;
-        y_.divide(w.real.data() + static_cast<std::size_t>(r) * my_, moved(to_even, to),
-                  moved(to_odd, to));
+    for (const auto& [first, count] : runs) {
+      for (int i0 = first; i0 < first + count; i0 += block) {
+        inverse_rows(planes, even, odd, i0, std::min(block, first + count - i0));
       }
     }
+  }
+}
+
+void MirroredTransform::inverse_rows(std::span<const Plane> planes, int even, int odd, int i0,
+                                     int rows) const {
+  Work& w = work();
+  const double* e = even < 0 ? nullptr : w.middle.data() + even * middle_size();
+  const double* o = odd < 0 ? nullptr : w.middle.data() + odd * middle_size();
+  double* const to_even = even < 0 ? nullptr : planes[even].values;
+  double* const to_odd = odd < 0 ? nullptr : planes[odd].values;
+  for (int ky = 0; ky < mh_; ++ky) {
+    const double c = y_.cos_[ky], s = y_.sin_[ky];
+    for (int r = 0; r < rows; ++r) {
+      const std::size_t from = static_cast<std::size_t>(ky) * hx_ + i0 + r;
+      const double a = e ? e[from] : 0.0, b = o ? o[from] : 0.0;
+      w.half[static_cast<std::size_t>(r) * mh_ + ky] = {c * a + s * b, s * a - c * b};
+    }
+  }
+  fftw_execute_dft_c2r(rows_inverse_.get(), raw(w.half.data()), w.real.data());
+  for (int r = 0; r < rows; ++r) {
+    const std::size_t to = static_cast<std::size_t>(i0 + r) * hy_;
+    y_.divide(w.real.data() + static_cast<std::size_t>(r) * my_, y_.stored, moved(to_even, to),
+              moved(to_odd, to));
   }
 }
 

@@ -3,11 +3,13 @@
 // optionally of x: a half or a quarter of the plane is stored and transformed.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
 #include "samcontact/fft/plan.hpp"
+#include "samcontact/fft/rows.hpp"
 
 namespace samcontact::fft {
 
@@ -36,7 +38,9 @@ class MirroredTransform {
   /// Rows of successive ky are `stride` doubles apart. Unnormalised. Thread-safe; runs on one
   /// thread.
   void forward(std::span<const Plane> planes, std::size_t stride) const;
-  void inverse(std::span<const Plane> planes, std::size_t stride) const;
+  /// rows: stored rows i that are transformed back; none: all.
+  void inverse(std::span<const Plane> planes, std::size_t stride,
+               std::span<const RowRun> rows = {}) const;
 
  private:
   static constexpr int block = 8;
@@ -49,7 +53,8 @@ class MirroredTransform {
     /// Sum of an even and an odd row as a whole row, from the stored cells of each; null: no such
     /// row.
     void join(const double* even, const double* odd, double* row) const;
-    void divide(const double* row, double* even, double* odd) const;
+    /// The first `count` stored cells of each.
+    void divide(const double* row, int count, double* even, double* odd) const;
     int stored, m;
     bool shifted;      // the middle lies between two cells
     Field cos_, sin_;  // of k pi / m, k <= m/2
@@ -61,9 +66,12 @@ class MirroredTransform {
   void forward_rows(std::span<const Plane> planes) const;
   void forward_columns(std::span<const Plane> planes, std::size_t stride) const;
   void forward_mirrored_columns(std::span<const Plane> planes, std::size_t stride) const;
-  void inverse_columns(std::span<const Plane> planes, std::size_t stride) const;
-  void inverse_mirrored_columns(std::span<const Plane> planes, std::size_t stride) const;
-  void inverse_rows(std::span<const Plane> planes) const;
+  /// end: the number of rows from the first to the last one that is needed.
+  void inverse_columns(std::span<const Plane> planes, std::size_t stride, int end) const;
+  void inverse_mirrored_columns(std::span<const Plane> planes, std::size_t stride, int end) const;
+  void inverse_rows(std::span<const Plane> planes, std::span<const RowRun> runs) const;
+  /// A block of rows of an even and an odd plane; -1: no such plane.
+  void inverse_rows(std::span<const Plane> planes, int even, int odd, int i0, int rows) const;
 
   int hx_, hy_, mx_, my_, mh_, mk_;
   bool mirror_x_;

@@ -41,7 +41,7 @@ void VolumeTransform::forward(std::span<const Plane> planes, std::size_t stride)
 
 void VolumeTransform::inverse(std::span<const Plane> planes, std::size_t stride,
                               std::span<const fft::RowRun> rows) const {
-  if (mirrored_) return mirrored_->inverse(planes, stride);
+  if (mirrored_) return mirrored_->inverse(planes, stride, rows);
   const fft::RowRun all{0, nx_};
   if (rows.empty()) rows = {&all, 1};
   ComplexField& lent = plane_buffer();

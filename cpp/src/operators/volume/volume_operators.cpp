@@ -30,6 +30,13 @@ VolumeTransform make_transform(const Grid& grid, const VolumeOptions& options) {
   return {grid, options.symmetry, mx, my};
 }
 
+/// Grid of the offsets that occur.
+Grid within(const Reach& reach, Grid grid) {
+  grid.nx = std::min(grid.nx, reach.x);
+  grid.ny = std::min(grid.ny, reach.y);
+  return grid;
+}
+
 /// Mid-depths of the layers.
 std::vector<double> stressed_depths(const Grid& grid, const Medium& medium) {
   std::vector<double> depths = grid.z();
@@ -47,8 +54,8 @@ VolumeOperators::VolumeOperators(const Grid& grid, SharedMedium medium,
       options_(options),
       transform_(make_transform(grid, options)),
       shallower_(std::move(shallower)),
-      traction_stress_(grid, transform_, medium_, options.heat, stressed_depths(grid, *medium_),
-                       options.tensor) {
+      traction_stress_(within(options.reach, grid), transform_, medium_, options.heat,
+                       stressed_depths(grid, *medium_), options.tensor) {
   if (!shallower_) return;
   // One of them suffices.
   const std::lock_guard lock(shallower_->mutex_);
@@ -72,7 +79,8 @@ const ResidualDisplacement& VolumeOperators::residual_displacement(Axis axis) co
     if (shallower_) other = std::unique_lock(shallower_->mutex_);
     const auto* known =
         shallower_ ? shallower_->residual_displacement_[static_cast<int>(axis)].get() : nullptr;
-    displacement = medium_->residual_displacement(axis, grid_, transform_, options_.tensor, known);
+    displacement = medium_->residual_displacement(axis, within(options_.reach, grid_), transform_,
+                                                  options_.tensor, known);
     other = {};
     release_shallower();
   }

@@ -80,6 +80,7 @@ PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int 
       strength_(setup_.strength(index, from.travel)),
       history_(unfolded(from.plastic[index], setup_.grid, symmetry)),
       met_(from.met[index] ? unfolded(from.met[index], setup_.grid, symmetry) : history_),
+      rests_(from.advance == Travel{}),
       offset_(from.placement().offset[index]),
       cells_(setup_.bodies[index],
              MixedCells(setup_, index, from.placement().first[index], symmetry,
@@ -131,8 +132,9 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   if (split) {
     volume_ = std::make_unique<SplitVolume>(tables, zones);
   } else if (!zones.empty()) {
-    volume_ =
-        std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_, heating_);
+    const Box needed = zones.count() == 1 ? acting_part(zones.around(), active) : zones.around();
+    volume_ = std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_,
+                                          heating_, needed);
   }
   surface_.begin(volume_.get(), split, before);
   given_stress_.assign(zones.count(), {});
@@ -148,6 +150,18 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
   surface_.take(std::move(outside));
+}
+
+Box PlasticBody::acting_part(const Box& zone, const ActiveCells& active) const {
+  // While a body moves, a first guess may strain cells of the matrix.
+  if (!rests_ || setup_.bodies[index_].is_plastic()) return zone;
+  Box part = nonzero_part(strain_, zone);
+  for (const ActiveCells::Cell& active_cell : active.cells) {
+    if (active_cell.body != number_) continue;
+    const auto [i, j, k] = zones().cell(active_cell.cell);
+    part = part.united({i, j, 1, 1, k + 1, k});
+  }
+  return part.empty() ? zone : part;
 }
 
 void PlasticBody::set_zones(const Zones& zones, std::shared_ptr<const PlasticState> history,

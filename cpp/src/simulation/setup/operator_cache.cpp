@@ -158,13 +158,16 @@ std::shared_ptr<const operators::FluxHeat> OperatorCache::flux_heat(
 OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operators::Tensor tensor,
                                                operators::ResidualMethod method,
                                                fft::Symmetry symmetry,
-                                               const operators::Heating& heating) const {
+                                               const operators::Heating& heating,
+                                               operators::Reach reach) const {
   require_volume(grid_, media_, body);
   const Box size{0, 0, box.nx, box.ny, box.nz, box.k0};
+  if (heating.is_on() || grid_.period.is_on()) reach = {};
+  reach = {std::min(reach.x, box.nx), std::min(reach.y, box.ny)};
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
     return k.medium == media_[body] && k.size == size && k.tensor == tensor && k.method == method &&
-           k.symmetry == symmetry && k.heating == heating;
+           k.symmetry == symmetry && k.heating == heating && k.reach.covers(reach);
   });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
@@ -174,7 +177,7 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
   for (const Kept& k : kept_) {
     const bool fits = k.medium == media_[body] && k.size.nx == size.nx && k.size.ny == size.ny &&
                       k.size.k0 == size.k0 && k.tensor == tensor && k.method == method &&
-                      k.symmetry == symmetry && k.heating == heating;
+                      k.symmetry == symmetry && k.heating == heating && k.reach == reach;
     if (!fits || k.size.nz > size.nz) continue;
     if (!shallower || k.size.layers() > shallower->grid().nz) shallower = k.operators;
   }
@@ -183,9 +186,9 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
     return k.medium == media_[body] && k.tensor == tensor && k.operators.use_count() == own &&
            k.size.volume_size() > large_box && size.contains(k.size);
   });
-  const operators::VolumeOptions options{tensor, symmetry, method, image_tol_,
-                                         heat_stress(body, heating)};
-  kept_.push_front({media_[body], size, tensor, method, symmetry, heating,
+  const operators::VolumeOptions options{
+      tensor, symmetry, method, image_tol_, heat_stress(body, heating), reach};
+  kept_.push_front({media_[body], size, tensor, method, symmetry, heating, reach,
                     std::make_shared<operators::VolumeOperators>(size.grid(grid_), media_[body],
                                                                  options, shallower)});
   if (kept_.size() > max_kept) kept_.pop_back();

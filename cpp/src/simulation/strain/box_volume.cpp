@@ -7,16 +7,40 @@
 
 namespace samcontact::simulation {
 
+operators::Reach reach_in(const Setup& setup, int body, const Box& box, const Box& part,
+                          fft::Symmetry symmetry) {
+  if (part.empty() || setup.bodies[body].is_layered()) return {};
+  const Grid& grid = setup.grid;
+  const Box whole = whole_box(box, grid, symmetry),
+            own = whole_box(from_planes_on(part, grid, symmetry), grid, symmetry);
+  return {std::max(own.i0 + own.nx - whole.i0, whole.i0 + whole.nx - own.i0),
+          std::max(own.j0 + own.ny - whole.j0, whole.j0 + whole.ny - own.j0)};
+}
+
+Box nonzero_part(const Field& field, const Box& box) {
+  Box part;
+  const auto* value = field.data();
+  for (std::size_t row = 0; row < field.size() / box.ny; ++row) {
+    const int i = box.i0 + static_cast<int>(row % box.nx);
+    for (int j = box.j0; j < box.j0 + box.ny; ++j) {
+      if (*value++ != 0) part = part.united({i, j, 1, 1, box.nz, box.k0});
+    }
+  }
+  return part;
+}
+
 BoxVolume::BoxVolume(const Setup& setup, int body, const Zones& zones, operators::Tensor tensor,
                      operators::ResidualMethod method, fft::Symmetry symmetry,
-                     const operators::Heating& heating)
+                     const operators::Heating& heating, const Box& needed)
     : grid_(setup.grid),
       zones_(zones),
       tensor_(tensor),
       box_(from_planes_on(zones.around(), setup.grid, symmetry)),
       surface_(box_.layer()),
+      rows_{needed.i0 - box_.i0, needed.nx},
       operators_(setup.cache.volume(body, whole_box(box_, setup.grid, symmetry), tensor, method,
-                                    symmetry, heating)),
+                                    symmetry, heating,
+                                    reach_in(setup, body, box_, needed, symmetry))),
       spectrum_(operators_->make_spectrum()) {}
 
 Field BoxVolume::spread(const Field& strain) const {
@@ -46,8 +70,10 @@ void BoxVolume::for_each_layer(bool strained, const Field& strain,
   if (!strained) std::fill(spectrum_.data.begin(), spectrum_.data.end(), 0.0);
   const operators::Tractions here = window(tractions, grid_, box_);
   if (is_one()) {
-    operators_->for_each_layer(spectrum_, strained ? strain.data() : nullptr, &here, sign,
-                               [&](int k, const double* stress) { use(0, k, stress); });
+    operators_->for_each_layer(
+        spectrum_, strained ? strain.data() : nullptr, &here, sign,
+        [&](int k, const double* stress) { use(0, k, stress); }, spectrum_.nz,
+        [this](int) { return std::span<const fft::RowRun>(&rows_, 1); });
     return;
   }
   const Field spreaded = strained ? spread(strain) : Field{};

@@ -40,7 +40,7 @@ class VolumeTransform {
   /// Planes of the components of one layer. Spectra in rows `stride` doubles apart; on one thread.
   using Plane = fft::MirroredTransform::Plane;
   void forward(std::span<const Plane> planes, std::size_t stride) const;
-  /// rows: rows of whole planes [i][j] that are transformed back; none: all.
+  /// rows: stored rows i of the planes that are transformed back; none: all.
   void inverse(std::span<const Plane> planes, std::size_t stride,
                std::span<const fft::RowRun> rows = {}) const;
 

@@ -14,6 +14,15 @@
 
 namespace samcontact::operators {
 
+/// Numbers of offsets along x and y at which cells of a box act on each other: tractions on
+/// stressed cells, and strained cells on the surface.
+struct Reach {
+  int x = std::numeric_limits<int>::max(), y = std::numeric_limits<int>::max();
+
+  bool operator==(const Reach&) const = default;
+  bool covers(const Reach& other) const { return x >= other.x && y >= other.y; }
+};
+
 struct VolumeOptions {
   Tensor tensor = Tensor::full;
   /// Mirror planes of all fields; not supported by the exact method.
@@ -23,6 +32,8 @@ struct VolumeOptions {
   double image_tol = 1e-3;
   /// Heat proportional to the pressure; null: no heat.
   std::shared_ptr<const HeatStress> heat = {};
+  /// Offsets beyond have no coefficients; the residual stress does not depend on it.
+  Reach reach = {};
 };
 
 /// Thread-safe; shared by bodies of one medium. Strain and stress have the components of

@@ -71,6 +71,8 @@ class PlasticBody {
   std::shared_ptr<const PlasticState> finish();
 
  private:
+  /// Part of a zone that may be strained or flow: of all of it unless the matrix is elastic.
+  Box acting_part(const Box& zone, const ActiveCells& active) const;
   /// Result of the yield check of a layer: inactive cells that yield, and the maximum of the
   /// squared von Mises stress over its limit for the other inactive cells.
   struct LayerCheck {
@@ -92,6 +94,7 @@ class PlasticBody {
   /// History for which the tractions were found, before extrapolation.
   std::shared_ptr<const PlasticState> met_;
   operators::Tensor tensor_ = operators::Tensor::deviator;
+  bool rests_;           // relative to the grid
   double offset_ = 0.0;  // of its cells relative to those of the grid, see Placement
   CellHistory cells_;
   YieldSearch search_;

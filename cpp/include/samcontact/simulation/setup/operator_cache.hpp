@@ -82,10 +82,10 @@ class OperatorCache {
 
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
   /// Volume operators of a body on (whole) boxes of this size; bodies of one medium with equal heat
-  /// share them. The last few are kept.
+  /// share them. The last few are kept. reach: at least; ignored with heat and on periodic grids.
   Operators volume(int body, const Box& box, operators::Tensor tensor,
                    operators::ResidualMethod method, fft::Symmetry symmetry,
-                   const operators::Heating& heating) const;
+                   const operators::Heating& heating, operators::Reach reach = {}) const;
   /// Likewise, for all strain near the grid that acts on a body in motion; only the last ones of
   /// each body are kept, because this box grows while the body moves.
   Operators volume_of_motion(int body, const Box& box, operators::ResidualMethod method) const;
@@ -110,6 +110,7 @@ class OperatorCache {
     operators::ResidualMethod method;
     fft::Symmetry symmetry;
     operators::Heating heating;
+    operators::Reach reach;
     Operators operators;
   };
   struct KeptZones {

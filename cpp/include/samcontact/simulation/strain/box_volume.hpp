@@ -9,12 +9,22 @@
 
 namespace samcontact::simulation {
 
+/// Reach in a box of the cells of a part of it; both are stored. Unlimited if the part is empty,
+/// and in layered bodies, where each coefficient depends slightly on the number of offsets.
+operators::Reach reach_in(const Setup& setup, int body, const Box& box, const Box& part,
+                          fft::Symmetry symmetry);
+/// Smallest box around the cells of a box with any non-zero component, [component][k][i][j], over
+/// all its layers; empty if there are none.
+Box nonzero_part(const Field& field, const Box& box);
+
 /// All tractions must lie in the box around the zones.
 class BoxVolume : public ZoneVolume {
  public:
+  /// needed: part of the box around the zones that may be strained and whose stress is needed; the
+  /// stress elsewhere has no meaning.
   BoxVolume(const Setup& setup, int body, const Zones& zones, operators::Tensor tensor,
             operators::ResidualMethod method, fft::Symmetry symmetry,
-            const operators::Heating& heating);
+            const operators::Heating& heating, const Box& needed);
 
   void transform(const Field& strain, std::span<const operators::Axis> axes) override;
   const Box& surface() const override { return surface_; }
@@ -31,6 +41,7 @@ class BoxVolume : public ZoneVolume {
   Zones zones_;
   operators::Tensor tensor_;
   Box box_, surface_;
+  fft::RowRun rows_;  // of the box, with needed stress
   OperatorCache::Operators operators_;
   operators::VolumeSpectrum spectrum_;
 };
