@@ -75,6 +75,9 @@ void ParitySpectrum::transform(double* quarter, bool odd_x, bool odd_y) const {
 #pragma omp for schedule(static)
     for (int j = 0; j < h; j += 2) {
       double* row = quarter + static_cast<std::size_t>(j) * width;
+      const std::ptrdiff_t values = j + 1 < h ? 2 * width : width;
+      // Rows beyond the last offset.
+      if (std::all_of(row, row + values, [](double v) { return v == 0; })) continue;
       rows.transform(row, j + 1 < h ? row + width : rest.data(), 1.0);
     }
     Lines columns(line_y_, my_, odd_y);
