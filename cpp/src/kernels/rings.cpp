@@ -17,19 +17,23 @@ constexpr double shortest = 1e-5;
 /// Wavenumber below which modes that grow like 1/q are left out, times the longest length.
 constexpr double smallest_singular = 1e-10;
 
-/// Adds one ring between wavenumbers inner and outer to the sums.
+/// Adds one ring between wavenumbers inner and outer to the sums. If both axes are the same object,
+/// half of the modes follow from the symmetry of the others.
 void add_ring(const RingWaves& waves, const ring::Axis& x, const ring::Axis& y, double inner,
               double outer, std::size_t nx, std::size_t plane, Field& sums) {
   const std::size_t count = waves.parities.size();
   std::vector<Matrix> values(count, Matrix::Zero(x.k.size(), y.k.size()));
   std::vector<double> wave(count);
+  const bool symmetric = &x == &y && !waves.exchanged.empty();
   for (Eigen::Index n = 0; n < y.k.size(); ++n) {
-    for (Eigen::Index m = 0; m < x.k.size(); ++m) {
+    for (Eigen::Index m = symmetric ? n : 0; m < x.k.size(); ++m) {
       const double q = std::hypot(x.k[m], y.k[n]);
       const double share = ring::share(q, inner, outer);
       if (std::fabs(share) < ring::negligible) continue;
       waves.at(x.k[m], y.k[n], wave.data());
       for (std::size_t c = 0; c < count; ++c) values[c](m, n) = share * wave[c];
+      if (!symmetric || m == n) continue;
+      for (std::size_t c = 0; c < count; ++c) values[waves.exchanged[c]](n, m) = share * wave[c];
     }
   }
   for (std::size_t c = 0; c < count; ++c) {
@@ -72,16 +76,20 @@ Field ring_sums(const RingWaves& waves, double dx, double dy, std::span<const do
                 std::span<const double> y) {
   Field sums(waves.parities.size() * x.size() * y.size(), 0.0);
   const double extent = std::max({std::ranges::max(x), std::ranges::max(y), waves.longest});
-  for_each_ring(waves, extent, std::min(dx, dy),
-                [&](double inner, double outer, double support, bool is_last) {
-                  const double part = wake_part(waves.wake, outer);
-                  const ring::Axis along_x(x, dx, support + part * waves.wake.x, outer, is_last,
-                                           waves.period_x);
-                  const ring::Axis along_y(y, dy, support + part * waves.wake.y, outer, is_last,
-                                           waves.period_y);
-                  add_ring(waves, along_x, along_y, inner, outer, x.size(), x.size() * y.size(),
-                           sums);
-                });
+  const bool equal = dx == dy && waves.wake.x == waves.wake.y && waves.period_x == waves.period_y &&
+                     std::ranges::equal(x, y);
+  for_each_ring(
+      waves, extent, std::min(dx, dy),
+      [&](double inner, double outer, double support, bool is_last) {
+        const double part = wake_part(waves.wake, outer);
+        const ring::Axis along_x(x, dx, support + part * waves.wake.x, outer, is_last,
+                                 waves.period_x);
+        const auto add = [&](const ring::Axis& along_y) {
+          add_ring(waves, along_x, along_y, inner, outer, x.size(), x.size() * y.size(), sums);
+        };
+        if (equal) return add(along_x);
+        add(ring::Axis(y, dy, support + part * waves.wake.y, outer, is_last, waves.period_y));
+      });
   return sums;
 }
 

@@ -4,6 +4,7 @@
 // period of its own, so that nothing wraps around and offsets are exact (docs/theory/layers.md).
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <span>
 #include <vector>
@@ -30,6 +31,8 @@ struct RingWaves {
   WakeLengths wake{};        // of a source that moves
   /// Periods of the surface [m], 0: not periodic. The mean of both is not included if is_singular.
   double period_x = 0.0, period_y = 0.0;
+  /// Index of each component after kx and ky are exchanged; empty: the modes have no such symmetry.
+  std::vector<std::size_t> exchanged{};
 };
 
 /// Influence of a rectangle dx by dy with a unit load at offsets >= 0 [m] from its centre:

@@ -201,6 +201,13 @@ CellInfluence layered_compliance_of_cell(const Stack& stack, Traction traction, 
 
 namespace {
 
+/// See RingWaves.
+std::vector<std::size_t> exchanged_modes(Traction traction, Tensor tensor) {
+  if (traction != Traction::pressure) return {};
+  const auto& places = exchanged_places(tensor);
+  return {places.begin(), places.begin() + count(tensor)};
+}
+
 /// Stress at a depth due to a Fourier mode of a traction less that of a half-space of the same
 /// layer.
 kernels::RingWaves stress_rest(const Stack& stack, Traction traction, double z, Tensor tensor) {
@@ -218,6 +225,7 @@ kernels::RingWaves stress_rest(const Stack& stack, Traction traction, double z, 
   };
   kernels::RingWaves waves{{}, at, highest_stress_wave(stack, layer, z), longest};
   for (const int c : components(tensor)) waves.parities.push_back(stress_parity(traction, c));
+  waves.exchanged = exchanged_modes(traction, tensor);
   return waves;
 }
 
@@ -300,6 +308,7 @@ struct ResidualWaves {
     };
     kernels::RingWaves rings{{}, at, highest_stress_wave(stack, own, own > 0 ? z0 : z1), longest};
     for (int c = 0; c < 6; ++c) rings.parities.push_back(stress_parity(traction, c));
+    rings.exchanged = exchanged_modes(traction, Tensor::full);
     return rings;
   }
 };
