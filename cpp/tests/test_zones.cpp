@@ -158,7 +158,7 @@ TEST_CASE("strain inside and outside a box displaces the surface along all axes"
     left.nx /= 2;
     const Zones zones({left});
     const auto method = operators::ResidualMethod::fast;
-    BoxVolume inside(setup, 1, zones, history->tensor(), method, symmetry, {});
+    BoxVolume inside(setup, 1, zones, history->tensor(), method, symmetry, {}, zones.around());
     inside.transform(history->strain(zones), operators::all_axes);
     const OutsideStrain outside =
         outside_strain(setup, 1, *history, zones, method, operators::all_axes);

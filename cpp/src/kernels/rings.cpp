@@ -18,7 +18,7 @@ constexpr double shortest = 1e-5;
 constexpr double smallest_singular = 1e-10;
 
 /// Adds one ring between wavenumbers inner and outer to the sums. If both axes are the same object,
-/// half of the modes follow from the symmetry of the others.
+/// half of the modes and sums follow from the symmetry of the others.
 void add_ring(const RingWaves& waves, const ring::Axis& x, const ring::Axis& y, double inner,
               double outer, std::size_t nx, std::size_t plane, Field& sums) {
   const std::size_t count = waves.parities.size();
@@ -37,11 +37,16 @@ void add_ring(const RingWaves& waves, const ring::Axis& x, const ring::Axis& y, 
     }
   }
   for (std::size_t c = 0; c < count; ++c) {
+    const std::size_t other = symmetric ? waves.exchanged[c] : c;
+    if (other < c) continue;  // known
     const auto& [odd_x, odd_y, odd_z] = waves.parities[c];
     const Matrix ring = (odd_x ? x.odd : x.even) * values[c] * (odd_y ? y.odd : y.even).transpose();
     for (std::size_t n = 0; n < y.places.size(); ++n) {
       double* row = sums.data() + c * plane + y.places[n] * nx;
       for (std::size_t m = 0; m < x.places.size(); ++m) row[x.places[m]] += ring(m, n);
+      if (other == c) continue;
+      row = sums.data() + other * plane + y.places[n] * nx;
+      for (std::size_t m = 0; m < x.places.size(); ++m) row[x.places[m]] += ring(n, m);
     }
   }
 }
