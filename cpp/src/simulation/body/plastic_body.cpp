@@ -67,6 +67,18 @@ Field with_given_stress(const Field& given, const Box& box, int k, const double*
   return sum;
 }
 
+/// Part of a single zone with strain or active cells; the whole zone if there are none.
+Box acting_part(const Zones& zones, const Field& strain, std::uint8_t number,
+                const ActiveCells& active) {
+  Box part = nonzero_part(strain, zones.around());
+  for (const ActiveCells::Cell& own : active.cells) {
+    if (own.body != number) continue;
+    const auto [i, j, k] = zones.cell(own.cell);
+    part = part.united({i, j, 1, 1, k + 1, k});
+  }
+  return part.empty() ? zones.around() : part;
+}
+
 }  // namespace
 
 PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
@@ -132,7 +144,9 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   if (split) {
     volume_ = std::make_unique<SplitVolume>(tables, zones);
   } else if (!zones.empty()) {
-    const Box needed = zones.count() == 1 ? acting_part(zones.around(), active) : zones.around();
+    // While a body moves, a first guess may strain cells of an elastic matrix.
+    const bool some = rests_ && zones.count() == 1 && !setup_.bodies[index_].is_plastic();
+    const Box needed = some ? acting_part(zones, strain_, number_, active) : zones.around();
     volume_ = std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_,
                                           heating_, needed);
   }
@@ -150,18 +164,6 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
   surface_.take(std::move(outside));
-}
-
-Box PlasticBody::acting_part(const Box& zone, const ActiveCells& active) const {
-  // While a body moves, a first guess may strain cells of the matrix.
-  if (!rests_ || setup_.bodies[index_].is_plastic()) return zone;
-  Box part = nonzero_part(strain_, zone);
-  for (const ActiveCells::Cell& active_cell : active.cells) {
-    if (active_cell.body != number_) continue;
-    const auto [i, j, k] = zones().cell(active_cell.cell);
-    part = part.united({i, j, 1, 1, k + 1, k});
-  }
-  return part.empty() ? zone : part;
 }
 
 void PlasticBody::set_zones(const Zones& zones, std::shared_ptr<const PlasticState> history,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fourier modes between the interfaces of layers, eight wavenumbers at a time: eqs. (44) to (46) of
-// docs/theory/layers.md.
+// Fourier modes between the interfaces of layers, several wavenumbers at a time: eqs. (44) to (46)
+// of docs/theory/layers.md.
 #pragma once
 
 #include <span>

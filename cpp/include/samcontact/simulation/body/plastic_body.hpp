@@ -71,8 +71,6 @@ class PlasticBody {
   std::shared_ptr<const PlasticState> finish();
 
  private:
-  /// Part of a zone that may be strained or flow: of all of it unless the matrix is elastic.
-  Box acting_part(const Box& zone, const ActiveCells& active) const;
   /// Result of the yield check of a layer: inactive cells that yield, and the maximum of the
   /// squared von Mises stress over its limit for the other inactive cells.
   struct LayerCheck {
