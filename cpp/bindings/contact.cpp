@@ -17,6 +17,7 @@
 #include "samcontact/contact/contact_solver.hpp"
 #include "samcontact/contact/creeping_contact.hpp"
 #include "samcontact/contact/outline.hpp"
+#include "samcontact/contact/paraboloid.hpp"
 #include "samcontact/contact/partial_slip_contact.hpp"
 #include "samcontact/operators/medium/finite_body.hpp"
 #include "samcontact/operators/surface/creeping_tractions.hpp"
@@ -181,7 +182,18 @@ bool may_have_steps(const Array& heights, bool along_x, bool along_y, double rat
   return contact::may_have_steps(numbers_of(heights), cells_of(heights, along_x, along_y), ratio);
 }
 
+/// Larger and smaller radius, cosine and reach of the paraboloid that approximates a gap.
+std::optional<std::tuple<double, double, double, std::pair<double, double>>> paraboloid_of(
+    const Array& gap, const Grid& grid, double on_grid, double at_reach) {
+  const auto found = contact::fitted_paraboloid(numbers_of(gap), grid, {on_grid, at_reach});
+  if (!found) return {};
+  return std::tuple{found->larger, found->smaller, found->cosine,
+                    std::pair{found->reach[0], found->reach[1]}};
+}
+
 void bind_outline(py::module_& m) {
+  m.def("paraboloid_of", &paraboloid_of, py::arg("gap"), py::arg("grid"), py::arg("on_grid"),
+        py::arg("at_reach"));
   m.def("contact_outline", &outline, py::arg("pressure"), py::arg("along_x"), py::arg("along_y"),
         py::arg("rise"));
   m.def("may_have_steps", &may_have_steps, py::arg("heights"), py::arg("along_x"),

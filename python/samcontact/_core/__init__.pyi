@@ -48,6 +48,7 @@ __all__: list[str] = [
     "magnitude_of",
     "may_have_steps",
     "operators",
+    "paraboloid_of",
     "self_influence",
     "spin_lead",
     "version",
@@ -741,6 +742,9 @@ def magnitude_of(numbers: numpy.typing.NDArray[numpy.float64]) -> tuple[float, b
 def may_have_steps(
     heights: numpy.typing.NDArray[numpy.float64], along_x: bool, along_y: bool, ratio: float
 ) -> bool: ...
+def paraboloid_of(
+    gap: numpy.typing.NDArray[numpy.float64], grid: Grid, on_grid: float, at_reach: float
+) -> tuple[float, float, float, tuple[float, float]] | None: ...
 def self_influence(grid: Grid, body1: Body, body2: Body) -> float: ...
 
 spin_lead: float

@@ -95,8 +95,9 @@ def elastic(body: Body) -> Body:
 
 def materials_of(body: Body) -> list[Material]:
     """All materials of a body (without inclusions), from the surface down."""
-    body = matrix_of(body)
-    return [body] if isinstance(body, Material) else list(body.materials)
+    if isinstance(body, Material):
+        return [body]
+    return materials_of(body.matrix) if isinstance(body, Heterogeneous) else list(body.materials)
 
 
 def thermal_of(body: Body) -> tuple[tuple[float, float, float], ...] | None:
@@ -164,7 +165,11 @@ def backstresses_of(body: Body) -> int:
 
 def softest(body: Body) -> Material:
     """Most compliant material of a body, for order-of-magnitude estimates."""
-    body = matrix_of(body)
     if isinstance(body, Material):
         return body
-    return max(materials_of(body), key=lambda material: (1 - material.nu**2) / material.E)
+    return max(materials_of(body), key=plane_compliance)
+
+
+def plane_compliance(material: Material) -> float:
+    """Reciprocal of the plane strain modulus, (1 - nu^2)/E [1/Pa]; 0 for a rigid body."""
+    return (1.0 - material.nu**2) / material.E

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from .. import hertz
+from .._util.cached_property import cached_property
 from .._util.display import lengths, quantity
 
 if TYPE_CHECKING:
@@ -28,10 +29,11 @@ class ExpectedContact:
 
     contact: hertz.PointContact | hertz.EllipticContact
 
-    @property
+    @cached_property
     def semi_axes(self) -> tuple[float, float]:
         """Larger and smaller semi-axis of the contact [m]."""
-        return max(self.along_axes), min(self.along_axes)
+        a_x, a_y = self.along_axes
+        return max(a_x, a_y), min(a_x, a_y)
 
     @property
     def along_axes(self) -> tuple[float, float]:

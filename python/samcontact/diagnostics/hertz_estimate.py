@@ -5,16 +5,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from .. import hertz
-from .._core import ConvergenceError, GridTooSmallError, magnitude_of
+from .. import _core, hertz
+from .._core import ConvergenceError, GridTooSmallError
 from .._util.cached_property import cached_property
 from .._util.display import lengths
-from ..bodies.layered import materials_of, softest
+from ..bodies.layered import materials_of, plane_compliance, softest
 from ..bodies.layers import Layered
 from ..solutions.outline import may_have_steps
 from . import plausibility
@@ -23,7 +22,6 @@ from .expected_contact import ExpectedContact
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
     from ..bodies.layered import Body
-    from ..bodies.material import Material
     from ..heat import Heat
     from ..problem.grid import Grid
 
@@ -37,7 +35,6 @@ like the fourth power of the distance, because a gap may flatten or drop towards
 """
 _ROUNDING_MARGIN = 1e-6
 """Relative margin for rounding errors, at both ends of the range of loads that pass all checks."""
-_FIT_POINTS_PER_SIDE = 17  # points per side of the grid for the fit of a paraboloid
 _WARNING_HINT = ', or set on_border="warn"'
 
 
@@ -54,34 +51,6 @@ class PlasticBody(NamedTuple):
     """Young's modulus [Pa] and minimum yield stress [Pa] of each elastic-plastic material."""
 
 
-class _Fit(NamedTuple):
-    """Points of a grid at which a paraboloid is fitted, and values of its terms at these points."""
-
-    chosen: tuple[Any, ...]
-    """Index that selects the points from the cells."""
-    half_lengths: tuple[float, float]
-    """Largest |x| and |y| of the cell centres [m]."""
-    basis: FloatArray
-    """Values of the six terms at the points, computed from x and y divided by the half-lengths."""
-    fitting: FloatArray
-    """Matrix that gives the factors of the terms for heights at the points, by least squares."""
-
-
-@lru_cache(maxsize=8)
-def _fit_on(grid: Grid) -> _Fit:
-    """Return the points and terms of fits on a grid, cached for further contacts on this grid."""
-    rows, columns = (
-        np.linspace(0, n - 1, min(n, _FIT_POINTS_PER_SIDE), dtype=int) for n in grid.surface_shape
-    )
-    a, b = np.abs(grid.x).max(), np.abs(grid.y).max()
-    grids = np.meshgrid(grid.x[rows] / a, grid.y[columns] / b, indexing="ij")
-    x, y = (v.ravel() for v in grids)
-    basis = np.stack([np.ones_like(x), x, y, 0.5 * x * x, x * y, 0.5 * y * y])
-    # Well conditioned in x/a and y/b.
-    fitting = np.linalg.solve(basis @ basis.T, basis)
-    return _Fit(np.ix_(rows, columns), (a, b), basis, fitting)
-
-
 class Paraboloid(NamedTuple):
     """Convex paraboloid that approximates a gap."""
 
@@ -94,15 +63,21 @@ class Paraboloid(NamedTuple):
     reach: tuple[float, float]
     """Distances along x and y [m] within which the gap is close to the paraboloid."""
 
-    def fits(self, expected: ExpectedContact) -> bool:
+    def extent_of(self, expected: ExpectedContact) -> tuple[float, float]:
+        """Half-widths of a Hertz contact along x and y [m]."""
+        (a, b), c = expected.semi_axes, self.cosine
+        s = math.sqrt(max(0.0, 1.0 - c * c))
+        return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
+
+    def fits(self, contact: plausibility.ExpectedExtent) -> bool:
         """Whether a Hertz contact lies where the gap is close to the paraboloid.
 
         Also True if the contact is wide relative to its radii of curvature: the unit checks report
         such a contact.
         """
-        if all(e <= r for e, r in zip(_extent_of(expected, self), self.reach, strict=True)):
+        if contact.extent[0] <= self.reach[0] and contact.extent[1] <= self.reach[1]:
             return True
-        long, short = expected.semi_axes
+        long, short = contact.expected.semi_axes
         limit = plausibility.MAX_HALF_WIDTH_RATIO
         return long > limit * self.larger or short > limit * self.smaller
 
@@ -125,16 +100,24 @@ class ContactSetup:
         # Hertz theory does not include the periodic images
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
-        self._lowest = float(gap.min())
-        self._known: dict[tuple[float | None, float | None], ExpectedContact | None] = {}
-        self._of_heat: tuple[Heat, Any] | None = None
+        self._known: dict[
+            tuple[float | None, float | None], plausibility.ExpectedExtent | None
+        ] = {}
+        self._of_heat: tuple[Heat, tuple[FailedChecks, FailedChecks]] | None = None
+        self._passing: tuple[Heat, float, float] | None = None
 
     def prepare(self, heat: Heat) -> None:
         """Compute, before the first increment, all values that do not depend on the load."""
-        self._checked(heat)
+        self._failed_of_bodies(heat)
+        self._passing = heat, *self.passing_loads(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
         self.load_of(approach=0.0)
+
+    @cached_property
+    def _lowest(self) -> float:
+        """Minimum gap [m]."""
+        return float(self.gap.min())
 
     @cached_property
     def plastic(self) -> tuple[PlasticBody, ...]:
@@ -159,11 +142,6 @@ class ContactSetup:
         """Whether the initial gap may have steps; False if the bodies have reliefs."""
         return not self._has_reliefs and may_have_steps(self.gap, self.grid.periodic)
 
-    @cached_property
-    def _solids(self) -> tuple[Material, Material]:
-        """Material of each body; for a layered body, the most compliant material."""
-        return softest(self.bodies[0]), softest(self.bodies[1])
-
     @property
     def radii(self) -> tuple[float, float] | None:
         """Larger and smaller principal radius [m]; None if the gap is not a convex paraboloid."""
@@ -172,63 +150,51 @@ class ContactSetup:
     @cached_property
     def _paraboloid(self) -> Paraboloid | None:
         """Paraboloid of the gap; None if the gap is not a convex paraboloid."""
-        if min(self.grid.surface_shape) < 3 or self.relieved:
+        if self.relieved:
             return None
-        chosen, (a, b), basis, fitting = _fit_on(self.grid)
-        _, is_finite = magnitude_of(self.gap)
-        if not is_finite:  # a body with an end is no paraboloid
-            return None
-        heights = self.gap[chosen].ravel()
-        lowest, highest = float(heights.min()), float(heights.max())
-        if not 0 < highest - lowest < math.inf:
-            return None
-        heights = (heights - lowest) / (highest - lowest)
-        found = fitting @ heights
-        deviation = float(np.max(np.abs(found @ basis - heights)))
-        if not deviation <= MAX_PARABOLOID_DEVIATION:
-            return None
-        xx, xy, yy = (found[3:] / (a * a, a * b, b * b)).tolist()
-        mean, half = 0.5 * (xx + yy), math.hypot(0.5 * (xx - yy), xy)
-        flattest, sharpest = mean - half, mean + half
-        if not flattest > 1e-9 * sharpest:  # cylinder, saddle or hollow
-            return None
-        scale = highest - lowest
-        sine = math.sin(0.5 * math.atan2(2.0 * xy, xx - yy))  # plane of maximum curvature
-        allowed = MAX_EXTENDED_DEVIATION * 0.5 / max(deviation, 1e-30)
-        reach = tuple(
-            side * math.sqrt(max(allowed * float(part), 1.0))
-            for side, part in ((a, found[3]), (b, found[5]))
-        )
-        return Paraboloid(
-            1.0 / (scale * flattest), 1.0 / (scale * sharpest), sine, (reach[0], reach[1])
-        )
+        limits = MAX_PARABOLOID_DEVIATION, MAX_EXTENDED_DEVIATION
+        found = _core.paraboloid_of(self.gap, self.grid._core, *limits)
+        return None if found is None else Paraboloid(*found)
 
     @cached_property
     def E_star(self) -> float:
         """Contact modulus [Pa]; for layered bodies, from the most compliant materials."""
-        return hertz.effective_modulus(*self._solids)
+        upper, lower = self.bodies
+        return 1.0 / (plane_compliance(softest(upper)) + plane_compliance(softest(lower)))
 
     @cached_property
     def _is_hertzian(self) -> bool:
         """Whether Hertz theory applies to this gap and these bodies."""
-        return self.radii is not None and not any(isinstance(b, Layered) for b in self.bodies)
+        upper, lower = self.bodies
+        layered = isinstance(upper, Layered) or isinstance(lower, Layered)
+        return not layered and self._paraboloid is not None
 
     def hertz(
         self, load: float | None = None, approach: float | None = None
     ) -> ExpectedContact | None:
         """Hertz contact for a load [N] or an approach [m]; None if Hertz theory does not apply."""
+        contact = self.expected(load, approach)
+        return None if contact is None else contact.expected
+
+    def expected(
+        self, load: float | None = None, approach: float | None = None
+    ) -> plausibility.ExpectedExtent | None:
+        """Hertz contact as of `hertz`, with its half-widths along x and y."""
         drive = load, approach
         if drive not in self._known:
             self._known = {drive: self._hertz(load, approach)}  # requested several times
         return self._known[drive]
 
-    def _hertz(self, load: float | None, approach: float | None) -> ExpectedContact | None:
+    def _hertz(
+        self, load: float | None, approach: float | None
+    ) -> plausibility.ExpectedExtent | None:
         if approach is not None:
             approach -= self._lowest
         drive = load if approach is None else approach
-        if not self._is_hertzian or self.radii is None or drive is None or not 0 < drive < math.inf:
+        shape = self._paraboloid if self._is_hertzian else None
+        if shape is None or drive is None or not 0 < drive < math.inf:
             return None
-        radii, E_star = self.radii, self.E_star
+        radii, E_star = shape[:2], self.E_star
         try:
             if math.isclose(*radii, rel_tol=1e-6):
                 found = ExpectedContact(hertz.point(radii[0], E_star, load=load, approach=approach))
@@ -238,7 +204,9 @@ class ContactSetup:
                 )
         except (ValueError, ArithmeticError):  # floating-point overflow
             return None
-        return found if self._paraboloid is not None and self._paraboloid.fits(found) else None
+        driver = "load" if approach is None else "approach"
+        contact = plausibility.ExpectedExtent(found, shape.extent_of(found), driver)
+        return contact if shape.fits(contact) else None
 
     def warn_of_units(
         self, heat: Heat, target: Mapping[str, Any], *, is_loaded: bool = False, stacklevel: int
@@ -248,9 +216,9 @@ class ContactSetup:
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
         been loaded before or a warning filter ignores `UnitWarning`.
         """
-        before, after, (lowest, highest) = self._checked(heat)
+        before, after = self._failed_of_bodies(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
-        if target and self._is_hertzian and not lowest < self.load_of(**target) < highest:
+        if target and not self._surely_passes(heat, **target):
             of_contact = self.failed_checks(heat, **target)
         for finding in (*before, *of_contact, *after):
             if not is_loaded:
@@ -263,25 +231,24 @@ class ContactSetup:
         self, heat: Heat, load: float | None = None, approach: float | None = None
     ) -> list[plausibility.PlausibilityCheck]:
         """Return the failed plausibility checks of the Hertz contact; [] without Hertz contact."""
-        expected = self.hertz(load, approach)
-        if expected is None:
+        contact = self.expected(load, approach)
+        if contact is None:
             return []
-        driver = "approach" if load is None else "load"
-        contact = plausibility.ExpectedExtent(
-            expected, _extent_of(expected, self._paraboloid), driver
-        )
         found = plausibility.contact_plausibility_checks(contact, self.grid, self.bodies, heat)
         return [finding for finding in found if not finding.check.passed]
 
-    def _checked(self, heat: Heat) -> tuple[FailedChecks, FailedChecks, tuple[float, float]]:
-        """Return the failed checks of bodies and heat, and the range of plausible loads [N].
-
-        All contact checks pass for loads inside this range.
-        """
+    def _failed_of_bodies(self, heat: Heat) -> tuple[FailedChecks, FailedChecks]:
+        """Return the failed checks of bodies and heat, see `plausibility.failed_of_bodies`."""
         if self._of_heat is None or self._of_heat[0] is not heat:
-            before, after = plausibility.failed_of_bodies(self.bodies, heat)
-            self._of_heat = heat, (before, after, self.passing_loads(heat))
+            self._of_heat = heat, plausibility.failed_of_bodies(self.bodies, heat)
         return self._of_heat[1]
+
+    def _surely_passes(self, heat: Heat, **target: Any) -> bool:
+        """Whether the load is in the range that `prepare` has computed for this heat."""
+        if self._passing is None or self._passing[0] is not heat:
+            return False
+        _, lowest, highest = self._passing
+        return lowest < self.load_of(**target) < highest
 
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
         """Return the load range [N] in which all contact checks pass; (inf, -inf) if unknown."""
@@ -299,10 +266,7 @@ class ContactSetup:
         if not self._is_hertzian or self.radii is None:
             return None
         side = min(self.grid.nx * self.grid.dx, self.grid.ny * self.grid.dy)
-        expected = self._hertz(None, self._lowest + (side / 8) ** 2 / self.radii[1])
-        if expected is None:
-            return None
-        return plausibility.ExpectedExtent(expected, _extent_of(expected, self._paraboloid))
+        return self._hertz(None, self._lowest + (side / 8) ** 2 / self.radii[1])
 
     @cached_property
     def _stiffness(self) -> float:
@@ -356,17 +320,8 @@ def extent(
     setup: ContactSetup, load: float | None = None, approach: float | None = None
 ) -> tuple[float, float]:
     """Half-widths of the Hertz contact along x and y [m]; 0 without Hertz contact."""
-    expected = setup.hertz(load, approach)
-    return (0.0, 0.0) if expected is None else _extent_of(expected, setup._paraboloid)
-
-
-def _extent_of(expected: ExpectedContact, paraboloid: Paraboloid | None) -> tuple[float, float]:
-    """Half-widths along x and y [m] of a contact ellipse in any orientation."""
-    if paraboloid is None:
-        return 0.0, 0.0
-    (a, b), c = expected.semi_axes, paraboloid.cosine
-    s = math.sqrt(max(0.0, 1.0 - c * c))
-    return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
+    contact = setup.expected(load, approach)
+    return (0.0, 0.0) if contact is None else contact.extent
 
 
 def _shares_of_grid(expected: ExpectedContact, grid: Grid) -> tuple[float, float]:

@@ -90,6 +90,12 @@ class ExpectedExtent(NamedTuple):
             return max(hertz.Rx, hertz.Ry), min(hertz.Rx, hertz.Ry)
         return hertz.R, hertz.R
 
+    @property
+    def part_of_radius(self) -> float:
+        """Maximum ratio of semi-axis to radius of curvature [-]."""
+        (long, short), (larger, smaller) = self.expected.semi_axes, self.radii
+        return max(long / larger, short / smaller)
+
 
 def plausibility_checks(
     contact: ExpectedExtent | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
@@ -114,7 +120,8 @@ def failed_of_bodies(
 
 
 def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCheck]:
-    for number, (whole, body) in enumerate(zip(bodies, map(softest, bodies), strict=True), 1):
+    for number, whole in enumerate(bodies, 1):
+        body = softest(whole)
         if body.is_plastic:
             name, ratio = f"yield stress / E of body {number}", body.min_yield_stress / body.E
             check = Check(name, ratio, MIN_YIELD_STRAIN, at_least=True)
@@ -131,19 +138,21 @@ def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[Pla
 def _failed_strength_checks(bodies: tuple[Body, Body]) -> Iterator[PlausibilityCheck]:
     """Iterate over failed checks of the yield stress, which are reported after contact checks."""
     for number, whole in enumerate(bodies, 1):
-        plastic = [material for material in materials_of(whole) if material.is_plastic]
-        yield from _failed(_strength_check(number, material) for material in plastic)
+        if whole.is_plastic:
+            plastic = [material for material in materials_of(whole) if material.is_plastic]
+            yield from _failed(_strength_check(number, material) for material in plastic)
 
 
 def contact_plausibility_checks(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Body, Body], heat: Heat
-) -> Iterator[PlausibilityCheck]:
-    """Checks of the size of a Hertz contact and of the temperature rise."""
-    yield from _contact_checks(contact, grid, (softest(bodies[0]), softest(bodies[1])))
+) -> list[PlausibilityCheck]:
+    """Return the checks of the size of a Hertz contact and of the temperature rise."""
+    checks = _contact_checks(contact, grid, (softest(bodies[0]), softest(bodies[1])))
     for number, materials in _heated(bodies, heat):
         # The lowest estimate of the temperature is that of the best conductor.
         body = max(materials, key=lambda material: (material.thermal or (0.0,))[0])
-        yield _temperature_check(contact, number, heat.factor[number - 1], body, heat)
+        checks.append(_temperature_check(contact, number, heat.factor[number - 1], body, heat))
+    return checks
 
 
 def passing_loads(
@@ -170,10 +179,12 @@ def passing_loads(
 
 def _heated(bodies: tuple[Body, Body], heat: Heat) -> list[tuple[int, list[Material]]]:
     """Return the numbers and materials of the heated bodies."""
+    if not any(heat.shares):
+        return []
     return [
         (number, materials_of(body))
-        for number, body in enumerate(bodies, 1)
-        if heat.shares[number - 1] > 0 and body.thermal is not None
+        for number, (body, share) in enumerate(zip(bodies, heat.shares, strict=True), 1)
+        if share > 0 and body.thermal is not None
     ]
 
 
@@ -216,9 +227,12 @@ def strength(name: str, value: float) -> PlausibilityCheck:
 
 def _body_checks(name: str, body: Body) -> Iterator[PlausibilityCheck]:
     body = matrix_of(body)
-    if not isinstance(body, Layered):
-        yield from _material_checks(name, body)
-        return
+    if isinstance(body, Layered):
+        return _layer_checks(name, body)
+    return _material_checks(name, body)
+
+
+def _layer_checks(name: str, body: Layered) -> Iterator[PlausibilityCheck]:
     for place, (material, thickness) in enumerate(body.layers):
         layer = f"layers[{place}] of {name}"
         check = Check(f"thickness of {layer}", thickness, MAX_PROFILE_DEPTH, unit="m")
@@ -305,34 +319,31 @@ def part_of_radius(
     text of the Hertz estimate.
     """
     first = remedy or (lambda: str(contact.expected))
-    share = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
     name = "half-width of the Hertz contact / radius of curvature"
-    check = Check(name, share, MAX_HALF_WIDTH_RATIO)
+    check = Check(name, contact.part_of_radius, MAX_HALF_WIDTH_RATIO)
     taken = "The theory assumes half-spaces, and paraboloids in place of spheres"
     return PlausibilityCheck(check, lambda: f"{first()}. {taken}", True)
 
 
 def _contact_checks(
     contact: ExpectedExtent, grid: Grid, bodies: tuple[Material, Material]
-) -> Iterator[PlausibilityCheck]:
-    expected, extent = contact.expected, contact.extent
+) -> list[PlausibilityCheck]:
+    expected, (along_x, along_y) = contact.expected, contact.extent
 
     def remedy() -> str:
         return f"{expected}. {likely_unit_errors(contact, grid)}"
 
-    yield part_of_radius(contact, remedy)
-    windows = max(
-        2 * e / (n * d)
-        for e, n, d in zip(extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
-    )
+    windows = max(2 * along_x / (grid.nx * grid.dx), 2 * along_y / (grid.ny * grid.dy))
     name = "width of the Hertz contact relative to the grid"
-    yield PlausibilityCheck(Check(name, windows, MAX_GRID_WIDTHS), remedy, True)
-    wider = max(_flattened(contact, body) for body in bodies)
-    cells = wider * min(2 * e / d for e, d in zip(extent, (grid.dx, grid.dy), strict=True))
-    check = Check(_CELLS_ACROSS, cells, MIN_CELLS_ACROSS, at_least=True)
-    yield PlausibilityCheck(check, remedy, True)
-    if any(b.is_plastic and expected.contact.p0 > b.min_yield_stress for b in bodies):
-        yield from _layer_check(contact, grid, bodies)
+    width = Check(name, windows, MAX_GRID_WIDTHS)
+    cells = _flattened(contact, bodies) * min(2 * along_x / grid.dx, 2 * along_y / grid.dy)
+    across = Check(_CELLS_ACROSS, cells, MIN_CELLS_ACROSS, at_least=True)
+    sizes = [PlausibilityCheck(width, remedy, True), PlausibilityCheck(across, remedy, True)]
+    checks = [part_of_radius(contact, remedy), *sizes]
+    plastic = [body for body in bodies if body.is_plastic]
+    if plastic and expected.contact.p0 > min(body.min_yield_stress for body in plastic):
+        checks += _layer_check(contact, grid, bodies)
+    return checks
 
 
 def _layer_check(
@@ -341,17 +352,19 @@ def _layer_check(
     """Check of the half-width of the Hertz contact, divided by the depth dz of a layer of cells."""
     dz = grid.dz
     if dz is not None:
-        wider = max(_flattened(contact, body) for body in bodies)
         name = "half-width of the Hertz contact in layers"
-        check = Check(name, wider * contact.expected.semi_axes[1] / dz, MAX_LAYERS)
+        half = _flattened(contact, bodies) * contact.expected.semi_axes[1]
+        check = Check(name, half / dz, MAX_LAYERS)
         yield PlausibilityCheck(check, lambda: f"Use m: dz = {quantity(dz, 'm')}")
 
 
-def _flattened(contact: ExpectedExtent, body: Material) -> float:
+def _flattened(contact: ExpectedExtent, bodies: Iterable[Material]) -> float:
     """Ratio of contact width at a mean pressure of 3 yield stresses to the elastic width; >= 1."""
-    stress = 3.0 * body.min_yield_stress if body.is_plastic else math.inf
+    plastic = [3.0 * body.min_yield_stress for body in bodies if body.is_plastic]
     mean = contact.expected.contact.p0 / 1.5
-    return math.sqrt(max(1.0, mean / stress)) if math.isfinite(mean) else 1.0
+    if not plastic or not math.isfinite(mean):
+        return 1.0
+    return math.sqrt(max(1.0, mean / min(plastic)))
 
 
 def likely_unit_errors(contact: ExpectedExtent, grid: Grid) -> str:
@@ -395,6 +408,5 @@ def _fits(contact: ExpectedExtent, grid: Grid, wider: float, steeper: float, cel
     """
     sides = zip(contact.extent, (grid.nx, grid.ny), (grid.dx, grid.dy), strict=True)
     across = [(2 * wider * e / (cells * d), n) for e, n, d in sides]
-    part = max(a / R for a, R in zip(contact.expected.semi_axes, contact.radii, strict=True))
     inside = all(_MIN_CELLS_AFTER_CORRECTION <= share <= MAX_GRID_WIDTHS * n for share, n in across)
-    return inside and steeper * part <= MAX_HALF_WIDTH_RATIO
+    return inside and steeper * contact.part_of_radius <= MAX_HALF_WIDTH_RATIO

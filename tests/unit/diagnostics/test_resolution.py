@@ -11,7 +11,7 @@ import scipy.ndimage
 
 import samcontact as sc
 from case_texts import MINIMAL
-from samcontact import report, results
+from samcontact import _core, report, results
 from samcontact.cases import parse_case
 from samcontact.diagnostics import hertz_estimate, resolution
 
@@ -257,3 +257,25 @@ def test_half_a_roller_is_no_paraboloid_of_another_unit():
     solver = sc.ContactSolver(grid, STEEL, STEEL)
     assert stated(lambda: solver.solve(gap, load=load), Warning) == []
     assert hertz_estimate.ContactSetup(grid, gap(grid), (STEEL, STEEL)).hertz(load=load) is None
+
+
+def test_a_rough_gap_is_approximated_by_the_paraboloid_of_least_squares():
+    """Compared with NumPy at the 17 x 17 points from edge to edge of the grid."""
+    grid = sc.Grid(33, 49, 1e-5, 2e-5)
+    x, y = np.meshgrid(grid.x, grid.y, indexing="ij")
+    gap = (x + 0.4 * y) ** 2 / 8e-3 + y**2 / 3e-2 + 1e-3 * x + 5e-6
+    gap += 0.01 * np.ptp(gap) * np.random.default_rng(2).uniform(-1, 1, gap.shape)
+    x, y, heights = (field[::2, ::3].ravel() for field in (x, y, gap))
+    terms = np.stack([np.ones_like(x), x, y, 0.5 * x**2, x * y, 0.5 * y**2], axis=1)
+    found = np.linalg.lstsq(terms / np.abs(terms).max(axis=0), heights)[0]
+    xx, xy, yy = (found / np.abs(terms).max(axis=0))[3:]
+    curvatures, planes = np.linalg.eigh([[xx, xy], [xy, yy]])
+    deviation = np.abs(terms @ (found / np.abs(terms).max(axis=0)) - heights).max()
+
+    larger, smaller, cosine, reach = _core.paraboloid_of(gap, grid._core, 0.03, 0.1)
+    assert (larger, smaller) == pytest.approx(1 / curvatures, rel=1e-11)
+    assert abs(cosine) == pytest.approx(abs(planes[0, 0]), rel=1e-11)
+    # along each axis, the deviation grows with the fourth power of the distance from the edge
+    for far, side, curvature in zip(reach, (grid.x[-1], grid.y[-1]), (xx, yy), strict=True):
+        assert deviation * (far / side) ** 4 == pytest.approx(0.1 * 0.5 * curvature * far**2)
+    assert _core.paraboloid_of(gap, grid._core, 0.99 * deviation / np.ptp(heights), 0.1) is None
