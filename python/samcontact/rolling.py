@@ -23,7 +23,6 @@ from .contact.creeping_rolling import (
     roll_creeping,
 )
 from .contact.moving import (
-    UNSHEARED,
     MovingContactSolver,
     pressure_of,
     require_moving,
@@ -31,7 +30,7 @@ from .contact.moving import (
 )
 from .contact.normal_drive import NormalDrive
 from .contact.solver import ContactSolver, solve_driven
-from .contact.tangential_drive import Pressing, Settings, TangentialInput
+from .contact.tangential_drive import UNSHEARED, Pressing, Settings, TangentialInput
 from .problem.friction import FrictionLaw, lasting, sticking_law
 from .problem.grid import Grid
 from .problem.settings import ContactSettings

@@ -106,6 +106,8 @@ def require_list(name: str, values: Any, kind: type) -> None:
 
 def positive(name: str, value: Any, *, allow_inf: bool = False) -> float:
     """Return `value` as a float > 0, finite unless `allow_inf`."""
+    if type(value) is float and 0.0 < value <= MAX_NUMBER:  # the usual case, first to save time
+        return value
     result = number(name, value)
     if not result > 0.0 or (math.isinf(result) and not allow_inf):
         kind = "number > 0 (inf allowed)" if allow_inf else "finite number > 0"

@@ -54,10 +54,10 @@ class FixedAttributes:
     _last: ClassVar[str] = "_core"
 
     def __setattr__(self, name: str, value: Any) -> None:
-        known = getattr(type(self), name, None)
-        settable = isinstance(known, property) and known.fset is not None
-        if not name.startswith("_") and not settable:
-            self._refuse(name)
+        if self._last in self.__dict__ and not name.startswith("_"):
+            known = getattr(type(self), name, None)
+            if not (isinstance(known, property) and known.fset is not None):
+                self._refuse(name)
         object.__setattr__(self, name, value)
 
     def __delattr__(self, name: str) -> None:

@@ -98,9 +98,10 @@ class HasFreeFaces:
 
 def contact_strip(bodies: Iterable[Any]) -> tuple[float, float]:
     """Limits (low, high) of y between which both bodies exist [m]; infinite without a face."""
-    faces = [body.free_faces for body in bodies if getattr(body, "free_faces", None) is not None]
-    low = max((face[0] for face in faces), default=-math.inf)
-    high = min((face[1] for face in faces), default=math.inf)
+    low, high = -math.inf, math.inf
+    for body in bodies:
+        if (faces := getattr(body, "free_faces", None)) is not None:
+            low, high = max(low, faces[0]), min(high, faces[1])
     if not low < high:
         raise ValueError(
             f"body1 and body2 must have a common range of y between their free faces, got a low "

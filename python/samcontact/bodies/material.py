@@ -303,12 +303,12 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
             core = core.with_relaxation(*self.relaxation_terms)
         return core
 
-    @property
+    @cached_property
     def E(self) -> float:
         """Young's modulus [Pa]; infinite for a rigid body."""
         return float(self._core.elastic_constants.E)
 
-    @property
+    @cached_property
     def nu(self) -> float:
         """Poisson's ratio [-]."""
         return float(self._core.elastic_constants.nu)
@@ -323,7 +323,7 @@ class Material(HasDepthProfiles, HasFlowCurve, HasFreeFaces, HasRelaxation, From
         """Whether the body relaxes, see `with_relaxation`."""
         return self.relaxation_terms is not None
 
-    @property
+    @cached_property
     def is_plastic(self) -> bool:
         """Whether the body can yield."""
         return bool(self._core.is_plastic)

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -85,9 +84,9 @@ def _changed(body: Body, change: Callable[[Material], Material]) -> Body:
     return base
 
 
-def require_no_relaxation(reason: str, *bodies: Any) -> None:
+def require_no_relaxation(reason: str, *bodies: Body) -> None:
     """Raise ValueError if a body is viscoelastic; `reason` becomes part of the message."""
     for n, body in enumerate(bodies, 1):
-        if isinstance(body, Body) and (terms := relaxation_of(body)) is not None:
+        if (terms := relaxation_of(body)) is not None:
             times = f"{len(terms[0])} relaxation time{'s' * (len(terms[0]) > 1)}"
             raise ValueError(f"body{n} must not be viscoelastic, got {times}: {reason}")

@@ -12,10 +12,9 @@ from .. import hertz as _hertz
 from .._util.check import Check
 from .._util.checks import exactly_one, poisson_ratio, positive
 from .._util.tensors import von_mises
-from ..diagnostics.expected_contact import ExpectedContact
+from ..diagnostics.expected_contact import ExpectedContact, ExpectedExtent
 from ..diagnostics.plausibility import (
     MAX_HALF_WIDTH_RATIO,
-    ExpectedExtent,
     PlausibilityCheck,
     part_of_radius,
     warn_if_implausible,

@@ -19,10 +19,7 @@ from ..bodies.viscoelastic import instantaneous, relaxation_of, vibrating
 from ..problem.grid import Grid
 from ..solutions.contact_solution import ContactSolution
 from .solver import ContactSolver
-from .tangential_drive import Pressing, TangentialDrive, TangentialDriver, TangentialInput
-
-UNSHEARED = TangentialDrive(TangentialInput((False,) * 3, (0.0,) * 3), None)
-"""Tangential drive of a contact without shear."""
+from .tangential_drive import Pressing, TangentialDriver
 
 _HIGHER = [2.0**power for power in range(13, 0, -1)]
 """Speeds of the successive solutions in `_from_above`, as multiples of the given speeds."""

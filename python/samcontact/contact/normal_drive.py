@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from .. import _core
 from .._util.checks import number
@@ -16,8 +16,7 @@ MAX_TILT = 0.1
 """Maximum tilt [rad] at which rotations are still small."""
 
 
-@dataclass(frozen=True)
-class NormalDrive:
+class NormalDrive(NamedTuple):
     """Prescribed load or approach, and for each of the axes x and y a moment or a tilt."""
 
     name: str

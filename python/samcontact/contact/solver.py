@@ -110,34 +110,41 @@ class ContactSolver(ContactFields):
             body1,
             body2,
         )
-        self.grid = grid
-        self.body1 = body1
-        self.body2 = body2
         settings = ContactSettings(
             friction, tol, on_border, on_stall, max_iterations, adhesion, stiffness
         )
-        self._configure(settings)
+        self._configure(
+            settings,
+            grid=grid,
+            body1=body1,
+            body2=body2,
+            heat=NO_HEAT if heat is None else heat,
+        )
         self._law = settings.law
-        self.heat = NO_HEAT if heat is None else heat
-        require_type("heat", self.heat, Heat)
-        remedies = {"history": "set time, or", "partition": "a single contact has no duration;"}
-        for name, instead in remedies.items():
-            if (given := getattr(self.heat, name)) is not None:
-                raise ValueError(
-                    f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
-                    "Simulation"
-                )
+        if heat is not None:
+            self._require_possible(heat)
         require_heat_of(self._law, self.heat)
-        if self._law.sticks and any(self.heat.factor):
-            raise ValueError(
-                f"heat.factor must be 0 in a ContactSolver with partial slip, got "
-                f"{self.heat.factor!r} and friction = {friction!r}: use Simulation"
-            )
-        self.adhesion.require_possible(self.heat, {})
         self._heating = heating(self.heat, (body1, body2), grid)
         cell = memory_of_contact(self._law, (body1, body2), self.heat)
         memory.require_for_grid("a contact", grid, memory.surface(grid, cell))
         self._core = self._new_core()
+
+    def _require_possible(self, heat: Heat) -> None:
+        """Raise TypeError or ValueError for heat that a single contact does not support."""
+        require_type("heat", heat, Heat)
+        remedies = {"history": "set time, or", "partition": "a single contact has no duration;"}
+        for name, instead in remedies.items():
+            if (given := getattr(heat, name)) is not None:
+                raise ValueError(
+                    f"heat.{name} must be None for a single contact, got {given!r}: {instead} use "
+                    "Simulation"
+                )
+        if self._law.sticks and any(heat.factor):
+            raise ValueError(
+                f"heat.factor must be 0 in a ContactSolver with partial slip, got {heat.factor!r} "
+                f"and friction = {self.friction!r}: use Simulation"
+            )
+        self.adhesion.require_possible(heat, {})
 
     def _new_core(self) -> Any:
         """Return the solver of the compiled core."""

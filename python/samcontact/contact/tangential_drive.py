@@ -66,6 +66,10 @@ class TangentialInput:
         return cls((x, y, z), (u, v, w))
 
 
+IN_FULL_SLIDING = TangentialInput((False,) * 3, (0.0,) * 3)
+"""Input in full sliding, which prescribes nothing."""
+
+
 class TangentialDriver(Protocol):
     """Interface of objects that solve a partial-slip contact with tangential drive."""
 
@@ -195,6 +199,10 @@ def carried(field: FloatArray, cells: int) -> FloatArray:
     return moved
 
 
+UNSHEARED = TangentialDrive(IN_FULL_SLIDING, None)
+"""Tangential drive of a contact in full sliding."""
+
+
 def _require_kept(pressure: FloatArray, cells: int, grid: Grid) -> None:
     """Raise ValueError if a shift by `cells` moves pressure off the grid."""
     rows = np.flatnonzero(in_contact(pressure).any(axis=1))
@@ -216,19 +224,17 @@ def given_along(
     **more: Any,
 ) -> TangentialInput:
     """Return the prescribed tangential motions and forces; raise ValueError in full sliding."""
-    motions, forces = (
-        {"shift": shift, "twist": twist},
-        {"tangential_load": tangential_load, "torque": torque},
-    )
     if friction.sticks:
-        return TangentialInput.of(motions, forces)
-    for name, value in (motions | forces | more).items():
+        motions = {"shift": shift, "twist": twist}
+        return TangentialInput.of(motions, {"tangential_load": tangential_load, "torque": torque})
+    given = dict(shift=shift, twist=twist, tangential_load=tangential_load, torque=torque, **more)
+    for name, value in given.items():
         if value is not None:
             raise ValueError(
                 f"{name} is not supported in full sliding (friction given as a number), got "
                 f"{value!r:.80}: use friction=samcontact.Coulomb(mu) in the solver"
             )
-    return TangentialInput((False,) * 3, (0.0,) * 3)
+    return IN_FULL_SLIDING
 
 
 def tangential_drive(
@@ -249,7 +255,7 @@ def tangential_drive(
         friction, shift, tangential_load, twist, torque, previous=previous, advance=moves
     )
     if not friction.sticks:
-        return TangentialDrive(along, None)
+        return UNSHEARED
     if previous is not None and not isinstance(previous, ShearedSolution):
         require_type("previous", previous, PartialSlipSolution)
     drive = TangentialDrive(along, previous, (first, second))

@@ -4,15 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import NamedTuple
 
 from .. import hertz
 from .._util.cached_property import cached_property
 from .._util.display import lengths, quantity
-
-if TYPE_CHECKING:
-    pass
-
 
 MIN_CONTACT_MODULUS = 1e4
 """Contact modulus [Pa] below which the unit of E may be wrong: only soft gels are more compliant.
@@ -51,3 +47,25 @@ class ExpectedContact:
         if self.contact.E_star < MIN_CONTACT_MODULUS:
             text += f", with E* = {self.contact.E_star:.4g} Pa (E is in pascals: 210 GPa is 210e9)"
         return text
+
+
+class ExpectedExtent(NamedTuple):
+    """Hertz estimate of a contact, with half-widths along x and y [m]."""
+
+    expected: ExpectedContact
+    extent: tuple[float, float]
+    driver: str = "load"
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """Radii of curvature in the planes of the larger and the smaller semi-axis [m]."""
+        contact = self.expected.contact
+        if isinstance(contact, hertz.EllipticContact):
+            return max(contact.Rx, contact.Ry), min(contact.Rx, contact.Ry)
+        return contact.R, contact.R
+
+    @property
+    def part_of_radius(self) -> float:
+        """Maximum ratio of semi-axis to radius of curvature [-]."""
+        (long, short), (larger, smaller) = self.expected.semi_axes, self.radii
+        return max(long / larger, short / smaller)

@@ -17,7 +17,7 @@ from ..bodies.layered import materials_of, plane_compliance, softest
 from ..bodies.layers import Layered
 from ..solutions.outline import may_have_steps
 from . import plausibility
-from .expected_contact import ExpectedContact
+from .expected_contact import ExpectedContact, ExpectedExtent
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
@@ -69,7 +69,7 @@ class Paraboloid(NamedTuple):
         s = math.sqrt(max(0.0, 1.0 - c * c))
         return math.hypot(a * c, b * s), math.hypot(a * s, b * c)
 
-    def fits(self, contact: plausibility.ExpectedExtent) -> bool:
+    def fits(self, contact: ExpectedExtent) -> bool:
         """Whether a Hertz contact lies where the gap is close to the paraboloid.
 
         Also True if the contact is wide relative to its radii of curvature: the unit checks report
@@ -100,15 +100,12 @@ class ContactSetup:
         # Hertz theory does not include the periodic images
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
-        self._known: dict[
-            tuple[float | None, float | None], plausibility.ExpectedExtent | None
-        ] = {}
+        self._known: dict[tuple[float | None, float | None], ExpectedExtent | None] = {}
         self._of_heat: tuple[Heat, tuple[FailedChecks, FailedChecks]] | None = None
-        self._passing: tuple[Heat, float, float] | None = None
+        self._passing: tuple[Heat | None, float, float] = None, math.inf, -math.inf
 
     def prepare(self, heat: Heat) -> None:
         """Compute, before the first increment, all values that do not depend on the load."""
-        self._failed_of_bodies(heat)
         self._passing = heat, *self.passing_loads(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
@@ -178,16 +175,14 @@ class ContactSetup:
 
     def expected(
         self, load: float | None = None, approach: float | None = None
-    ) -> plausibility.ExpectedExtent | None:
+    ) -> ExpectedExtent | None:
         """Hertz contact as of `hertz`, with its half-widths along x and y."""
         drive = load, approach
         if drive not in self._known:
             self._known = {drive: self._hertz(load, approach)}  # requested several times
         return self._known[drive]
 
-    def _hertz(
-        self, load: float | None, approach: float | None
-    ) -> plausibility.ExpectedExtent | None:
+    def _hertz(self, load: float | None, approach: float | None) -> ExpectedExtent | None:
         if approach is not None:
             approach -= self._lowest
         drive = load if approach is None else approach
@@ -205,7 +200,7 @@ class ContactSetup:
         except (ValueError, ArithmeticError):  # floating-point overflow
             return None
         driver = "load" if approach is None else "approach"
-        contact = plausibility.ExpectedExtent(found, shape.extent_of(found), driver)
+        contact = ExpectedExtent(found, shape.extent_of(found), driver)
         return contact if shape.fits(contact) else None
 
     def warn_of_units(
@@ -216,9 +211,12 @@ class ContactSetup:
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
         been loaded before or a warning filter ignores `UnitWarning`.
         """
-        before, after = self._failed_of_bodies(heat)
+        if self._of_heat is None or self._of_heat[0] is not heat:
+            self._of_heat = heat, plausibility.failed_of_bodies(self.bodies, heat)
+        before, after = self._of_heat[1]
         of_contact: list[plausibility.PlausibilityCheck] = []
-        if target and not self._surely_passes(heat, **target):
+        prepared, lowest, highest = self._passing
+        if target and not (prepared is heat and lowest < self.load_of(**target) < highest):
             of_contact = self.failed_checks(heat, **target)
         for finding in (*before, *of_contact, *after):
             if not is_loaded:
@@ -237,19 +235,6 @@ class ContactSetup:
         found = plausibility.contact_plausibility_checks(contact, self.grid, self.bodies, heat)
         return [finding for finding in found if not finding.check.passed]
 
-    def _failed_of_bodies(self, heat: Heat) -> tuple[FailedChecks, FailedChecks]:
-        """Return the failed checks of bodies and heat, see `plausibility.failed_of_bodies`."""
-        if self._of_heat is None or self._of_heat[0] is not heat:
-            self._of_heat = heat, plausibility.failed_of_bodies(self.bodies, heat)
-        return self._of_heat[1]
-
-    def _surely_passes(self, heat: Heat, **target: Any) -> bool:
-        """Whether the load is in the range that `prepare` has computed for this heat."""
-        if self._passing is None or self._passing[0] is not heat:
-            return False
-        _, lowest, highest = self._passing
-        return lowest < self.load_of(**target) < highest
-
     def passing_loads(self, heat: Heat) -> tuple[float, float]:
         """Return the load range [N] in which all contact checks pass; (inf, -inf) if unknown."""
         if self._reference is None:
@@ -261,7 +246,7 @@ class ContactSetup:
         return found[0] * (1 + _ROUNDING_MARGIN), found[1] * (1 - _ROUNDING_MARGIN)
 
     @cached_property
-    def _reference(self) -> plausibility.ExpectedExtent | None:
+    def _reference(self) -> ExpectedExtent | None:
         """Hertz contact about a quarter as wide as the grid, from which others are scaled."""
         if not self._is_hertzian or self.radii is None:
             return None

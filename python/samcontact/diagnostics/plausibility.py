@@ -14,7 +14,6 @@ from .._util.display import quantity
 from .._util.errors import UnitWarning, is_ignored
 from ..bodies.layered import materials_of, matrix_of, softest
 from ..bodies.layers import Layered
-from ..hertz import EllipticContact
 
 if TYPE_CHECKING:
     from ..bodies.depth_profiles import Profile
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
     from ..bodies.material import Material
     from ..heat import Heat
     from ..problem.grid import Grid
-    from .expected_contact import ExpectedContact
+    from .expected_contact import ExpectedExtent
 
 MAX_HALF_WIDTH_RATIO = 0.55
 """Maximum ratio of contact half-width to radius of curvature. At this ratio, a sphere is 15 %
@@ -73,28 +72,6 @@ class PlausibilityCheck(NamedTuple):
     of_contact: bool = False
     """Whether a Hertz contact is checked. If this check fails, later checks of the solution are
     skipped."""
-
-
-class ExpectedExtent(NamedTuple):
-    """Hertz estimate of a contact, with half-widths along x and y [m]."""
-
-    expected: ExpectedContact
-    extent: tuple[float, float]
-    driver: str = "load"
-
-    @property
-    def radii(self) -> tuple[float, float]:
-        """Radii of curvature in the planes of the larger and the smaller semi-axis [m]."""
-        hertz = self.expected.contact
-        if isinstance(hertz, EllipticContact):
-            return max(hertz.Rx, hertz.Ry), min(hertz.Rx, hertz.Ry)
-        return hertz.R, hertz.R
-
-    @property
-    def part_of_radius(self) -> float:
-        """Maximum ratio of semi-axis to radius of curvature [-]."""
-        (long, short), (larger, smaller) = self.expected.semi_axes, self.radii
-        return max(long / larger, short / smaller)
 
 
 def plausibility_checks(

@@ -44,13 +44,14 @@ def warn_of_yield(
     The stress is computed for a Hertz contact with the same maximum pressure, width and friction. A
     rough or non-smooth contact may therefore yield at a slightly lower or higher load.
     """
+    plastic = [(number, body) for number, body in enumerate(bodies, 1) if body.is_plastic]
+    if not plastic:
+        return False
     largest = float(solution.pressure.max())
     found = []
-    for number, body in enumerate(bodies, 1):
+    for number, body in plastic:
         # without friction, von Mises stress does not exceed the maximum pressure
-        if not body.is_plastic or (1 + 2 * _traction(solution, friction)) * largest <= (
-            body.min_yield_stress
-        ):
+        if (1 + 2 * _traction(solution, friction)) * largest <= body.min_yield_stress:
             continue
         share, stress = _over_yield(solution, body, friction)
         if share > 1:

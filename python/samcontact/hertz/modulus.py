@@ -41,7 +41,8 @@ def effective_modulus(body1: Body, body2: Body) -> float:
     """
     compliance = 0.0
     for name, body in (("body1", body1), ("body2", body2)):
-        if not hasattr(body, "E"):
+        given = getattr(body, "E", None)
+        if given is None:
             raise TypeError(
                 f"{name} must be homogeneous, with E and nu, got {in_short(body)}: a layered body "
                 "has no single modulus"
@@ -51,7 +52,7 @@ def effective_modulus(body1: Body, body2: Body) -> float:
                 f"{name} must be homogeneous, got {in_short(body)}: a body with inclusions has no "
                 "single modulus; use its matrix for the contact without inclusions"
             )
-        modulus = positive(f"{name}.E", body.E, allow_inf=True)
+        modulus = positive(f"{name}.E", given, allow_inf=True)
         if not math.isinf(modulus):
             compliance += (1.0 - poisson_ratio(f"{name}.nu", body.nu) ** 2) / modulus
     if compliance == 0.0:

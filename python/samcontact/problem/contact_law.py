@@ -8,7 +8,7 @@ module only.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, astuple, dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -43,7 +43,8 @@ class ContactLaw(HtmlTable):
 
     def to_core(self) -> _core.ContactLaw:
         """Return the law as an object of the compiled core."""
-        return _core.ContactLaw(self.kind, list(astuple(self)))
+        parameters: tuple[str, ...] = self.__match_args__
+        return _core.ContactLaw(self.kind, [getattr(self, name) for name in parameters])
 
     @cached_property
     def attracts(self) -> bool:

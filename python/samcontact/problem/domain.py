@@ -58,13 +58,14 @@ class SurfaceGeometry:
         """
         gap = self.gap(grid) if callable(self.gap) else self.gap
         reliefs = [r(grid) if callable(r) else r for r in (self.relief1, self.relief2)]
-        for number, relief in enumerate(reliefs, 1):
-            relief_rows(f"relief{number}", relief, grid)
+        relief_rows("relief1", reliefs[0], grid)
+        relief_rows("relief2", reliefs[1], grid)
         checked = np.array(gap_array("gap", gap, grid.surface_shape), order="C")
-        for face, beyond in zip(strip, (np.less, np.greater), strict=True):
+        low, high = strip
+        for face in strip:
             if math.isfinite(face):
                 _require_possible(grid, face)
-                checked[:, beyond(grid.y, face)] = np.inf
+                checked[:, (grid.y < low) | (grid.y > high)] = np.inf
         return Domain(grid, read_only(checked), *reliefs)
 
 

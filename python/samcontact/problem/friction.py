@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
+from functools import lru_cache
 from typing import Any, ClassVar
 
 import numpy as np
@@ -48,9 +49,9 @@ class FrictionLaw(HtmlTable):
         LAWS[cls.law] = cls
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            checked = _numbers if self.constants[item.name].many else number
-            object.__setattr__(self, item.name, checked(item.name, getattr(self, item.name)))
+        for name, constant in self.constants.items():
+            checked = _numbers if constant.many else number
+            object.__setattr__(self, name, checked(name, getattr(self, name)))
         self.to_core()  # checks the ranges
 
     def to_core(self) -> _core.FrictionLaw:
@@ -58,9 +59,9 @@ class FrictionLaw(HtmlTable):
         made: _core.FrictionLaw | None = self.__dict__.get("_made")
         if made is None:
             values = {}
-            for item in fields(self):
-                value = getattr(self, item.name)
-                values[item.name] = list(value) if isinstance(value, tuple) else [value]
+            for name in self.constants:
+                value = getattr(self, name)
+                values[name] = list(value) if isinstance(value, tuple) else [value]
             made = _core.FrictionLaw(self.law, values)
             object.__setattr__(self, "_made", made)  # each solve needs it several times
         return made
@@ -83,10 +84,10 @@ class FrictionLaw(HtmlTable):
         """
         return self.to_core().ratio(non_negative("pressure", pressure))
 
-    @property
+    @cached_property
     def sliding_ratio(self) -> float:
         """Shear traction divided by pressure in full sliding [-]; 0 for laws with partial slip."""
-        return 0.0 if self.sticks else self.ratio(0.0)
+        return 0.0 if self.sticks else self.to_core().ratio(0.0)
 
     @cached_property
     def is_frictionless(self) -> bool:
@@ -135,7 +136,7 @@ class FrictionLaw(HtmlTable):
         return {"law": self.law, **values}
 
     def __repr__(self) -> str:
-        given = (f"{item.name}={in_short(getattr(self, item.name))}" for item in fields(self))
+        given = (f"{name}={in_short(getattr(self, name))}" for name in self.constants)
         return f"{type(self).__name__}({', '.join(given)})"
 
     def _rows(self) -> Rows:
@@ -240,13 +241,19 @@ class CappedCoulomb(FrictionLaw):
     limit: float
 
 
+@lru_cache(maxsize=16)
+def full_sliding(coefficient: float) -> GrossSliding:
+    """Return the law of full sliding, which solvers with the same coefficient share."""
+    return GrossSliding(coefficient)
+
+
 def is_law(friction: Any) -> bool:
     """Whether a value is a friction law."""
     return isinstance(friction, FrictionLaw)
 
 
 def friction_law(
-    friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = GrossSliding
+    friction: float | FrictionLaw, of_number: Callable[[float], FrictionLaw] = full_sliding
 ) -> FrictionLaw:
     """Return a friction law unchanged, or full sliding for a coefficient of friction."""
     return friction if isinstance(friction, FrictionLaw) else of_number(friction)

@@ -29,6 +29,7 @@ MIN_THICKNESS = 1e-5
 """Minimum thickness of layers of a heated body [cells]; it limits the number of wavenumbers."""
 _ANY_CONSTANTS = (1.0, 0.0, 1.0)
 """Placeholder for the thermal constants of a body that is not heated."""
+_UNHEATED = _core.Heating()
 
 Bodies = tuple[Body, Body]
 
@@ -47,6 +48,8 @@ def heating(heat: Heat, bodies: Bodies, grid: Grid, duration: float | None = Non
 
     duration: duration of the increment [s], for transient heating.
     """
+    if not any(heat.shares) and heat.history is None:
+        return [_UNHEATED, _UNHEATED]
     age = math.inf if heat.time is None else heat.time
     reference = 1.0 if heat.reference is None else heat.reference
     entries = []

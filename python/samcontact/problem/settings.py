@@ -14,7 +14,6 @@ from typing import Any
 
 from .. import _core
 from .._util import memory
-from .._util.cached_property import cached_property
 from .._util.checks import choice, in_cells, integer, number
 from .._util.frozen import FixedAttributes
 from ..bodies.layered import Body
@@ -122,11 +121,10 @@ class ContactSettings:
     stiffness: float | None = _setting(None, RangeSetting(gt=0.0, unit="N/m"))
 
     def __post_init__(self) -> None:
-        for item in fields(self):
-            value = getattr(self, item.name)
-            if value is not None or item.default is not None:
-                checked = item.metadata["allowed"].check(item.name, value)
-                object.__setattr__(self, item.name, checked)
+        for name, item in self.__dataclass_fields__.items():
+            value = getattr(self, name)
+            if value is not item.default:
+                object.__setattr__(self, name, item.metadata["allowed"].check(name, value))
         if self.stiffness is not None and not self.adhesion.varies:
             raise ValueError(
                 f"stiffness = {self.stiffness!r} requires a law of `Adhesion`, got adhesion = "
@@ -145,7 +143,7 @@ class ContactSettings:
         """Check the value of the setting with this name, and return the checked value."""
         return allowed(cls)[name].check(name, value)
 
-    @cached_property
+    @property
     def law(self) -> FrictionLaw:
         """Friction law; if `friction` is a number, the contact slides fully."""
         return friction_law(self.friction)
@@ -157,7 +155,7 @@ class ContactSettings:
 
     def arguments(self) -> dict[str, Any]:
         """Return the values of the settings by name."""
-        return {item.name: getattr(self, item.name) for item in fields(self)}
+        return dict(vars(self))
 
     def __str__(self) -> str:
         """Return the settings that are not None, written as Python arguments."""
@@ -208,9 +206,9 @@ class Configured(FixedAttributes):
     stiffness: float | None
     _settings: ContactSettings
 
-    def _configure(self, settings: ContactSettings) -> None:
-        self._settings = settings
-        vars(self).update(settings.arguments())
+    def _configure(self, settings: ContactSettings, **others: Any) -> None:
+        """Set the settings and other attributes."""
+        vars(self).update(settings.arguments(), _settings=settings, **others)
 
 
 def memory_of_contact(friction: FrictionLaw, bodies: tuple[Body, Body], heat: Heat) -> float:

@@ -14,9 +14,9 @@ from .._util.checks import FloatArray
 from ..accuracy.error_rows import error_rows
 from ..accuracy.grid_errors import MAX_RELATIVE_ERROR, MAX_SLOPE_FRACTION
 from ..diagnostics.adhesion import EDGE_ATTRACTION, attraction_at_edge
-from ..diagnostics.expected_contact import ExpectedContact
+from ..diagnostics.expected_contact import ExpectedContact, ExpectedExtent
 from ..diagnostics.monitor import MAX_SMALL_STRAIN
-from ..diagnostics.plausibility import ExpectedExtent, plausibility_checks
+from ..diagnostics.plausibility import plausibility_checks
 from ..diagnostics.resolution import AREA_ERROR_LIMIT, MINIMUM_CELLS, RECOMMENDED_CELLS
 from ..problem.adhesion_laws import MAX_RESOLVED
 from ..problem.contact_law import in_contact

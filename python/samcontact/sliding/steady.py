@@ -14,9 +14,10 @@ from .._util.checks import FloatArray, exactly_one, require_type
 from .._util.frozen import read_only
 from ..bodies.layered import Body
 from ..bodies.viscoelastic import relaxes
-from ..contact.moving import UNSHEARED, MovingContactSolver, pressure_of, require_moving, speed_of
+from ..contact.moving import MovingContactSolver, pressure_of, require_moving, speed_of
 from ..contact.normal_drive import NormalDrive
 from ..contact.solver import solve_driven
+from ..contact.tangential_drive import UNSHEARED
 from ..problem.grid import Grid
 from ..problem.settings import ContactSettings
 from ..solutions.moving_solution import SlidingSolution, slope_along_x
