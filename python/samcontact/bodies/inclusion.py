@@ -144,7 +144,7 @@ class Inclusion(HtmlTable):
         if self.is_void and depth - half <= 0.0:
             raise ValueError(
                 f"center of a void must be deeper than {half!r} m, got z = {depth!r} m: a void "
-                "must not reach the surface; add a pit at the surface to the gap as a dent"
+                "must not reach the surface; model an open pore as a dent in the gap"
             )
 
     @classmethod
