@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import re
 import sys
+from functools import cache
 from pathlib import Path
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -84,6 +85,7 @@ def default(field: Any) -> str:
     return f"`{json.dumps(value)}`"
 
 
+@cache
 def places(root: type[BaseModel]) -> dict[type[BaseModel], list[str]]:
     """Return the sections of a kind of file, outermost first, each with all its headings."""
     found: dict[type[BaseModel], list[str]] = {}

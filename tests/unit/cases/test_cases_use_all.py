@@ -183,10 +183,42 @@ def computed(tmp_path, monkeypatch):
     return compute
 
 
-def leaves(model, place=()):
+SURFACES = {"surface", "relief1", "relief2"}
+
+
+def decisive(content, name):
+    """Return what decides whether a section of a case has an effect, besides the surfaces.
+
+    The bodies of a contact are built from their sections, the grid and the heat.
+    """
+    if name in SURFACES:
+        return content
+    if name in ("body1", "body2") and kind_of(content) is Case:
+        used = {part: content.get(part) for part in ("body1", "body2", "grid", "heat")}
+        return used, content.keys() - SURFACES
+    return {part: value for part, value in content.items() if part not in SURFACES}
+
+
+def untried():
+    """Return the sections of each kind that are not tried in an earlier kind of the same code."""
+    tried, sections = {}, {}
+    for kind, content in KINDS.items():
+        sections[kind] = set()
+        for name in kind_of(content).model_fields.keys() - OF_RESULTS - OF_ACCURACY:
+            equal = tried.setdefault(name, [])
+            if (what := decisive(content, name)) not in equal:
+                equal.append(what)
+                sections[kind].add(name)
+    return sections
+
+
+TRIED = untried()
+
+
+def leaves(model, place=(), sections=None):
     """Yield every field below a validated section that is no section, with its model."""
     for name, field in type(model).model_fields.items():
-        if not place and name in OF_RESULTS | OF_ACCURACY:
+        if sections is not None and name not in sections:
             continue
         value = getattr(model, name)
         if isinstance(value, BaseModel):
@@ -240,7 +272,7 @@ def test_every_field_is_used_or_refused(computed, kind):
     assert computed(copy.deepcopy(content)) == before
     model = kind_of(content).model_validate(content)
     dropped, attempted = [], 0
-    for place, field, value in leaves(model):
+    for place, field, value in leaves(model, sections=TRIED[kind]):
         for other in others(place[-1], field, value):
             attempted += 1
             after = outcome(computed, changed(content, place, other))
@@ -251,7 +283,7 @@ def test_every_field_is_used_or_refused(computed, kind):
             if after == before:
                 dropped.append((".".join(map(str, place)), other))
             break
-    assert attempted > 20
+    assert attempted > 0
     assert dropped == []
 
 
@@ -260,7 +292,7 @@ def test_every_field_of_every_section_is_tried():
     from samcontact.cases.field_units import all_models
 
     attempted, sections = set(), set()
-    for content in KINDS.values():
+    for kind, content in KINDS.items():
         model = kind_of(content).model_validate(content)
         waiting = [model]
         while waiting:
@@ -270,7 +302,9 @@ def test_every_field_of_every_section_is_tried():
                 parts = value if isinstance(value, list) else [value]
                 waiting += [item for item in parts if isinstance(item, BaseModel)]
         attempted |= {
-            place[-1] for place, field, value in leaves(model) if others(place[-1], field, value)
+            place[-1]
+            for place, field, value in leaves(model, sections=TRIED[kind])
+            if others(place[-1], field, value)
         }
     bodies = {"RigidBody", "ElasticBody", "PerfectPlasticBody", "LinearHardeningBody"}  # a law each
     bodies |= {"PerfectPlasticLayer", "LinearHardeningLayer", "VoidRandomInclusions"}
