@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The documentation site: python -m sphinx -W docs build/site."""
 
-import builtins
 import re
 import sys
 from importlib.util import find_spec
@@ -35,8 +34,12 @@ extensions = [
     "modules",
     "units",
 ]
-if not tags.has("without_sources"):  # noqa: F821 - from Sphinx
+# A quick build for tests: no pages of source code, no index for searches, plain quotation marks,
+# navigation on the home page only.
+brief = tags.has("brief")  # noqa: F821 - from Sphinx
+if not brief:
     extensions.append("sphinx.ext.viewcode")
+smartquotes = not brief
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
 nitpicky = False  # units in numpydoc types are not references
 
@@ -90,6 +93,9 @@ def _short_navigation(app, pagename, templatename, context, doctree):
     Copies of all headings of the site, which the theme drops again, would take half of a build.
     """
     env, tree = app.env, context.get("toctree")
+    if brief and pagename != "index":
+        context.pop("toctree", None)
+        return
     if not hasattr(app, "titles"):
         app.titles = {name: _titles(toc) for name, toc in env.tocs.items()}
 
@@ -191,11 +197,17 @@ def _words_are_no_links(app, doctree):
     for node in list(doctree.findall(pending_xref)):
         last = node.get("reftarget", "").rpartition(".")[2]
         is_type = node.get("refdomain") == "py" and node.get("reftype") in ("class", "obj")
-        if is_type and last.islower() and not hasattr(builtins, last):
+        if is_type and last.islower():
             node.replace_self(node.children)
 
 
+def _no_search(app):
+    app.builder.search = False
+
+
 def setup(app):
+    if brief:
+        app.connect("builder-inited", _no_search)
     app.connect("html-page-context", _short_navigation, priority=400)  # before the theme
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)

@@ -33,13 +33,13 @@ def with_long_notebooks(request):
 def site(tmp_path_factory, with_long_notebooks):
     """Return the folder of the built site.
 
-    By default, it has no outputs of long notebooks and no pages of source code.
+    By default, it is the brief site of docs/conf.py, without outputs of long notebooks.
     """
     folder = tmp_path_factory.mktemp("site")
     command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html"]
     if not with_long_notebooks:
         command += ["-D", f"unexecuted_notebooks={','.join(LONG_NOTEBOOKS)}"]
-        command += ["-t", "without_sources"]
+        command += ["-t", "brief"]
     built = subprocess.run(
         [*command, "-d", str(folder / "doctrees"), str(DOCS), str(folder / "html")],
         capture_output=True,
@@ -53,6 +53,14 @@ def site(tmp_path_factory, with_long_notebooks):
 def test_every_source_is_a_page(site):
     for source in DOCS.rglob("*.md"):
         assert (site / source.relative_to(DOCS).with_suffix(".html")).exists(), source
+
+
+def test_navigation_leads_to_every_page(site):
+    tree = (site / "index.html").read_text().partition('class="sidebar-tree"')[2]
+    linked = set(re.findall(r'href="([\w/.]+)\.html"', tree.partition("</aside>")[0]))
+    sources = {str(file.relative_to(DOCS).with_suffix("")) for file in DOCS.rglob("*.md")}
+    assert len(sources - linked) == 1  # the home page itself
+    assert {f"notebooks/{file.stem}" for file in (DOCS / "notebooks").glob("*.ipynb")} <= linked
 
 
 def test_the_reference_has_all_public_names(site):
