@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fixtures and settings for all tests."""
 
+import gc
 import signal
 import sys
 from pathlib import Path
@@ -17,6 +18,9 @@ else:
 # SIGINT would never end.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+# Collection makes many objects and no garbage; a search for garbage takes a quarter of its time.
+gc.disable()
 
 # Each test sets its number of examples; no clock does.
 hypothesis.settings.register_profile("project", deadline=None, derandomize=True, database=None)
@@ -50,6 +54,19 @@ def undrawn(monkeypatch):
 
 
 @pytest.fixture
+def undrawn_files(monkeypatch):
+    """Create files of figures without drawing, but draw figures of reports and animations."""
+    from matplotlib.figure import Figure
+
+    draw = Figure.savefig
+
+    def savefig(self, target, **options):
+        return target.touch() if isinstance(target, Path) else draw(self, target, **options)
+
+    monkeypatch.setattr(Figure, "savefig", savefig)
+
+
+@pytest.fixture
 def steps_alone(monkeypatch):
     """Switch off the estimate of increment errors, which would add steps to those of the path."""
     from samcontact.simulation import increment_errors
@@ -74,6 +91,10 @@ def mark_slow_variants(items, whole_files):
                     item.add_marker(pytest.mark.slow)
                 if whole_files and f"tests/{file}" in files and nodeid not in found:
                     raise pytest.UsageError(f"slow_variants.toml: there is no test {nodeid}")
+
+
+def pytest_collection_finish():
+    gc.enable()
 
 
 @pytest.hookimpl(tryfirst=True)  # before tests are selected by their marks

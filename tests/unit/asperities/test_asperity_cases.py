@@ -44,7 +44,7 @@ def test_with_a_grid_and_a_relief(case_file):
     assert result.simulation.relief2.heights.min() == pytest.approx(-1e-4, rel=0.1)
 
 
-def test_the_command_writes_series_and_figures(case_file, tmp_path):
+def test_the_command_writes_series_and_figures(case_file, tmp_path, undrawn):
     outcome = invoke("run", case_file, "--output", tmp_path / "out", "--resume")
     assert outcome.exit_code == 0, outcome.output
     names = [

@@ -90,7 +90,7 @@ def test_run_and_report(tmp_path):
         assert [name.split(":")[0] for name in failed] == ["load balance", "minimum film"]
 
 
-def test_curve_over_the_speed(tmp_path):
+def test_curve_over_the_speed(tmp_path, undrawn):
     """One command: share and friction at each speed, with a figure; the share falls."""
     text = CASE.replace("entrainment = 1.0", "speeds = [1e-4, 1e-2]")
     text = text.replace("cells_per_radius = 13", "nx = 32\nny = 32\ndx = 14e-6\ndy = 12e-6")

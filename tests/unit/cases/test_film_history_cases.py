@@ -115,7 +115,7 @@ def test_a_dent_passes_as_in_python(tmp_path):
     assert np.ptp(stored) > 1e-2 * stored[0]  # the balance is one of changing amounts
 
 
-def test_a_run_that_stops_resumes_bit_identically(tmp_path, monkeypatch):
+def test_a_run_that_stops_resumes_bit_identically(tmp_path, monkeypatch, undrawn_files):
     """The films so far are results, and the resumed run has the digits of an undisturbed one."""
     monkeypatch.setattr(solve_study, "MAX_FRAMES", 2)
     (tmp_path / "case.toml").write_text(CASE)
@@ -176,7 +176,7 @@ def test_only_films_in_time_are_animated(tmp_path):
 
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 @pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
-def test_a_race_that_yields_as_in_python(tmp_path):
+def test_a_race_that_yields_as_in_python(tmp_path, undrawn):
     """Films and strains are those of two increments by `press`; gap and imprint agree."""
     outcome = run(tmp_path, YIELDS)
     assert outcome.exit_code == 0, outcome.output

@@ -46,7 +46,7 @@ R = 0.01
 HEATED = KINDS["heated film"]
 
 
-def test_a_run_has_the_heat_of_the_film(tmp_path):
+def test_a_run_has_the_heat_of_the_film(tmp_path, undrawn):
     """Film, temperatures and friction are those of `steady`, and the heat is that dissipated."""
     (tmp_path / "case.toml").write_text(CASE)
     outcome = invoke("run", tmp_path / "case.toml", "--output", tmp_path / "out")

@@ -124,7 +124,7 @@ def test_cases_and_pictures_belong_to_the_pages(name):
 @pytest.mark.filterwarnings("ignore::samcontact.ResolutionWarning")
 @pytest.mark.filterwarnings("ignore::samcontact.IncrementWarning")
 @pytest.mark.parametrize("name", SMALL_VERSIONS)
-def test_a_small_version_agrees_with_its_checks(name, tmp_path):
+def test_a_small_version_agrees_with_its_checks(name, tmp_path, undrawn):
     application = find(name)
     of_case, of_commands, tolerances = SMALL_VERSIONS[name]
     text = example_text(FIRST_CASES[application.kind])

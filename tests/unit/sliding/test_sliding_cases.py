@@ -46,7 +46,7 @@ def case_file(tmp_path):
     return path
 
 
-def test_the_command_writes_the_friction_of_a_wave(case_file, tmp_path):
+def test_the_command_writes_the_friction_of_a_wave(case_file, tmp_path, undrawn):
     """Closed form of a wave in full contact: a² q² Im E*(q V)/4 per area."""
     out = tmp_path / "out"
     outcome = invoke("run", case_file, "--output", out)

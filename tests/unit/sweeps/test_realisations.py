@@ -83,7 +83,7 @@ def test_the_figure_counts_all_realisations():
     assert lines == pytest.approx([15.0, 15.0 - deviation, 15.0 + deviation])
 
 
-def test_the_command_prints_statistics_and_writes_all_realisations(case_file, tmp_path):
+def test_the_command_prints_statistics_and_writes_all_realisations(case_file, tmp_path, undrawn):
     outcome = invoke("sweep", case_file, "--set", f"{SEED}=0..3", "--output", tmp_path / "out")
     assert outcome.exit_code == 0, outcome.output
     with open(tmp_path / "out" / "sweep.csv", encoding="utf-8") as file:

@@ -350,7 +350,7 @@ def test_asperity_cases_in_a_sweep():
     np.testing.assert_array_equal(found["force_x"][0, 0], found["force_x"][1, 0])
 
 
-def test_the_command_on_a_cluster(tmp_path, client):
+def test_the_command_on_a_cluster(tmp_path, client, undrawn):
     case_file = tmp_path / "case.toml"
     case_file.write_text(MINIMAL)
     outcome = invoke(

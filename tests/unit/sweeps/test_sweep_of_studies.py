@@ -57,7 +57,7 @@ def test_a_sweep_of_wear_has_the_cycles_of_each_case(tmp_path):
     assert again.identical(found)
 
 
-def test_a_sweep_judges_fatigue_and_shakedown_of_each_case(tmp_path):
+def test_a_sweep_judges_fatigue_and_shakedown_of_each_case(tmp_path, undrawn):
     closed = [{"load": 500.0, "increments": 1}, {"load": 0.0, "increments": 1}]
     case = Case.model_validate(
         BASE
