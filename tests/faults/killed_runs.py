@@ -185,7 +185,7 @@ def computed(folder):
 """,
     "roller": """
 def computed(folder):
-    grid = sc.Grid(12, 24, 20e-6, 50e-6, dz=20e-6)
+    grid = sc.Grid(8, 16, 30e-6, 75e-6, dz=30e-6)
     gap = sc.surfaces.roller(grid, 5e-3, 0.9e-3, "lundberg", design_load=500.0,
                              E_star=115e9, tilt=2e-4)
     ended = hard.with_free_faces(low=-0.45e-3, high=0.45e-3)
@@ -222,6 +222,9 @@ from unittest import mock
 from samcontact._util import memory as _memory
 from samcontact.restart import lock
 sys.path.insert(0, {str(Path(__file__).parents[1])!r})
+# The influence of free faces is computed once in a process.
+sc.Simulation(sc.Grid(2, 4, 1e-5, 1e-5, dz=1e-5), steel,
+              hard.with_free_faces(low=-2e-5, high=2e-5), np.zeros((2, 4)))
 KINDS = {BODIES!r}
 
 def computed(argument):
