@@ -80,7 +80,7 @@ MEASURED = {
     "y": 1e-6, "mirror": "x", "method": "linear", "average": True, "fill": 1e-7, "x": 2e-6,
 }  # fmt: skip
 MARCHED = {"factor": [0.0, 2e-3], "velocity": HEAT["velocity"], "history": [1e-6, 1e-3]}
-COARSE = {
+COARSE_CELLS = {
     "grid": {"nx": 8, "ny": 7, "dx": 1e-5, "dy": 1.2e-5, "dz": 1e-5},
     "surface": SURFACE | {"roughness": ROUGH | {"wavelength_min": 3e-5}},
 }
@@ -197,11 +197,11 @@ KINDS = {
     | {"surface": {"shape": "file", "Rx": 1e-3, "Ry": 2e-3} | MEASURED,
        "relief2": {"kind": "file", "periodic": True} | MEASURED},
     "coated": BASE | {"body1": COLD, "body2": COATED, "heat": None, "path": [{"load": 2.0}]},
-    "inclusions": BASE | COARSE | {
+    "inclusions": BASE | COARSE_CELLS | {
         "body1": COLD, "heat": None,
         "body2": COLD | {"inclusions": [INCLUDED, ELLIPSOID | {"law": "void"}]},
         "path": [{"load": 2.0}]},
-    "random inclusions": BASE | COARSE | {
+    "random inclusions": BASE | COARSE_CELLS | {
         "body1": COLD, "heat": None,
         "body2": COLD | {"random_inclusions": DRAWN}, "path": [{"load": 2.0}]},
     "coated by other laws": BASE | {"body1": COLD, "body2": SWIFT | {"layers": [
