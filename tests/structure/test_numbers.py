@@ -53,7 +53,7 @@ SET = {
     ("docs/peers.md", "3 s"): ("benchmarks/peers/schedule.py", "MAX_REPEATED_SECONDS = 3.0"),
     ("docs/theory/zones.md", "0.7 of the work"): (
         "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio = 0.7"),
-    ("docs/theory/zones.md", "0.45 of the work"): (
+    ("docs/theory/zones.md", "0.48 of the work"): (
         "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio_periodic = 0.45"),
     ("docs/theory/zones.md", "a quarter of the work"): None,  # of the cells there are
     ("docs/theory/half_space.md", "a quarter of the memory"): None,  # planes counted there

@@ -167,7 +167,7 @@ OperatorCache::Operators OperatorCache::volume(int body, const Box& box, operato
   const std::lock_guard lock(mutex_);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) {
     return k.medium == media_[body] && k.size == size && k.tensor == tensor && k.method == method &&
-           k.symmetry == symmetry && k.heating == heating && k.reach.covers(reach);
+           k.symmetry == symmetry && k.heating == heating && k.reach == reach;
   });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);

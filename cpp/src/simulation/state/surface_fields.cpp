@@ -6,7 +6,6 @@
 #include "samcontact/operators/surface/surface_displacement.hpp"
 #include "samcontact/simulation/state/flow_zones.hpp"
 #include "samcontact/simulation/strain/acting_strain.hpp"
-#include "samcontact/simulation/strain/box_volume.hpp"
 
 namespace samcontact::simulation {
 namespace {
@@ -30,10 +29,9 @@ Field plastic_displacement(const State& state, int body, operators::Axis axis, c
   const auto history = unfolded(state.plastic[body], grid, symmetry);
   const Box stored = part_of(around, grid, symmetry);
   const Field strain = history->strain(stored);
-  const auto operators = state.setup().cache.volume(
-      body, around, history->tensor(), state.method, symmetry,
-      inside ? state.heating[body] : operators::Heating{},
-      reach_in(state.setup(), body, stored, nonzero_part(strain, stored), symmetry));
+  const auto operators =
+      state.setup().cache.volume(body, around, history->tensor(), state.method, symmetry,
+                                 inside ? state.heating[body] : operators::Heating{});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
   operators::forward(operators->transform(), strain.data(), spectrum);
   Field displacement(stored.surface_size()), plane(around.surface_size());

@@ -20,7 +20,6 @@ struct Reach {
   int x = std::numeric_limits<int>::max(), y = std::numeric_limits<int>::max();
 
   bool operator==(const Reach&) const = default;
-  bool covers(const Reach& other) const { return x >= other.x && y >= other.y; }
 };
 
 struct VolumeOptions {

@@ -82,7 +82,7 @@ class OperatorCache {
 
   using Operators = std::shared_ptr<const operators::VolumeOperators>;
   /// Volume operators of a body on (whole) boxes of this size; bodies of one medium with equal heat
-  /// share them. The last few are kept. reach: at least; ignored with heat and on periodic grids.
+  /// share them. The last few are kept. reach: ignored with heat and on periodic grids.
   Operators volume(int body, const Box& box, operators::Tensor tensor,
                    operators::ResidualMethod method, fft::Symmetry symmetry,
                    const operators::Heating& heating, operators::Reach reach = {}) const;
