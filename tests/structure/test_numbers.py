@@ -54,7 +54,7 @@ SET = {
     ("docs/theory/zones.md", "0.7 of the work"): (
         "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio = 0.7"),
     ("docs/theory/zones.md", "0.48 of the work"): (
-        "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio_periodic = 0.45"),
+        "cpp/src/simulation/increment/split_choice.cpp", "max_work_ratio_periodic = 0.48"),
     ("docs/theory/zones.md", "a quarter of the work"): None,  # of the cells there are
     ("docs/theory/half_space.md", "a quarter of the memory"): None,  # planes counted there
 }  # fmt: skip
