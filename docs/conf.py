@@ -34,12 +34,6 @@ extensions = [
     "modules",
     "units",
 ]
-# A quick build for tests: no pages of source code, no index for searches, plain quotation marks,
-# navigation on the home page only.
-brief = tags.has("brief")  # noqa: F821 - from Sphinx
-if not brief:
-    extensions.append("sphinx.ext.viewcode")
-smartquotes = not brief
 exclude_patterns = ["_ext", "notebooks/.ipynb_checkpoints"]
 nitpicky = False  # units in numpydoc types are not references
 
@@ -93,7 +87,7 @@ def _short_navigation(app, pagename, templatename, context, doctree):
     Copies of all headings of the site, which the theme drops again, would take half of a build.
     """
     env, tree = app.env, context.get("toctree")
-    if brief and pagename != "index":
+    if app.tags.has("brief") and pagename != "index":
         context.pop("toctree", None)
         return
     if not hasattr(app, "titles"):
@@ -205,9 +199,18 @@ def _no_search(app):
     app.builder.search = False
 
 
+def _plain_quotation_marks(app, config):
+    config.smartquotes = False
+
+
 def setup(app):
-    if brief:
+    # With `-t brief`, for tests: no pages of source code, no index for searches, plain quotation
+    # marks, and navigation on the home page only.
+    if app.tags.has("brief"):
         app.connect("builder-inited", _no_search)
+        app.connect("config-inited", _plain_quotation_marks)
+    else:
+        app.setup_extension("sphinx.ext.viewcode")
     app.connect("html-page-context", _short_navigation, priority=400)  # before the theme
     app.connect("doctree-resolved", _wide_pictures)
     app.connect("doctree-read", _whole_formulas)

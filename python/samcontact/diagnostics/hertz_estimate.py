@@ -107,6 +107,7 @@ class ContactSetup:
     def prepare(self, heat: Heat) -> None:
         """Compute, before the first increment, all values that do not depend on the load."""
         self._passing = heat, *self.passing_loads(heat)
+        self._failed_of_bodies(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
         self.load_of(approach=0.0)
@@ -211,9 +212,7 @@ class ContactSetup:
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
         been loaded before or a warning filter ignores `UnitWarning`.
         """
-        if self._of_heat is None or self._of_heat[0] is not heat:
-            self._of_heat = heat, plausibility.failed_of_bodies(self.bodies, heat)
-        before, after = self._of_heat[1]
+        before, after = self._failed_of_bodies(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
         prepared, lowest, highest = self._passing
         if target and not (prepared is heat and lowest < self.load_of(**target) < highest):
@@ -224,6 +223,12 @@ class ContactSetup:
             plausibility.warn_if_implausible(finding, stacklevel=stacklevel + 1)
             return finding
         return None
+
+    def _failed_of_bodies(self, heat: Heat) -> tuple[FailedChecks, FailedChecks]:
+        """Return the failed checks of bodies and heat; kept until the heat changes."""
+        if self._of_heat is None or self._of_heat[0] is not heat:
+            self._of_heat = heat, plausibility.failed_of_bodies(self.bodies, heat)
+        return self._of_heat[1]
 
     def failed_checks(
         self, heat: Heat, load: float | None = None, approach: float | None = None

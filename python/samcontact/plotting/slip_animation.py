@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Animation of the stick and slip zones, with a plot of the tangential force."""
+"""Animation of stick and slip zones, with the tangential force in a second diagram."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ class ForceHistory(NamedTuple):
 
 
 def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
-    """Animate the stick and slip zones, with a plot of tangential force against displacement.
+    """Animate stick and slip zones next to a diagram of tangential force against displacement.
 
-    For rolling bodies, the force is shown versus the distance rolled.
+    For rolling bodies, the force is plotted against the distance rolled.
 
     Parameters
     ----------

@@ -12,8 +12,8 @@ import samcontact as sc
 PACKAGE = str(Path(sc.__file__).parent)
 STEEL = sc.Material.elastic(210e9, 0.3)
 YIELDING = sc.Material.perfect_plastic(210e9, 0.3, 0.6e9)
-MAX_CALLS = {"elastic": (78, 55), "plastic": (112, 61)}
-"""Calls of functions of the package in the first step and in a later one, at most."""
+MAX_CALLS = {"elastic": 61, "plastic": 69}
+"""Calls of functions of the package in a step: a few more than there are."""
 
 
 def calls_of(function):
@@ -42,5 +42,5 @@ def test_a_step_calls_few_functions(kind):
         warnings.simplefilter("ignore", sc.IncrementWarning)  # whose estimate is another run
         counts = [calls_of(lambda load=load: simulation.step(load=load)) for load in (40.0, 44.0)]
     assert (simulation.state.max_equivalent_plastic_strain(2) > 0) == (kind == "plastic")
-    assert all(count <= limit for count, limit in zip(counts, MAX_CALLS[kind], strict=True))
+    assert max(counts) <= MAX_CALLS[kind]
     assert min(counts) >= 20  # they are counted

@@ -13,11 +13,12 @@ namespace {
 /// Zones are used if their work is less than this fraction of that of one box.
 constexpr double max_work_ratio = 0.7;
 /// On periodic surfaces nothing is padded, so that margins and the work done zone by zone count for
-/// more. Measured up to `cached_plane` points; zones and one box take equally long.
+/// more. At this ratio both took equally long on surfaces of `cached_plane` cells.
 constexpr double max_work_ratio_periodic = 0.48;
-/// The planes of one box with more points than this exceed the cache, those of zones do not.
+/// Larger planes of one box exceed the cache. Planes of zones do not.
 constexpr double cached_plane = 256.0 * 256.0;
-/// Exponent of the time that one box then takes per point, measured up to 1024 x 1024 points.
+/// Time of one box per cell: it grows with this power of the number of cells beyond
+/// `cached_plane`, measured up to 1024 x 1024 cells.
 constexpr double slowdown = 1.0 / 6;
 /// Moving bodies need new zones in each increment, and once the effect of the strain outside them.
 constexpr double max_work_ratio_moving = 0.4;
@@ -68,8 +69,8 @@ bool SplitChoice::is_worthwhile(const PlasticBody& body, const std::vector<Box>&
 
 bool SplitChoice::cost_less(const std::vector<Box>& boxes, const Box& one) const {
   if (!task_.setup().grid.period.is_on()) return cost_less(boxes, one, max_work_ratio);
-  const double planes = static_cast<double>(one.surface_size()) / cached_plane;
-  return cost_less(boxes, one, max_work_ratio_periodic * std::pow(std::max(1.0, planes), slowdown));
+  const double planes = std::max(1.0, static_cast<double>(one.surface_size()) / cached_plane);
+  return cost_less(boxes, one, max_work_ratio_periodic * std::pow(planes, slowdown));
 }
 
 bool SplitChoice::cost_less(const std::vector<Box>& boxes, const Box& one, double max_ratio) const {

@@ -28,12 +28,11 @@ Field plastic_displacement(const State& state, int body, operators::Axis axis, c
   }
   const auto history = unfolded(state.plastic[body], grid, symmetry);
   const Box stored = part_of(around, grid, symmetry);
-  const Field strain = history->strain(stored);
   const auto operators =
       state.setup().cache.volume(body, around, history->tensor(), state.method, symmetry,
                                  inside ? state.heating[body] : operators::Heating{});
   operators::VolumeSpectrum spectrum = operators->make_spectrum();
-  operators::forward(operators->transform(), strain.data(), spectrum);
+  operators::forward(operators->transform(), history->strain(stored).data(), spectrum);
   Field displacement(stored.surface_size()), plane(around.surface_size());
   operators->residual_displacement(axis).apply(spectrum, displacement.data());
   unfold(displacement.data(), stored, symmetry, axis == operators::Axis::x,

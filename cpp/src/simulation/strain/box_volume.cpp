@@ -7,15 +7,21 @@
 
 namespace samcontact::simulation {
 
+namespace {
+
+/// Reach in a box of the cells of a part of it; both are stored. Unlimited in layered bodies, where
+/// each coefficient depends slightly on the number of offsets.
 operators::Reach reach_in(const Setup& setup, int body, const Box& box, const Box& part,
                           fft::Symmetry symmetry) {
-  if (part.empty() || setup.bodies[body].is_layered()) return {};
+  if (setup.bodies[body].is_layered()) return {};
   const Grid& grid = setup.grid;
   const Box whole = whole_box(box, grid, symmetry),
             own = whole_box(from_planes_on(part, grid, symmetry), grid, symmetry);
   return {std::max(own.i0 + own.nx - whole.i0, whole.i0 + whole.nx - own.i0),
           std::max(own.j0 + own.ny - whole.j0, whole.j0 + whole.ny - own.j0)};
 }
+
+}  // namespace
 
 Box nonzero_part(const Field& field, const Box& box) {
   Box part;

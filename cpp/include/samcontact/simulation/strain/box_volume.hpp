@@ -9,10 +9,6 @@
 
 namespace samcontact::simulation {
 
-/// Reach in a box of the cells of a part of it; both are stored. Unlimited if the part is empty,
-/// and in layered bodies, where each coefficient depends slightly on the number of offsets.
-operators::Reach reach_in(const Setup& setup, int body, const Box& box, const Box& part,
-                          fft::Symmetry symmetry);
 /// Smallest box around the cells of a box with any non-zero component, [component][k][i][j], over
 /// all its layers; empty if there are none.
 Box nonzero_part(const Field& field, const Box& box);
