@@ -38,9 +38,6 @@ _ROUNDING_MARGIN = 1e-6
 _WARNING_HINT = ', or set on_border="warn"'
 
 
-FailedChecks = tuple[plausibility.PlausibilityCheck, ...]
-
-
 class PlasticBody(NamedTuple):
     """Body number, yield stresses and Young's moduli of an elastic-plastic body."""
 
@@ -101,13 +98,13 @@ class ContactSetup:
         self.relieved = relieved or bool(grid.periodic)
         self._has_reliefs = relieved
         self._known: dict[tuple[float | None, float | None], ExpectedExtent | None] = {}
-        self._of_heat: tuple[Heat, tuple[FailedChecks, FailedChecks]] | None = None
+        self._body_checks = plausibility.BodyChecks(bodies)
         self._passing: tuple[Heat | None, float, float] = None, math.inf, -math.inf
 
     def prepare(self, heat: Heat) -> None:
         """Compute, before the first increment, all values that do not depend on the load."""
         self._passing = heat, *self.passing_loads(heat)
-        self._failed_of_bodies(heat)
+        self._body_checks.failed(heat)
         for name in ("E_star", "weakest", "may_have_steps", "largest_load_with_room"):
             getattr(self, name)
         self.load_of(approach=0.0)
@@ -212,7 +209,7 @@ class ContactSetup:
         Raises ValueError if the Hertz contact is far smaller than a cell, unless the bodies have
         been loaded before or a warning filter ignores `UnitWarning`.
         """
-        before, after = self._failed_of_bodies(heat)
+        before, after = self._body_checks.failed(heat)
         of_contact: list[plausibility.PlausibilityCheck] = []
         prepared, lowest, highest = self._passing
         if target and not (prepared is heat and lowest < self.load_of(**target) < highest):
@@ -223,12 +220,6 @@ class ContactSetup:
             plausibility.warn_if_implausible(finding, stacklevel=stacklevel + 1)
             return finding
         return None
-
-    def _failed_of_bodies(self, heat: Heat) -> tuple[FailedChecks, FailedChecks]:
-        """Return the failed checks of bodies and heat; kept until the heat changes."""
-        if self._of_heat is None or self._of_heat[0] is not heat:
-            self._of_heat = heat, plausibility.failed_of_bodies(self.bodies, heat)
-        return self._of_heat[1]
 
     def failed_checks(
         self, heat: Heat, load: float | None = None, approach: float | None = None

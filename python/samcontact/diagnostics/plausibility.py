@@ -74,6 +74,9 @@ class PlausibilityCheck(NamedTuple):
     skipped."""
 
 
+FailedChecks = tuple[PlausibilityCheck, ...]
+
+
 def plausibility_checks(
     contact: ExpectedExtent | None, grid: Grid, bodies: tuple[Body, Body], heat: Heat
 ) -> Iterator[PlausibilityCheck]:
@@ -84,16 +87,19 @@ def plausibility_checks(
     yield from _failed_strength_checks(bodies)
 
 
-def failed_of_bodies(
-    bodies: tuple[Body, Body], heat: Heat
-) -> tuple[tuple[PlausibilityCheck, ...], tuple[PlausibilityCheck, ...]]:
-    """Return the failed checks of bodies and heat, in two groups.
+class BodyChecks:
+    """Failed checks of two bodies and their heat, which are kept until the heat changes."""
 
-    The first group is reported before the contact checks, the second group after them.
-    """
-    return tuple(_failed(_body_and_heat_checks(bodies, heat))), tuple(
-        _failed_strength_checks(bodies)
-    )
+    def __init__(self, bodies: tuple[Body, Body]) -> None:
+        self._bodies = bodies
+        self._of_heat: tuple[Heat, tuple[FailedChecks, FailedChecks]] | None = None
+
+    def failed(self, heat: Heat) -> tuple[FailedChecks, FailedChecks]:
+        """Return the failed checks that are reported before, and after, the contact checks."""
+        if self._of_heat is None or self._of_heat[0] is not heat:
+            before = tuple(_failed(_body_and_heat_checks(self._bodies, heat)))
+            self._of_heat = heat, (before, tuple(_failed_strength_checks(self._bodies)))
+        return self._of_heat[1]
 
 
 def _body_and_heat_checks(bodies: tuple[Body, Body], heat: Heat) -> Iterator[PlausibilityCheck]:
