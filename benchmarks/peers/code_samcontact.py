@@ -10,6 +10,9 @@ import samcontact as sc
 from . import problems
 from .running import Outcome
 
+# The package imports classes at their first use; the other codes are imported before a measurement.
+IMPORTED = (sc.ContactSolver, sc.PartialSlipSolution, sc.Simulation)
+
 RIGID = sc.Material.rigid()
 ELASTIC = sc.Material.elastic(problems.E, problems.NU)
 
