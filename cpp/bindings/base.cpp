@@ -119,6 +119,7 @@ void bind_errors(py::module_& m) {
 void bind_base(py::module_& m) {
   set_interrupt_check(check_signals);
   set_memory_check(check_memory);
+  fft::prepare_planner();
   prepare_for_forks();
   bind_errors(m);
   m.def(

@@ -62,6 +62,8 @@ Plans& plans() {
 
 }  // namespace
 
+void prepare_planner() { plan_line(2, FFTW_FORWARD); }
+
 void lock_plans() { plans().lock(); }
 void unlock_plans() { plans().unlock(); }
 

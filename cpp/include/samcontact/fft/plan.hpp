@@ -25,6 +25,10 @@ Plan plan_half_spectra(int m, int count);
 Plan plan_line(int m, int sign);
 Plan plan_lines_side_by_side(int m, int count, int sign);
 
+/// Called when the library is loaded: FFTW registers its algorithms with the first plan, which
+/// takes a tenth of the time of a small solution.
+void prepare_planner();
+
 /// Called around a fork, before lock_memory(): plans own memory.
 void lock_plans();
 void unlock_plans();
