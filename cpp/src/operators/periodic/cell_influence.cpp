@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "samcontact/base/threads.hpp"
-#include "samcontact/kernels/corners.hpp"
 #include "samcontact/kernels/far_displacement.hpp"
 #include "samcontact/kernels/surface_traction.hpp"
 #include "samcontact/kernels/wave.hpp"
@@ -17,22 +17,81 @@ namespace {
 
 using std::numbers::pi;
 
-/// u_z due to pressure: by multipole moments at large distances.
+/// u_z due to pressure on a cell of 1 by `aspect`: multipole moments at large distances, and a
+/// table of corner sums at small ones.
+class UnitPressure {
+ public:
+  explicit UnitPressure(double aspect) : aspect_(aspect), far_(1.0, aspect) {}
+
+  /// The one of this aspect that this thread used last, or a new one: grids of a multilevel solver,
+  /// both bodies, and subdomains share it.
+  static UnitPressure& of(double aspect) {
+    static thread_local std::optional<UnitPressure> last;
+    if (!last || last->aspect_ != aspect) last.emplace(aspect);
+    return *last;
+  }
+
+  const kernels::FarDisplacement& far() const { return far_; }
+
+  /// Row of the table at an offset of j cells.
+  const double* row(int j) const { return close_.data() + static_cast<std::size_t>(j) * nx_; }
+
+  /// Extends the table to at least nx by ny offsets.
+  void cover(int nx, int ny) {
+    if (nx <= nx_ && ny <= ny_) return;
+    nx_ = std::max(nx, nx_);
+    ny_ = std::max(ny, ny_);
+    constexpr std::array<std::size_t, 1> exchanged{0};
+    close_ = corner_sums<1>(
+        CellOffsets::lattice(nx_, ny_), aspect_, 1,
+        [](double x, double y) { return std::array{kernels::pressure_displacement(x, y)}; },
+        &exchanged);
+  }
+
+ private:
+  double aspect_;
+  kernels::FarDisplacement far_;
+  int nx_ = 0, ny_ = 0;
+  Field close_;
+};
+
+/// Offsets below a limit, and their places among all.
+struct Close {
+  std::vector<int> cells;
+  std::vector<std::size_t> places;
+};
+
+Close closer_than(double limit, const std::vector<int>& cells, double size) {
+  Close close;
+  for (std::size_t n = 0; n < cells.size(); ++n) {
+    if (cells[n] * size >= limit) continue;
+    close.cells.push_back(cells[n]);
+    close.places.push_back(n);
+  }
+  return close;
+}
+
+int count_up_to_largest(const std::vector<int>& cells) {
+  return cells.empty() ? 0 : 1 + *std::max_element(cells.begin(), cells.end());
+}
+
 Field pressure_sums(const CellOffsets& offsets, double aspect) {
   const Offsets metres = offsets.in_metres(1.0, aspect);
   const std::vector<double>&x = metres.x, &y = metres.y;
-  const kernels::FarDisplacement far(1.0, aspect);
+  UnitPressure& unit = UnitPressure::of(aspect);
   Field sums(x.size() * y.size());
-#pragma omp parallel for schedule(dynamic) if (500.0 * sums.size() > min_parallel_operations)
+#pragma omp parallel for schedule(static) if (100.0 * sums.size() > min_parallel_operations)
   for (std::ptrdiff_t j = 0; j < std::ssize(y); ++j) {
-    double* row = sums.data() + j * x.size();
-    far.evaluate(x.data(), y[j], x.size(), row);
-    if (y[j] >= far.valid_from()) continue;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (x[i] >= far.valid_from()) continue;
-      row[i] = kernels::corner_sum_2d<1>(x[i], y[j], 0.5, 0.5 * aspect, [](double s, double t) {
-        return std::array{kernels::pressure_displacement(s, t)};
-      })[0];
+    unit.far().evaluate(x.data(), y[j], x.size(), sums.data() + j * x.size());
+  }
+  const Close close_x = closer_than(unit.far().valid_from(), offsets.x, 1.0),
+              close_y = closer_than(unit.far().valid_from(), offsets.y, aspect);
+  unit.cover(count_up_to_largest(close_x.cells), count_up_to_largest(close_y.cells));
+  for (std::size_t j = 0; j < close_y.cells.size(); ++j) {
+    const double* from = unit.row(close_y.cells[j]);
+    double* to = sums.data() + close_y.places[j] * x.size();
+    for (std::size_t i = 0; i < close_x.cells.size(); ++i) {
+      to[close_x.places[i]] = from[close_x.cells[i]];
     }
   }
   return sums;
