@@ -8,8 +8,8 @@
 namespace samcontact::operators {
 namespace {
 
-/// Shorter boxes are padded in full: their coarse grid would be as fine as the box.
-constexpr int shortest_side = 64;
+/// Shorter boxes are padded in full: the coarse grid would take longer than the padding.
+constexpr int shortest_side = 144;
 int with_margin(int cells) { return cells + (cells + 7) / 8; }
 
 fft::PeriodicTransform transform_for(const Grid& box) {
