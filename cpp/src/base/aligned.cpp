@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samcontact/base/aligned.hpp"
 
+#include <algorithm>
 #include <map>
 #include <mutex>
-#include <utility>
+#include <vector>
 
 #ifdef __linux__
 #include <sys/mman.h>
@@ -39,39 +40,72 @@ void touch(char* p, std::size_t bytes) {
 
 void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(bytes)); }
 
-/// Keeps the last field that was released, if it was too large for a region, for the next field of
-/// nearly the same size: each increment builds a spectrum of the same box. It is released before
-/// the system is asked for more memory, so it hardly adds to the maximum memory.
+/// Keeps released fields that are too large for a region, for further fields of nearly the same
+/// size: increments and iterations allocate fields of the same sizes again and again, and the
+/// system would clear all their pages. Together with the fields in use they never take more memory
+/// than the fields in use have taken before, and at most a quarter of that in use at the time.
 class Spare {
  public:
-  static bool suits(std::size_t bytes) { return bytes > smallest && bytes <= largest; }
+  static bool suits(std::size_t bytes) { return bytes > smallest; }
 
-  /// Null if there is no such field.
+  /// A kept field, or null after there is room for a new one.
   void* take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    if (p_ == nullptr || bytes_ < bytes || bytes_ - bytes > bytes / 8) return nullptr;
-    return std::exchange(p_, nullptr);
+    used_ += bytes;
+    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Block& block) {
+      return block.bytes >= bytes && block.bytes - bytes <= bytes / 8;
+    });
+    if (found != kept_.end()) {
+      void* const p = found->p;
+      sum_ -= found->bytes;
+      kept_.erase(found);
+      return p;
+    }
+    most_used_ = std::max(most_used_, used_);
+    reduce_to(most_used_ - used_);
+    return nullptr;
   }
   void give_back(void* p, std::size_t bytes) {
-    release();
     const std::lock_guard lock(mutex_);
-    p_ = p;
-    bytes_ = bytes;
+    used_ -= bytes;
+    kept_.push_back({p, bytes});
+    sum_ += bytes;
+    reduce_to(std::max(always_kept, used_ / 4));
   }
-  void release() {
+  /// Corrects for a field that the system could not provide.
+  void forget(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    if (p_ != nullptr) to_system(std::exchange(p_, nullptr), bytes_);
+    used_ -= bytes;
+  }
+  void release(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    reduce_to(sum_ - std::min(bytes, sum_));
   }
 
   void lock() { mutex_.lock(); }
   void unlock() { mutex_.unlock(); }
 
  private:
-  static constexpr std::size_t smallest = std::size_t{1} << 24, largest = std::size_t{1} << 27;
+  struct Block {
+    void* p;
+    std::size_t bytes;
+  };
+  static constexpr std::size_t smallest = std::size_t{1} << 24, always_kept = std::size_t{1} << 27;
+
+  /// Releases the fields that have been kept longest.
+  void reduce_to(std::size_t limit) {
+    auto end = kept_.begin();
+    for (; sum_ > limit; ++end) {
+      to_system(end->p, end->bytes);
+      sum_ -= end->bytes;
+    }
+    kept_.erase(kept_.begin(), end);
+  }
 
   std::mutex mutex_;
-  void* p_ = nullptr;
-  std::size_t bytes_ = 0;
+  std::vector<Block> kept_;  // the last one released at the end
+  std::size_t sum_ = 0;      // bytes of the fields kept
+  std::size_t used_ = 0, most_used_ = 0;
 };
 
 /// Never destroyed: fields may outlive every static object.
@@ -98,7 +132,7 @@ class Regions {
       if (char* p = from_holes(start, holes, length)) return p;
     }
     try {
-      spare().release();
+      spare().release(region);
       char* start = static_cast<char*>(from_system(region));
       return from_holes(start, regions_[start] = {{0, region}}, length);
     } catch (const std::bad_alloc&) {
@@ -203,17 +237,20 @@ void unlock_memory() {
 }
 
 void* allocate_bytes(std::size_t bytes) {
+  const bool kept_later = with_regions && Spare::suits(bytes);
   void* p = with_regions && Regions::suits(bytes) ? regions().take(bytes) : nullptr;
-  if (with_regions && Spare::suits(bytes)) {
-    // Its pages have been cleared before.
+  if (kept_later) {
+    // The pages of a kept field have been cleared before.
     if (void* kept = spare().take(bytes)) return kept;
   }
   if (p == nullptr) {
-    if (bytes >= worth_huge_pages) {
-      spare().release();
-      regions().release_all_but_one();
+    if (bytes >= worth_huge_pages) regions().release_all_but_one();
+    try {
+      p = from_system(bytes);
+    } catch (const std::bad_alloc&) {
+      if (kept_later) spare().forget(bytes);
+      throw;
     }
-    p = from_system(bytes);
   }
   touch(static_cast<char*>(p), bytes);
   return p;
