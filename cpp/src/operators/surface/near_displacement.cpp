@@ -14,7 +14,7 @@ int with_margin(int cells) { return cells + (cells + 7) / 8; }
 
 fft::PeriodicTransform transform_for(const Grid& box) {
   const auto [nx, ny] = std::array{box.nx, box.ny};
-  if (!padded_in_full(nx, ny)) return {nx, ny, short_period_x(box), short_period_y(box)};
+  if (std::min(nx, ny) >= shortest_side) return {nx, ny, short_period_x(box), short_period_y(box)};
   return {nx, ny, fft::convolution_size(nx, box.period.x), fft::convolution_size(ny, box.period.y)};
 }
 
@@ -24,8 +24,6 @@ int choose_period(int size, int period) {
 }
 
 }  // namespace
-
-bool padded_in_full(int nx, int ny) { return std::min(nx, ny) < shortest_side; }
 
 bool is_exact_period(int size, int cells, int period) {
   return size == period || size >= 2 * cells - 1;

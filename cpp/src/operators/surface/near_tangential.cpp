@@ -9,8 +9,11 @@
 namespace samcontact::operators {
 namespace {
 
+/// Shorter boxes are padded in full: their coarse grid would be as fine as the box.
+constexpr int shortest_side_with_coarse_grid = 64;
+
 SurfaceConvolution convolution_for(const Grid& box) {
-  if (padded_in_full(box.nx, box.ny)) return SurfaceConvolution(box);
+  if (std::min(box.nx, box.ny) < shortest_side_with_coarse_grid) return SurfaceConvolution(box);
   return {box, short_period_x(box), short_period_y(box)};
 }
 

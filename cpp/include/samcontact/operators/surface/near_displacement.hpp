@@ -19,8 +19,6 @@ namespace samcontact::operators {
 int short_period_x(const Grid& box);
 int short_period_y(const Grid& box);
 
-/// Whether a box is so small that full padding takes less time than the coarse grid.
-bool padded_in_full(int nx, int ny);
 /// Whether this number of points is the period of the surface, or is longer than any distance.
 bool is_exact_period(int size, int cells, int period);
 
