@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <random>
 #include <vector>
 
 #include "samcontact/base/aligned.hpp"
+
+#if defined(__linux__)
+#include <unistd.h>
+#endif
 
 using namespace samcontact;
 
@@ -33,3 +38,43 @@ TEST_CASE("short-lived fields reuse memory, and never share it") {
     }
   }
 }
+
+#if defined(__linux__)
+namespace {
+
+/// Memory of this process [MB].
+double resident() {
+  std::ifstream file("/proc/self/statm");
+  double all = 0, own = 0;
+  file >> all >> own;
+  return own * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+}  // namespace
+
+TEST_CASE("large fields reuse released ones, which add little to the memory in use") {
+  constexpr std::size_t bytes = 40'000'000;
+  const double before = resident();
+  std::vector<void*> fields;
+  const auto take = [&](int count) {
+    for (int n = 0; n < count; ++n) fields.push_back(allocate_bytes(bytes));
+  };
+  const auto release = [&](int count) {
+    for (int n = 0; n < count; ++n) {
+      deallocate_bytes(fields.back(), bytes);
+      fields.pop_back();
+    }
+  };
+  take(20);
+  const double full = resident();
+  CHECK(full - before > 600);  // some may have been kept before
+  release(4);                  // a quarter of the memory in use
+  CHECK(full - resident() < 10);
+  take(4);
+  CHECK(resident() - full < 10);
+  release(8);
+  CHECK(full - resident() > 150);
+  release(12);
+  CHECK(resident() - before < 150);
+}
+#endif
