@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Animation of stick and slip zones, with the tangential force in a second diagram."""
+"""Animation of partial slip, with a plot of the tangential force."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class ForceHistory(NamedTuple):
 
 
 def partial_slip_animation(states: Sequence[State], *, interval: float = 100.0) -> FuncAnimation:
-    """Animate stick and slip zones next to a diagram of tangential force against displacement.
+    """Animate partial slip, with a plot of tangential force against displacement.
 
     For rolling bodies, the force is plotted against the distance rolled.
 
