@@ -55,43 +55,30 @@ class UnitPressure {
   Field close_;
 };
 
-/// Offsets below a limit, and their places among all.
-struct Close {
-  std::vector<int> cells;
-  std::vector<std::size_t> places;
-};
-
-Close closer_than(double limit, const std::vector<int>& cells, double size) {
-  Close close;
+/// Number of cells up to the largest offset below a limit.
+int close_cells(const std::vector<int>& cells, const std::vector<double>& offsets, double limit) {
+  int count = 0;
   for (std::size_t n = 0; n < cells.size(); ++n) {
-    if (cells[n] * size >= limit) continue;
-    close.cells.push_back(cells[n]);
-    close.places.push_back(n);
+    if (offsets[n] < limit) count = std::max(count, cells[n] + 1);
   }
-  return close;
-}
-
-int count_up_to_largest(const std::vector<int>& cells) {
-  return cells.empty() ? 0 : 1 + *std::max_element(cells.begin(), cells.end());
+  return count;
 }
 
 Field pressure_sums(const CellOffsets& offsets, double aspect) {
   const Offsets metres = offsets.in_metres(1.0, aspect);
   const std::vector<double>&x = metres.x, &y = metres.y;
   UnitPressure& unit = UnitPressure::of(aspect);
+  const double limit = unit.far().valid_from();
+  unit.cover(close_cells(offsets.x, x, limit), close_cells(offsets.y, y, limit));
   Field sums(x.size() * y.size());
 #pragma omp parallel for schedule(static) if (100.0 * sums.size() > min_parallel_operations)
   for (std::ptrdiff_t j = 0; j < std::ssize(y); ++j) {
-    unit.far().evaluate(x.data(), y[j], x.size(), sums.data() + j * x.size());
-  }
-  const Close close_x = closer_than(unit.far().valid_from(), offsets.x, 1.0),
-              close_y = closer_than(unit.far().valid_from(), offsets.y, aspect);
-  unit.cover(count_up_to_largest(close_x.cells), count_up_to_largest(close_y.cells));
-  for (std::size_t j = 0; j < close_y.cells.size(); ++j) {
-    const double* from = unit.row(close_y.cells[j]);
-    double* to = sums.data() + close_y.places[j] * x.size();
-    for (std::size_t i = 0; i < close_x.cells.size(); ++i) {
-      to[close_x.places[i]] = from[close_x.cells[i]];
+    double* row = sums.data() + j * x.size();
+    unit.far().evaluate(x.data(), y[j], x.size(), row);
+    if (y[j] >= limit) continue;
+    const double* close = unit.row(offsets.y[j]);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (x[i] < limit) row[i] = close[offsets.x[i]];
     }
   }
   return sums;
