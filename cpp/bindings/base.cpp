@@ -34,6 +34,7 @@ void check_signals() {
 
 /// Raises MemoryError if less memory is available.
 void check_memory(double bytes, const std::string& what) {
+  release_kept_memory();
   const py::gil_scoped_acquire gil;
   py::module_::import("samcontact._util.memory").attr("require")(what, bytes);
 }

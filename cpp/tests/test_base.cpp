@@ -74,6 +74,9 @@ TEST_CASE("large fields reuse released ones, which add little to the memory in u
   CHECK(resident() - full < 10);
   release(8);
   CHECK(full - resident() > 150);
+  const double partly = resident();
+  release_kept_memory();
+  CHECK(partly - resident() > 75);
   release(12);
   CHECK(resident() - before < 150);
 }

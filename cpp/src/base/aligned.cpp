@@ -2,6 +2,7 @@
 #include "samcontact/base/aligned.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <vector>
@@ -46,38 +47,43 @@ void to_system(void* p, std::size_t bytes) { ::operator delete(p, alignment_of(b
 /// than the fields in use have taken before, and at most a quarter of that in use at the time.
 class Spare {
  public:
+  Spare() { kept_.reserve(max_kept); }  // a release must not ask for memory
+
   static bool suits(std::size_t bytes) { return bytes > smallest; }
 
   /// A kept field, or null after there is room for a new one.
   void* take(std::size_t bytes) {
     const std::lock_guard lock(mutex_);
-    used_ += bytes;
     const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Block& block) {
       return block.bytes >= bytes && block.bytes - bytes <= bytes / 8;
     });
-    if (found != kept_.end()) {
-      void* const p = found->p;
-      sum_ -= found->bytes;
-      kept_.erase(found);
-      return p;
+    if (found == kept_.end()) {
+      reduce_to(std::max(most_used_, used_ + bytes) - used_ - bytes);
+      return nullptr;
     }
+    void* const p = found->p;
+    sum_ -= found->bytes;
+    kept_.erase(found);
+    used_ += bytes;
+    return p;
+  }
+  /// Counts a new field.
+  void add(std::size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    used_ += bytes;
     most_used_ = std::max(most_used_, used_);
-    reduce_to(most_used_ - used_);
-    return nullptr;
   }
   void give_back(void* p, std::size_t bytes) {
     const std::lock_guard lock(mutex_);
     used_ -= bytes;
+    const std::size_t limit = std::max(always_kept, used_ / 4);
+    const bool fits = bytes <= limit;
+    reduce_to(fits ? limit - bytes : limit);
+    if (!fits || kept_.size() == max_kept) return to_system(p, bytes);
     kept_.push_back({p, bytes});
     sum_ += bytes;
-    reduce_to(std::max(always_kept, used_ / 4));
   }
-  /// Corrects for a field that the system could not provide.
-  void forget(std::size_t bytes) {
-    const std::lock_guard lock(mutex_);
-    used_ -= bytes;
-  }
-  void release(std::size_t bytes) {
+  void release(std::size_t bytes = std::numeric_limits<std::size_t>::max()) {
     const std::lock_guard lock(mutex_);
     reduce_to(sum_ - std::min(bytes, sum_));
   }
@@ -91,6 +97,7 @@ class Spare {
     std::size_t bytes;
   };
   static constexpr std::size_t smallest = std::size_t{1} << 24, always_kept = std::size_t{1} << 27;
+  static constexpr std::size_t max_kept = 256;
 
   /// Releases the fields that have been kept longest.
   void reduce_to(std::size_t limit) {
@@ -236,9 +243,11 @@ void unlock_memory() {
   regions().unlock();
 }
 
+void release_kept_memory() { spare().release(); }
+
 void* allocate_bytes(std::size_t bytes) {
-  const bool kept_later = with_regions && Spare::suits(bytes);
   void* p = with_regions && Regions::suits(bytes) ? regions().take(bytes) : nullptr;
+  const bool kept_later = with_regions && Spare::suits(bytes);
   if (kept_later) {
     // The pages of a kept field have been cleared before.
     if (void* kept = spare().take(bytes)) return kept;
@@ -247,10 +256,11 @@ void* allocate_bytes(std::size_t bytes) {
     if (bytes >= worth_huge_pages) regions().release_all_but_one();
     try {
       p = from_system(bytes);
-    } catch (const std::bad_alloc&) {
-      if (kept_later) spare().forget(bytes);
-      throw;
+    } catch (const std::bad_alloc&) {  // memory may be limited
+      spare().release();
+      p = from_system(bytes);
     }
+    if (kept_later) spare().add(bytes);
   }
   touch(static_cast<char*>(p), bytes);
   return p;

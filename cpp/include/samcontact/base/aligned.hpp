@@ -16,6 +16,9 @@ namespace samcontact {
 void* allocate_bytes(std::size_t bytes);
 void deallocate_bytes(void* p, std::size_t bytes);
 
+/// Returns to the system what is kept of released fields, which it counts as used.
+void release_kept_memory();
+
 /// Called before and after a fork: a lock held by another thread would stay locked in the child.
 void lock_memory();
 void unlock_memory();
