@@ -10,7 +10,7 @@
 
 #include "samcontact/base/aligned.hpp"
 
-#if defined(__linux__)
+#ifdef __linux__
 #include <unistd.h>
 #endif
 
@@ -39,7 +39,7 @@ TEST_CASE("short-lived fields reuse memory, and never share it") {
   }
 }
 
-#if defined(__linux__)
+#ifdef __linux__
 namespace {
 
 /// Memory of this process [MB].
