@@ -70,18 +70,21 @@ struct Parts {
   Eigen::Vector3d shear;
   Vector rest;
 
-  Parts(const Vector& t, const Eigen::Vector3d& n, const Jump& jumps) {
-    const Eigen::Vector3d on_plane = jumps.transpose() * t;
-    along = on_plane.dot(n);
-    trace = t[0] + t[1] + t[2] - along;
-    shear = on_plane - along * n;
-    rest = t - jumps * (2 * shear + along * n) - across(n, jumps) * (0.5 * trace);
-  }
+  Parts(const Vector& t, const Eigen::Vector3d& n, const Jump& jumps)
+      : Parts(t, n, jumps, jumps.transpose() * t) {}
+
   Vector sum(const Eigen::Vector3d& n, const Jump& jumps) const {
     return rest + jumps * (2 * shear + along * n) + across(n, jumps) * (0.5 * trace);
   }
 
  private:
+  Parts(const Vector& t, const Eigen::Vector3d& n, const Jump& jumps,
+        const Eigen::Vector3d& on_plane)
+      : along(on_plane.dot(n)),
+        trace(t[0] + t[1] + t[2] - along),
+        shear(on_plane - along * n),
+        rest(t - jumps * (2 * shear + along * n) - across(n, jumps) * (0.5 * trace)) {}
+
   static Vector across(const Eigen::Vector3d& n, const Jump& jumps) {
     Vector one = -(jumps * n);
     one.head<3>().array() += 1;
