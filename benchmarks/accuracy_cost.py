@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 import samcontact as sc
-from samcontact.accuracy import RefinableCase
+from samcontact.accuracy.refinable_case import RefinableCase
 from samcontact.cases import Case as SectionsOfCase
 
 from .accuracy_cases import CASES

@@ -9,7 +9,7 @@ import time
 import numpy as np
 from numpy.typing import NDArray
 
-from samcontact.accuracy import RefinableCase
+from samcontact.accuracy.refinable_case import RefinableCase
 from samcontact.cases import Case as SectionsOfCase
 
 from .accuracy_cases import CASES, Case, closed_form

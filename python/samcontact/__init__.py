@@ -146,9 +146,11 @@ _MODULES = frozenset(
     )
 )
 _PLACES = {
-    "accuracy": ("AccuracyResult", "AccuracyWarning", "to_accuracy"),
+    "_util.errors": ("AccuracyWarning",),
     "accuracy.grid_errors": ("GridErrors", "estimate_errors"),
     "accuracy.load_search": ("FoundLoad", "find_load"),
+    "accuracy.outcome": ("AccuracyResult",),
+    "accuracy.prescribed": ("to_accuracy",),
     "bodies.heterogeneous": ("Heterogeneous",),
     "bodies.inclusion": ("Inclusion",),
     "bodies.layers": ("Layered",),
@@ -207,13 +209,11 @@ if TYPE_CHECKING:
     from . import plotting as plotting
     from . import report as report
     from . import results as results
-    from .accuracy import (
-        AccuracyResult,
-        AccuracyWarning,
-        to_accuracy,
-    )
+    from ._util.errors import AccuracyWarning
     from .accuracy.grid_errors import GridErrors, estimate_errors
     from .accuracy.load_search import FoundLoad, find_load
+    from .accuracy.outcome import AccuracyResult
+    from .accuracy.prescribed import to_accuracy
     from .bodies.heterogeneous import Heterogeneous
     from .bodies.inclusion import Inclusion
     from .bodies.layers import Layered

@@ -22,6 +22,8 @@ from .studies import study_of
 if TYPE_CHECKING:
     from ..cases import Case
 
+__all__ = ["RefinableCase"]
+
 TOL_SHARE = 0.01
 """Tolerance of the contact solver divided by the prescribed accuracy. The relative error that a
 tolerance causes is about a tenth of this tolerance."""

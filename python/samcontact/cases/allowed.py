@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import partial
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
@@ -13,6 +12,7 @@ from pydantic import BaseModel, Discriminator, Tag
 from pydantic.fields import FieldInfo
 
 from .._util.checks import MAX_COUNT
+from .converted import Unit
 
 # Units as written for readers, by their spelling in the annotations.
 _UNIT_SPELLINGS = {
@@ -49,10 +49,8 @@ def members(annotation: Any) -> list[Any]:
 def unit_of(annotation: Any, metadata: Any = ()) -> str:
     """Return the SI unit of a field; "" if the field has no unit."""
     for part in (*metadata, *get_args(annotation)):
-        convert = getattr(part, "func", None)
-        if isinstance(convert, partial) and "unit" in convert.keywords:
-            unit: str = convert.keywords["unit"]
-            return _UNIT_SPELLINGS.get(unit, unit)
+        if isinstance(part, Unit):
+            return _UNIT_SPELLINGS.get(part.name, part.name)
         if found := unit_of(part):
             return found
     return ""
@@ -101,7 +99,7 @@ def described(annotation: Any, metadata: Sequence[Any] = ()) -> str:
     limits = {
         name: getattr(mark, name)
         for mark in marks
-        if not isinstance(mark, (FieldInfo, partial))
+        if not isinstance(mark, FieldInfo)
         for name in _CONSTRAINTS
         if getattr(mark, name, None) is not None
     }

@@ -5,13 +5,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal
 
 from pydantic import (
     BaseModel,
-    BeforeValidator,
     ConfigDict,
     Field,
     PrivateAttr,
@@ -26,47 +24,26 @@ from ..measured.files import has_columns
 from ..measured.plain import is_plain, plain_heights
 from ..measured.plausible import warn_of_size
 from ..problem.grid import Grid
-from ..units import from_text
+from .converted import Unit
 from .errors import explained
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
 
-def convert(value: Any, unit: str) -> Any:
-    """Convert texts such as "25 um", also within lists, to numbers in `unit`."""
-    if isinstance(value, list):
-        return [convert(item, unit) for item in value]
-    if not isinstance(value, str):
-        return value
-    if value == "inf":  # as a number, because `from_text` expects a unit
-        return math.inf
-    try:
-        return from_text(value, unit)
-    except ImportError as error:  # pydantic collects ValueError only
-        raise ValueError(f"{error}; got {in_short(value)}") from error
-
-
-def in_unit(name: str) -> BeforeValidator:
-    """Return a validator that gives a field an SI unit and converts texts such as "25 um" to it."""
-    return BeforeValidator(partial(convert, unit=name))
-
-
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
-Radius = Annotated[float, Field(gt=0.0), in_unit("m")]  # inf: straight
+Radius = Annotated[float, Field(gt=0.0), Unit("m")]  # inf: straight
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Length = Annotated[Positive, in_unit("m")]
-Position = Annotated[Finite, in_unit("m")]
+Length = Annotated[Positive, Unit("m")]
+Position = Annotated[Finite, Unit("m")]
 Count = Annotated[int, Field(ge=1, le=MAX_COUNT)]
 BodyNumber = Annotated[int, Field(ge=1, le=2)]  # Literal[1, 2] would accept true as 1
 Pair = Annotated[list[Finite], Field(min_length=2, max_length=2)]
 HeatFactor = Annotated[
-    NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m/s")
+    NonNegative | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], Unit("m/s")
 ]
-Velocity = Annotated[
-    Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], in_unit("m/s")
-]
+Velocity = Annotated[Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], Unit("m/s")]
 
 
 def require_printable(text: str) -> None:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 from pydantic import BeforeValidator, Field, model_validator
 
 from ..bodies.hardening_laws import LAWS
-from .base import Positive, in_unit
+from .base import Positive
+from .converted import Unit
 from .inclusions import Inclusions, RandomInclusions
 from .solids import ElasticSolid, FreeFaces, PlasticSolid, RelaxationSection, Solid, models
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 class _Layer(Solid):
     """Layer of a coated body, see `Layered`."""
 
-    thickness: Annotated[Positive, in_unit("m")]
+    thickness: Annotated[Positive, Unit("m")]
 
 
 class _ElasticLayer(ElasticSolid, _Layer):

@@ -19,8 +19,9 @@ from ..problem.friction import FrictionLaw
 from ..problem.grid import Grid
 from ..problem.heating import NO_HEAT, heating
 from ..simulation.given_strain import prepare
-from .base import CaseError, CaseFile, Positive, in_unit
+from .base import CaseError, CaseFile, Positive
 from .bodies import BodySection
+from .converted import Unit
 from .cross_checks import (
     path_with_loads,
     reason_for_grid,
@@ -75,8 +76,8 @@ class Case(CaseFile):
     description: str = ""
     accuracy: Annotated[float | dict[str, float] | None, BeforeValidator(_accuracy)] = None
     quantities: Annotated[list[str], Field(min_length=1)] | None = None
-    max_memory: Annotated[Positive, in_unit("byte")] | None = None
-    max_time: Annotated[Positive, in_unit("s")] | None = None
+    max_memory: Annotated[Positive, Unit("byte")] | None = None
+    max_time: Annotated[Positive, Unit("s")] | None = None
     estimate_error: bool = True
     grid: GridSection | None = None
     body1: BodySection

@@ -14,7 +14,8 @@ from .. import overrolling
 from ..bodies.layered import backstresses_of
 from ..bodies.material import Material
 from ..simulation.given_strain import set_plastic_strain
-from .base import Count, Length, NonNegative, Position, Positive, Section, in_unit
+from .base import Count, Length, NonNegative, Position, Positive, Section
+from .converted import Unit
 
 if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
@@ -27,7 +28,7 @@ class ParticleSection(Section):
     """[[dents.particles]]: hard sphere pressed into body 2, see `overrolling.Particle`."""
 
     radius: Length
-    load: Annotated[Positive, in_unit("N")] | None = None
+    load: Annotated[Positive, Unit("N")] | None = None
     approach: Length | None = None
     x: Position = 0.0
     y: Position = 0.0
@@ -46,7 +47,7 @@ class RandomParticlesSection(Section):
 
     length: Length
     width: Length
-    density: Annotated[NonNegative, in_unit("1/m**2")]
+    density: Annotated[NonNegative, Unit("1/m**2")]
     radius: Length
     spread: NonNegative = 0.0
     depth_ratio: Annotated[Positive, Field(lt=1.0)] = 0.05
@@ -74,7 +75,7 @@ class DentsSection(Section):
     particles: Annotated[list[ParticleSection], Field(min_length=1)] | None = None
     random: RandomParticlesSection | None = None
     increments: Count = 8
-    E: Annotated[Positive, in_unit("Pa")] | None = None
+    E: Annotated[Positive, Unit("Pa")] | None = None
     nu: Annotated[float, Field(ge=0.0, lt=0.5)] | None = None
 
     @model_validator(mode="after")

@@ -11,10 +11,11 @@ from ..fatigue import Cycle, Exposure, FatigueField, Life, cycle, exposure, life
 from ..fatigue import criteria as _criteria
 from ..hardness import HardnessProfile
 from ..solutions.state import State
-from .base import Finite, Length, NonNegative, Positive, Section, in_unit
+from .base import Finite, Length, NonNegative, Positive, Section
+from .converted import Unit
 
 Slope = Annotated[Finite, Field(ge=0.0, le=10.0)]
-Stress = Annotated[Positive, in_unit("Pa")]
+Stress = Annotated[Positive, Unit("Pa")]
 CRITERIA = ("dang_van", "crossland", "findley", "fatemi_socie", "orthogonal_shear")
 
 
@@ -41,7 +42,7 @@ class LifeSection(Section):
 
     criterion: Literal["dang_van", "crossland", "findley", "orthogonal_shear"]
     model: Literal["ioannides_harris", "zaretsky"] = "ioannides_harris"
-    limit: Annotated[NonNegative, in_unit("Pa")] = 0.0
+    limit: Annotated[NonNegative, Unit("Pa")] = 0.0
     exponent: Positive | None = None
     depth_exponent: NonNegative | None = None
     weibull: Positive | None = None

@@ -20,14 +20,14 @@ from .base import (
     Positive,
     Section,
     changed,
-    in_unit,
 )
+from .converted import Unit
 from .film_transient import TransientSection, Vectors
 from .surface_shape import SurfaceShape
 
-Velocity = Annotated[Finite | Pair, in_unit("m/s")]
-Angle = Annotated[Finite, in_unit("rad")]
-AngularSpeed = Annotated[Finite, in_unit("rad/s")]
+Velocity = Annotated[Finite | Pair, Unit("m/s")]
+Angle = Annotated[Finite, Unit("rad")]
+AngularSpeed = Annotated[Finite, Unit("rad/s")]
 
 
 class BoundarySection(Section):
@@ -35,7 +35,7 @@ class BoundarySection(Section):
 
     thickness: Length
     friction: NonNegative = 0.1
-    pressure: Annotated[Positive, in_unit("Pa")] | None = None
+    pressure: Annotated[Positive, Unit("Pa")] | None = None
 
     def build(self) -> Boundary:
         return Boundary(**self.model_dump())
@@ -46,21 +46,21 @@ class FilmSection(Section):
 
     speed1: Velocity | None = None
     speed2: Velocity | None = None
-    entrainment: Annotated[Positive, in_unit("m/s")] | None = None
-    speeds: Annotated[list[Positive], Field(min_length=1), in_unit("m/s")] | None = None
+    entrainment: Annotated[Positive, Unit("m/s")] | None = None
+    speeds: Annotated[list[Positive], Field(min_length=1), Unit("m/s")] | None = None
     inner_speed: AngularSpeed | None = None
     outer_speed: AngularSpeed | None = None
     pinion_speed: AngularSpeed | None = None
     slide_to_roll: Finite = 0.0
     angle: Angle = 0.0
     spin: AngularSpeed = 0.0
-    load: Annotated[Positive, in_unit("N")] | None = None
+    load: Annotated[Positive, Unit("N")] | None = None
     load_factor: Positive = 1.0
     approach: Position | None = None
     supply: Length | None = None
     boundary: BoundarySection | None = None
-    roughness1: Annotated[NonNegative, in_unit("m")] = 0.0
-    roughness2: Annotated[NonNegative, in_unit("m")] = 0.0
+    roughness1: Annotated[NonNegative, Unit("m")] = 0.0
+    roughness2: Annotated[NonNegative, Unit("m")] = 0.0
     shear_thinning: bool = False
     thermal: bool = False
     increments: Count = 1

@@ -14,7 +14,8 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from .._util.lazy_scipy import scipy
-from .base import Count, Finite, NonNegative, Positive, Section, in_unit
+from .base import Count, Finite, NonNegative, Positive, Section
+from .converted import Unit
 
 if TYPE_CHECKING:
     from .._util.checks import FloatArray
@@ -30,9 +31,9 @@ _ROWS_BEYOND = 4  # flat rows around a relief, for the splines
 class TransientSection(Section):
     """[film.transient]: duration and steps, load and speeds over time, see `transient`."""
 
-    duration: Annotated[Positive, in_unit("s")]
+    duration: Annotated[Positive, Unit("s")]
     steps: Count | None = None
-    times: Annotated[list[NonNegative], Field(min_length=2), in_unit("s")] | None = None
+    times: Annotated[list[NonNegative], Field(min_length=2), Unit("s")] | None = None
     load_factors: Annotated[list[Positive], Field(min_length=2)] | None = None
     speed_factors: Annotated[list[Finite], Field(min_length=2)] | None = None
 

@@ -8,19 +8,20 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from ..bodies.hardening_laws import LAWS
-from .base import Finite, Length, NonNegative, Positive, Section, in_unit
+from .base import Finite, Length, NonNegative, Positive, Section
+from .converted import Unit
 from .solids import LibrarySolid, Solid, ThermalConstants, models
 
 if TYPE_CHECKING:
     from ..bodies.inclusion import Inclusion
     from ..bodies.material import Material
 
-Point = Annotated[list[Finite], Field(min_length=3, max_length=3), in_unit("m")]
+Point = Annotated[list[Finite], Field(min_length=3, max_length=3), Unit("m")]
 Direction = Annotated[list[Finite], Field(min_length=3, max_length=3)]
 Strain = Finite | Annotated[list[Finite], Field(min_length=6, max_length=6)]
-Ends = Annotated[list[Finite], Field(min_length=2, max_length=2), in_unit("m")]
-Radii = Annotated[list[Positive], Field(min_length=3, max_length=3), in_unit("m")]
-Limits = Annotated[list[NonNegative], Field(min_length=2, max_length=2), in_unit("m")]
+Ends = Annotated[list[Finite], Field(min_length=2, max_length=2), Unit("m")]
+Radii = Annotated[list[Positive], Field(min_length=3, max_length=3), Unit("m")]
+Limits = Annotated[list[NonNegative], Field(min_length=2, max_length=2), Unit("m")]
 
 
 class _Phase(Solid):
@@ -93,7 +94,7 @@ class _RandomInclusions(_Phase):
     box: Annotated[list[Ends], Field(min_length=3, max_length=3)]
     seed: Annotated[int, Field(ge=0)]
     gap: NonNegative = 0.1
-    cover: Annotated[NonNegative, in_unit("m")] = 0.0
+    cover: Annotated[NonNegative, Unit("m")] = 0.0
     cluster: Cluster | None = None
 
     @model_validator(mode="after")

@@ -12,13 +12,14 @@ from pydantic import BeforeValidator, Field, model_validator
 from .. import lubricants
 from ..lubricants import Lubricant, LubricantHeat
 from ..lubricants.grades import DENSITY
-from .base import NonNegative, Positive, Section, in_unit
+from .base import NonNegative, Positive, Section
+from .converted import Unit
 
-Viscosity = Annotated[Positive, in_unit("Pa*s")]
-PressureViscosity = Annotated[NonNegative, in_unit("1/Pa")]
-Kinematic = Annotated[Positive, in_unit("m**2/s")]
-Temperature = Annotated[Positive, in_unit("K")]
-Stress = Annotated[Positive, in_unit("Pa")]
+Viscosity = Annotated[Positive, Unit("Pa*s")]
+PressureViscosity = Annotated[NonNegative, Unit("1/Pa")]
+Kinematic = Annotated[Positive, Unit("m**2/s")]
+Temperature = Annotated[Positive, Unit("K")]
+Stress = Annotated[Positive, Unit("Pa")]
 REFERENCE = LubricantHeat.temperature
 """Default temperature at which the viscosity is given [K]."""
 Density = Literal["dowson-higginson", "incompressible"]
@@ -27,9 +28,9 @@ Density = Literal["dowson-higginson", "incompressible"]
 class LubricantThermal(Section):
     """Thermal constants of a lubricant, see `Lubricant.with_thermal`."""
 
-    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
-    capacity: Annotated[Positive, in_unit("J/(m**3*K)")]
-    beta: Annotated[NonNegative, in_unit("1/K")] | None = None
+    conductivity: Annotated[Positive, Unit("W/(m*K)")]
+    capacity: Annotated[Positive, Unit("J/(m**3*K)")]
+    beta: Annotated[NonNegative, Unit("1/K")] | None = None
     temperature: Temperature | None = None
 
 
@@ -125,9 +126,9 @@ class TabulatedLubricant(_Lubricant):
     """Measured viscosity versus pressure, see `Lubricant.tabulated`."""
 
     kind: Literal["tabulated"]
-    p: Annotated[list[NonNegative], Field(min_length=3), in_unit("Pa")]
-    eta: Annotated[list[Positive], Field(min_length=3), in_unit("Pa*s")]
-    rho: Annotated[list[Positive], Field(min_length=3), in_unit("kg/m**3")] | None = None
+    p: Annotated[list[NonNegative], Field(min_length=3), Unit("Pa")]
+    eta: Annotated[list[Positive], Field(min_length=3), Unit("Pa*s")]
+    rho: Annotated[list[Positive], Field(min_length=3), Unit("kg/m**3")] | None = None
 
     def newtonian(self) -> Lubricant:
         return Lubricant.tabulated(self.p, self.eta, self.rho)
@@ -175,7 +176,7 @@ class OilLubricant(_MineralOil):
     kind: Literal["oil"]
     nu40: Kinematic
     nu100: Kinematic
-    mass_density: Annotated[Positive, in_unit("kg/m**3")] = DENSITY
+    mass_density: Annotated[Positive, Unit("kg/m**3")] = DENSITY
 
     def oil(self) -> lubricants.Oil:
         return lubricants.oil(self.nu40, self.nu100, self.mass_density)

@@ -24,9 +24,8 @@ from .base import (
     Positive,
     Section,
     changed,
-    convert,
-    in_unit,
 )
+from .converted import Unit, convert
 from .retracting import MAX_INCREMENTS, PullOff, settings_of_pull_off
 from .slipping import TANGENTIAL_FIELDS, EndState, Force, Fretting
 from .surface_shape import SelfAffineRoughness
@@ -42,8 +41,8 @@ class _Passes(Section):
     passes: Count = 1
     unload_increments: Count | None = None
     back_and_forth: bool = False
-    speed: Annotated[Positive, in_unit("m/s")] | None = None
-    return_time: Annotated[NonNegative, in_unit("s")] | None = None
+    speed: Annotated[Positive, Unit("m/s")] | None = None
+    return_time: Annotated[NonNegative, Unit("s")] | None = None
 
     @model_validator(mode="after")
     def _moves(self) -> _Passes:
@@ -61,7 +60,7 @@ class Rolling(_Passes):
 
     slide_to_roll: Annotated[float, Field(ge=-2.0, le=2.0)] = 0.0
     lateral_creepage: Finite = 0.0
-    spin: Annotated[Finite, in_unit("1/m")] = 0.0
+    spin: Annotated[Finite, Unit("1/m")] = 0.0
     tangential_load_x: Force | None = None
 
     def scaled(self, factor: float) -> Rolling:
@@ -86,7 +85,7 @@ class Sliding(_Passes):
 class Segment(TiltingSection):
     """[[path]]: ramp of load or approach from the previous value, or passes at a constant value."""
 
-    load: Annotated[Finite, in_unit("N")] | None = None
+    load: Annotated[Finite, Unit("N")] | None = None
     load_factor: NonNegative | None = None
     approach: Position | None = None
     increments: Count = 10
@@ -94,15 +93,14 @@ class Segment(TiltingSection):
     spacing: Literal["linear", "power"] = "linear"
     exponent: Positive = 2.0
     advance: (
-        Annotated[Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], in_unit("m")]
-        | None
+        Annotated[Pair | Annotated[list[Pair], Field(min_length=2, max_length=2)], Unit("m")] | None
     ) = None
     roll: Rolling | None = None
     slide: Sliding | None = None
     fret: Fretting | None = None
     pull_off: Annotated[PullOff | None, BeforeValidator(settings_of_pull_off)] = None
-    duration: Annotated[NonNegative, in_unit("s")] | None = None
-    first_duration: Annotated[Positive, in_unit("s")] | None = None
+    duration: Annotated[NonNegative, Unit("s")] | None = None
+    first_duration: Annotated[Positive, Unit("s")] | None = None
     heat_factor: HeatFactor | None = None
 
     @model_validator(mode="before")
@@ -341,7 +339,7 @@ class RoughRelief(Section):
 
     is_known: ClassVar[bool] = False  # not defined on every grid
     kind: Literal["self_affine"]
-    rms_height: Annotated[NonNegative, in_unit("m")]
+    rms_height: Annotated[NonNegative, Unit("m")]
     hurst: Annotated[float, Field(ge=0.0, le=1.0)]
     wavelength_min: Length | None = None
     wavelength_max: Length | None = None

@@ -14,16 +14,17 @@ from .. import parts
 from .._util.checks import FloatArray
 from ..measured.plain import plain_heights
 from ..parts.indenters import BERKOVICH_HALF_ANGLE, VICKERS_HALF_ANGLE
-from .base import Finite, Length, NonNegative, Pair, Position, Positive, Radius, in_unit
+from .base import Finite, Length, NonNegative, Pair, Position, Positive, Radius
+from .converted import Unit
 from .surface_shape import SurfaceShape
 
 if TYPE_CHECKING:
     from ..problem.grid import Grid
 
-Angle = Annotated[Finite, in_unit("rad")]
-Rounding = Annotated[NonNegative, in_unit("m")]
-Lengths = Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("m")]
-Depths = Annotated[list[NonNegative], Field(min_length=2, max_length=2), in_unit("m")]
+Angle = Annotated[Finite, Unit("rad")]
+Rounding = Annotated[NonNegative, Unit("m")]
+Lengths = Annotated[list[Positive], Field(min_length=2, max_length=2), Unit("m")]
+Depths = Annotated[list[NonNegative], Field(min_length=2, max_length=2), Unit("m")]
 
 
 class _Indenter(SurfaceShape):
@@ -102,7 +103,7 @@ class GearSurface(SurfaceShape):
     relief_length: Lengths | None = None
     relief_exponent: Positive = 1.0
     position: Position | Literal["A", "B", "C", "D", "E"] = "C"
-    torque: Annotated[Positive, in_unit("N*m")] | None = None
+    torque: Annotated[Positive, Unit("N*m")] | None = None
     sharing: Literal["equal", "linear"] = "equal"
 
     @model_validator(mode="after")
@@ -161,8 +162,8 @@ class CamSurface(SurfaceShape):
     eccentricity: Rounding | None = None
     max_lift: Length | None = None
     event_angle: Angle | None = None
-    lift_angle: Annotated[list[Finite], Field(min_length=5), in_unit("rad")] | None = None
-    lift: Annotated[list[NonNegative], Field(min_length=5), in_unit("m")] | None = None
+    lift_angle: Annotated[list[Finite], Field(min_length=5), Unit("rad")] | None = None
+    lift: Annotated[list[NonNegative], Field(min_length=5), Unit("m")] | None = None
     cam_angle: Angle = 0.0
     crown_radius: Radius = math.inf
 

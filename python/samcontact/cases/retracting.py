@@ -6,7 +6,8 @@ from __future__ import annotations
 from typing import Annotated, Any, Literal
 
 from .. import paths
-from .base import Length, Positive, Section, in_unit
+from .base import Length, Positive, Section
+from .converted import Unit
 from .slipping import EndState
 
 MAX_INCREMENTS = 400
@@ -18,7 +19,7 @@ class PullOff(Section):
 
     step: Length | None = None
     until: Literal["apart", "maximum"] = "apart"
-    speed: Annotated[Positive, in_unit("m/s")] | None = None
+    speed: Annotated[Positive, Unit("m/s")] | None = None
 
     def steps(self, increments: int, reached: EndState) -> tuple[paths.Path, EndState]:
         """Return the path and the end state of the segment; `reached` is its initial state.

@@ -17,7 +17,8 @@ from .._util.checks import FloatArray
 from .._util.short_text import in_short
 from ..bearings.rating import STEEL_CONTACT_MODULUS
 from ..bodies.layered import softest
-from .base import Count, Finite, Length, NonNegative, Radius, in_unit
+from .base import Count, Finite, Length, NonNegative, Radius
+from .converted import Unit
 from .errors import SHORT_FORMS
 from .surface_shape import FirstGrid, SurfaceShape
 
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from ..bodies.layered import Body
     from ..problem.grid import Grid
 
-Angle = Annotated[Finite, in_unit("rad")]
+Angle = Annotated[Finite, Unit("rad")]
 Race = Literal["inner", "outer"]
 _REFINED = 80.0
 """Factor on the number of cells along a roller, because the pressure at its ends varies within a
@@ -48,10 +49,10 @@ class RollerSurface(_RollingSurface):
     race: Race = "inner"
     profile: Literal["straight", "crowned", "logarithmic", "lundberg", "table"] = "logarithmic"
     crown_radius: Radius | None = None
-    straight_length: Annotated[NonNegative, in_unit("m")] | None = None
-    design_load: Annotated[NonNegative, in_unit("N")] | None = None
-    profile_y: Annotated[list[Finite], Field(min_length=2), in_unit("m")] | None = None
-    profile_drop: Annotated[list[Finite], Field(min_length=2), in_unit("m")] | None = None
+    straight_length: Annotated[NonNegative, Unit("m")] | None = None
+    design_load: Annotated[NonNegative, Unit("N")] | None = None
+    profile_y: Annotated[list[Finite], Field(min_length=2), Unit("m")] | None = None
+    profile_drop: Annotated[list[Finite], Field(min_length=2), Unit("m")] | None = None
     tilt: Angle = 0.0
     skew: Angle = 0.0
 
@@ -142,12 +143,12 @@ class BearingSurface(_RollingSurface):
     outer_conformity: Finite | None = None
     length: Length | None = None
     profile: Literal["straight", "logarithmic"] | None = None
-    clearance: Annotated[NonNegative, in_unit("m")] | None = None
+    clearance: Annotated[NonNegative, Unit("m")] | None = None
     rows: Count | None = None
     race: Race | None = None
-    radial_load: Annotated[NonNegative, in_unit("N")] | None = None
-    axial_load: Annotated[NonNegative, in_unit("N")] | None = None
-    moment: Annotated[Finite, in_unit("N*m")] | None = None
+    radial_load: Annotated[NonNegative, Unit("N")] | None = None
+    axial_load: Annotated[NonNegative, Unit("N")] | None = None
+    moment: Annotated[Finite, Unit("N*m")] | None = None
 
     @model_validator(mode="after")
     def _buildable(self) -> BearingSurface:

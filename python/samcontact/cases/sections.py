@@ -40,8 +40,8 @@ from .base import (
     Radius,
     Section,
     Velocity,
-    in_unit,
 )
+from .converted import Unit
 from .friction import FrictionField, friction_of
 from .parts import PartSurface
 from .rolling_parts import BearingSurface, RollerSurface
@@ -125,7 +125,7 @@ class FileSurface(SurfaceShape, HeightsFile):
 
     shape: Literal["file"]
     x: Position | None = None
-    fill: Annotated[float, in_unit("m")] | None = None  # -inf: no material
+    fill: Annotated[float, Unit("m")] | None = None  # -inf: no material
     periodic: Literal["", "x", "y", "xy"] = ""
     Rx: Radius | None = None
     Ry: Radius | None = None
@@ -192,7 +192,7 @@ def _law_section(law: type[ContactLaw]) -> type[_LawSection]:
             parameters[item.name] = (Literal[item.metadata["choices"]], item.default)
             continue
         value: Any = list[NonNegative] if item.metadata.get("many") else NonNegative
-        value = Annotated[value, in_unit(item.metadata["unit"])]
+        value = Annotated[value, Unit(item.metadata["unit"])]
         parameters[item.name] = (value, ...) if item.default is MISSING else (value | None, None)
     kind: Any = (Literal[law.kind], ...)
     return create_model(
@@ -225,7 +225,7 @@ def _annotation(allowed: Allowed) -> Any:
     if isinstance(allowed, CountSetting):
         return Count
     limits = Field(gt=allowed.gt, ge=allowed.ge, lt=allowed.lt, le=allowed.le)
-    return Annotated[(Finite, limits, in_unit(allowed.unit)) if allowed.unit else (Finite, limits)]
+    return Annotated[(Finite, limits, Unit(allowed.unit)) if allowed.unit else (Finite, limits)]
 
 
 def settings_section(name: str, module: str, without: tuple[str, ...] = (), **defaults: Any) -> Any:
@@ -279,14 +279,12 @@ class HeatSection(Section):
     factor: HeatFactor | None = None
     partition: Annotated[Finite, Field(ge=0.0, le=1.0)] | None = None
     velocity: Velocity | None = None
-    time: Annotated[Positive, in_unit("s")] | None = None
-    history: Annotated[list[Positive], Field(min_length=2, max_length=2), in_unit("s")] | None = (
-        None
-    )
+    time: Annotated[Positive, Unit("s")] | None = None
+    history: Annotated[list[Positive], Field(min_length=2, max_length=2), Unit("s")] | None = None
     reference: Length | None = None
     track: (
         Annotated[
-            Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("m")
+            Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], Unit("m")
         ]
         | None
     ) = None

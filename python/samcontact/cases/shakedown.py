@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field
 
-from ..shakedown import ShakedownResult, run
 from .base import Finite, Section
 
 if TYPE_CHECKING:
     from pathlib import Path as Folder
 
     from ..paths import Path
+    from ..shakedown import ShakedownResult
     from ..simulation.simulation import Simulation
 
 
@@ -28,6 +28,8 @@ class ShakedownSection(Section):
         self, simulation: Simulation, path: Path, progress: bool, checkpoint: Folder | None = None
     ) -> ShakedownResult:
         """Repeat the path by `samcontact.shakedown.run`, beginning at the state of `simulation`."""
+        from ..shakedown import run  # needed by few cases
+
         return run(
             simulation,
             path,

@@ -11,8 +11,9 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from ..sliding import FrictionCurve, over_speed
-from .base import CaseError, CaseFile, Finite, OutputPlace, Positive, Section, in_unit
+from .base import CaseError, CaseFile, Finite, OutputPlace, Positive, Section
 from .bodies import BodySection
+from .converted import Unit
 from .sections import (
     CylinderSurface,
     FileSurface,
@@ -25,7 +26,7 @@ from .sections import (
 if TYPE_CHECKING:
     import xarray as xr
 
-Speed = Annotated[Positive, in_unit("m/s")]
+Speed = Annotated[Positive, Unit("m/s")]
 _USED = {"law", "E", "nu", "material", "relaxation", "layers", "thickness"}
 """Fields of a body that have an effect on viscoelastic sliding."""
 
@@ -33,9 +34,9 @@ _USED = {"law", "E", "nu", "material", "relaxation", "layers", "thickness"}
 class SlidingSection(Section):
     """[sliding]: load, and velocities of body 1 relative to body 2 along x."""
 
-    load: Annotated[Positive, in_unit("N")] | None = None
-    mean_pressure: Annotated[Positive, in_unit("Pa")] | None = None
-    velocities: Annotated[list[Finite], Field(min_length=1), in_unit("m/s")] | None = None
+    load: Annotated[Positive, Unit("N")] | None = None
+    mean_pressure: Annotated[Positive, Unit("Pa")] | None = None
+    velocities: Annotated[list[Finite], Field(min_length=1), Unit("m/s")] | None = None
     slowest: Speed | None = None
     fastest: Speed | None = None
     per_decade: Annotated[int, Field(ge=1, le=100)] | None = None

@@ -11,13 +11,14 @@ from pydantic import model_validator
 
 from .. import paths
 from ..problem.friction import FrictionLaw
-from .base import Count, Finite, Position, Section, in_unit
+from .base import Count, Finite, Position, Section
+from .converted import Unit
 
 _MOTIONS = ("shift_x", "shift_y", "twist")
 _FORCES = ("tangential_load_x", "tangential_load_y", "torque")
 TANGENTIAL_FIELDS = (*_MOTIONS, *_FORCES)
 
-Force = Annotated[Finite, in_unit("N")]
+Force = Annotated[Finite, Unit("N")]
 
 
 class EndState(NamedTuple):
@@ -38,10 +39,10 @@ class TangentialSection(Section):
 
     shift_x: Position | None = None
     shift_y: Position | None = None
-    twist: Annotated[Finite, in_unit("rad")] | None = None
+    twist: Annotated[Finite, Unit("rad")] | None = None
     tangential_load_x: Force | None = None
     tangential_load_y: Force | None = None
-    torque: Annotated[Finite, in_unit("N*m")] | None = None
+    torque: Annotated[Finite, Unit("N*m")] | None = None
 
     @model_validator(mode="after")
     def _motion_or_force(self) -> TangentialSection:

@@ -18,7 +18,8 @@ from .. import materials
 from ..bodies.hardening_laws import LAWS, Constant, Law
 from ..hardness import HardnessProfile, hardened_case
 from ..materials.library import ADVICE
-from .base import Finite, NonNegative, Positive, Section, changed, in_unit
+from .base import Finite, NonNegative, Positive, Section, changed
+from .converted import Unit
 
 if TYPE_CHECKING:
     from typing_extensions import Self
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 class KinematicHardening(Section):
     """Kinematic hardening, see `Material.with_kinematic_hardening`."""
 
-    modulus: Annotated[Positive | list[Positive], in_unit("Pa")]
+    modulus: Annotated[Positive | list[Positive], Unit("Pa")]
     recovery: NonNegative | list[NonNegative] = 0.0
 
     @model_validator(mode="after")
@@ -48,19 +49,19 @@ class KinematicHardening(Section):
 class ThermalConstants(Section):
     """Thermal constants of a body, see `Material.with_thermal`."""
 
-    conductivity: Annotated[Positive, in_unit("W/(m*K)")]
-    expansion: Annotated[NonNegative, in_unit("1/K")]
-    diffusivity: Annotated[Positive, in_unit("m**2/s")]
+    conductivity: Annotated[Positive, Unit("W/(m*K)")]
+    expansion: Annotated[NonNegative, Unit("1/K")]
+    diffusivity: Annotated[Positive, Unit("m**2/s")]
 
 
 class JohnsonCookSoftening(Section):
     """Yield stress that decreases with temperature, see `softening.JohnsonCook`."""
 
     kind: Literal["johnson_cook"]
-    melting: Annotated[Positive, in_unit("K")]
+    melting: Annotated[Positive, Unit("K")]
     m: Positive
-    reference: Annotated[NonNegative, in_unit("K")] = 293.15
-    ambient: Annotated[NonNegative, in_unit("K")] = 293.15
+    reference: Annotated[NonNegative, Unit("K")] = 293.15
+    ambient: Annotated[NonNegative, Unit("K")] = 293.15
     floor: Annotated[float, Field(gt=0.0, le=1.0)] = 0.01
 
     @model_validator(mode="after")
@@ -73,8 +74,8 @@ class JohnsonCookSoftening(Section):
         return self
 
 
-Depths = Annotated[list[NonNegative], Field(min_length=1), in_unit("m")]
-Stresses = Annotated[list[Finite], in_unit("Pa")]
+Depths = Annotated[list[NonNegative], Field(min_length=1), Unit("m")]
+Stresses = Annotated[list[Finite], Unit("Pa")]
 
 
 class YieldProfile(Section):
@@ -101,7 +102,7 @@ class HardnessSection(Section):
 
     surface: Vickers | None = None
     core: Vickers | None = None
-    depth: Annotated[Positive, in_unit("m")] | None = None
+    depth: Annotated[Positive, Unit("m")] | None = None
     limit: Vickers = 550.0
     z: Depths | None = None
     HV: list[Vickers] | None = None
@@ -128,15 +129,15 @@ class HardnessSection(Section):
 class FreeFaces(Section):
     """Free end faces of a body, see `Material.with_free_faces`."""
 
-    low: Annotated[Finite, in_unit("m")] | None = None
-    high: Annotated[Finite, in_unit("m")] | None = None
+    low: Annotated[Finite, Unit("m")] | None = None
+    high: Annotated[Finite, Unit("m")] | None = None
     method: Literal["exact", "factor"] = "exact"
 
 
 class RelaxationSection(Section):
     """Viscoelastic relaxation of a body, see `Material.with_relaxation`."""
 
-    times: Annotated[list[Positive], Field(min_length=1), in_unit("s")]
+    times: Annotated[list[Positive], Field(min_length=1), Unit("s")]
     shares: Annotated[list[Positive], Field(min_length=1)]
 
 
@@ -170,8 +171,10 @@ class Solid(Section):
         from ..bodies.material import Material
         from ..softening import JohnsonCook
 
-        given = self.model_dump(include={*LAWS[self.law].constants, *_BODY_TABLES})
-        extra = {name: given.pop(name, None) for name in _BODY_TABLES}
+        # not by model_dump, for which pydantic would first build a serializer of each section
+        given = {name: getattr(self, name) for name in LAWS[self.law].constants}
+        sections = {name: getattr(self, name, None) for name in _BODY_TABLES}
+        extra = {name: part if part is None else dict(part) for name, part in sections.items()}
         material: Material = getattr(Material, self.law)(**given)
         if extra["kinematic"] is not None:
             material = material.with_kinematic_hardening(**extra["kinematic"])
@@ -259,9 +262,7 @@ def field_of(constant: Constant) -> Any:
     value: Any = Annotated[float if constant.infinite else Finite, limits]
     if constant.many:
         value = list[value]
-    return (
-        value if constant.unit in ("", "microstrain") else Annotated[value, in_unit(constant.unit)]
-    )
+    return value if constant.unit in ("", "microstrain") else Annotated[value, Unit(constant.unit)]
 
 
 def _model(name: str, law: Law, part: str, namespace: dict[str, Any], *bases: type[Solid]) -> Any:

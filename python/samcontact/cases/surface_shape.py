@@ -13,7 +13,8 @@ from pydantic import Field
 
 from .. import surfaces
 from .._util.checks import FloatArray
-from .base import Length, NonNegative, Section, in_unit
+from .base import Length, NonNegative, Section
+from .converted import Unit
 
 if TYPE_CHECKING:
     from ..bodies.layered import Body
@@ -24,7 +25,7 @@ class SinusoidalRoughness(Section):
     """Sinusoidal roughness A sin(2 pi x/lx) sin(2 pi y/ly)."""
 
     kind: Literal["sinusoidal"]
-    amplitude: Annotated[NonNegative, in_unit("m")]
+    amplitude: Annotated[NonNegative, Unit("m")]
     wavelength_x: Length
     wavelength_y: Length
 
@@ -36,7 +37,7 @@ class SelfAffineRoughness(Section):
     """Random roughness, see `surfaces.rough_self_affine`."""
 
     kind: Literal["self_affine"]
-    rms_height: Annotated[NonNegative, in_unit("m")]
+    rms_height: Annotated[NonNegative, Unit("m")]
     hurst: Annotated[float, Field(ge=0.0, le=1.0)]
     wavelength_min: Length | None = None
     wavelength_max: Length | None = None

@@ -9,14 +9,15 @@ from typing import Annotated, NamedTuple
 from pydantic import model_validator
 
 from .. import paths
-from .base import Finite, in_unit
+from .base import Finite
+from .converted import Unit
 from .slipping import EndState, TangentialSection
 
 _MOMENTS, _TILTS = ("moment_x", "moment_y"), ("tilt_x", "tilt_y")
 TILTING_FIELDS = (*_MOMENTS, *_TILTS)
 
-Moment = Annotated[Finite, in_unit("N*m")]
-Angle = Annotated[Finite, in_unit("rad")]
+Moment = Annotated[Finite, Unit("N*m")]
+Angle = Annotated[Finite, Unit("rad")]
 
 
 class AboutAxis(NamedTuple):

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from .base import BodyNumber, Count, Length, NonNegative, Positive, Section, changed, in_unit
+from .base import BodyNumber, Count, Length, NonNegative, Positive, Section, changed
+from .converted import Unit
 
 if TYPE_CHECKING:
     from ..simulation.simulation import Simulation
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 Cells = Annotated[int, Field(ge=1)]
 WearPerPressure = Annotated[
-    Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], in_unit("1/Pa")
+    Positive | Annotated[list[NonNegative], Field(min_length=2, max_length=2)], Unit("1/Pa")
 ]
 _LAWS = ("threshold", "energy", "archard")
 _STRAIN_FIELDS = ("worn", "smoothing_length", "window", "order", "strain_depth", "keep_heat")

@@ -7,7 +7,6 @@ import click
 
 from .. import materials as _library
 from .errors import short_errors
-from .tables import Sheet, new_console
 
 
 @click.command(short_help="List the library of materials.")
@@ -28,6 +27,8 @@ def materials(name: str | None) -> None:
             click.echo(f"  {constant:<14}{known!s:<18}{known.source}{note}")
         click.echo(f"  laws: {', '.join(entry.laws) or 'none, constants are missing'}")
         return
+    from .tables import Sheet, new_console
+
     sheet = Sheet("Library of materials; samcontact materials NAME shows the sources")
     sheet.add("name", [entry.name for entry in entries])
     for constant in ("E", "nu"):

@@ -14,14 +14,12 @@ import numpy as np
 from rich.console import Console
 
 from .. import hertz, results
-from ..accuracy import AccuracyResult
 from ..accuracy.grid_errors import (
     GridErrors,
     estimate_errors,
     increments_note,
     slope_note,
 )
-from ..accuracy.prescribed import prepare_search
 from ..results.against_hertz import hertz_rows
 from ..results.dataset import completeness
 from ..results.slipping import moved_along, without_rounding
@@ -34,15 +32,14 @@ from ..solutions.peak import peak_of_dataset
 from ..solutions.state import on_common_grid
 from .error_sheet import errors_sheet
 from .errors import StoppedEarlyError, with_resume_hint, write_partial_results
-from .fatigue import write_fatigue
 from .folder import publish, written_names
 from .interrupted import Checkpoints, checkpoints_of
-from .shakedown import write_shakedown
 from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers, values_sheet
 
 if TYPE_CHECKING:
     import xarray as xr
 
+    from ..accuracy.outcome import AccuracyResult
     from ..cases import Case
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
@@ -107,6 +104,8 @@ def solve_to_accuracy(
     The results are those of the finest grid. After an error or an interruption, the best results
     obtained so far are written.
     """
+    from ..accuracy.prescribed import prepare_search  # not needed by other cases
+
     search = prepare_search(case, progress=not console.quiet)
     written = written_names(case, "results", figures, False)
     with checkpoints_of(directory, case, written) as checkpoints:
@@ -193,6 +192,8 @@ class _ContactRun:
             moduli = ", instantaneous moduli" if case.relaxes else ""
             console.print(_comparison(dataset, peak, reference, body, moduli))
         if case.fatigue is not None and not stopped_by:
+            from .fatigue import write_fatigue
+
             shown = case.output.figures and figures
             written += write_fatigue(case, states, self.directory, console, figures=shown)
         if case.output.figures and figures:
@@ -207,6 +208,8 @@ class _ContactRun:
                     format=case.output.format,
                 )
         if case.shakedown is not None and not stopped_by:
+            from .shakedown import write_shakedown
+
             shown = case.output.figures and figures
             repeated = None if self.accurate is None else self.accurate.shakedown
             written += write_shakedown(

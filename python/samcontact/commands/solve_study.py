@@ -21,8 +21,8 @@ from .._util.film_quantities import FILMS
 from .._util.quantities import ASPERITIES
 from .._util.sliding_quantities import SLIDING
 from .._util.wear_quantities import WEAR
-from ..accuracy import AccuracyResult, to_accuracy
-from ..accuracy.prescribed import prepare_search
+from ..accuracy.outcome import AccuracyResult
+from ..accuracy.prescribed import prepare_search, to_accuracy
 from ..asperities.series import pass_results
 from ..cases.film_studies import amount as film_amount
 from ..files.atomic import replacing

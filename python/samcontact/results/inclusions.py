@@ -11,7 +11,6 @@ import numpy as np
 from .._util.checks import FloatArray
 from ..bodies.heterogeneous import Heterogeneous
 from ..bodies.inclusion import Inclusion
-from ..inclusions.interface import interfaces
 from .motion import add
 
 if TYPE_CHECKING:
@@ -101,6 +100,8 @@ def _of_interfaces(state: State, body: int) -> tuple[float, float]:
     """
     if state.offset(body):
         return np.nan, np.nan
+    from ..inclusions.interface import interfaces  # needed by few results
+
     found = interfaces(state, body)
     if not found:
         return np.nan, np.nan

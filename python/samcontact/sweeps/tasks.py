@@ -64,7 +64,7 @@ def search_results(case: Case, search: Mapping[str, Any]) -> xr.Dataset:
 def solved(case: Case) -> xr.Dataset:
     """Return all results of a case that have one value per increment, cycle or case."""
     from .. import results
-    from ..accuracy import to_accuracy
+    from ..accuracy.prescribed import to_accuracy
 
     if case.wear is not None:
         return _of_wear(case)
@@ -101,7 +101,7 @@ def _of_case(values: Mapping[str, float]) -> xr.Dataset:
 
 def _of_wear(case: Case) -> xr.Dataset:
     """Return the results of each wear cycle, with separate variables for the two bodies."""
-    from ..accuracy import to_accuracy
+    from ..accuracy.prescribed import to_accuracy
 
     assert case.wear is not None
     if case.accuracy is not None:

@@ -17,7 +17,7 @@ from objects_of_inclusions import inclusions_and_lives
 from objects_of_motion import viscoelastic_motion
 
 import samcontact as sc
-from samcontact import accuracy, results
+from samcontact import results
 from samcontact._util.display import (
     MAX_REPR_CHARACTERS,
     UNIT_OF_FIELD,
@@ -25,6 +25,7 @@ from samcontact._util.display import (
     in_short,
     quantity,
 )
+from samcontact.accuracy.refinable_case import RefinableCase
 
 E_STAR = 115384615384.6154
 BALL = sc.Material.elastic(210e9, 0.3)
@@ -269,7 +270,7 @@ def public_objects():
     }
     return [
         sc.to_accuracy(balls, 0.5),
-        accuracy.RefinableCase(sc.to_accuracy(balls, 0.5).case),
+        RefinableCase(sc.to_accuracy(balls, 0.5).case),
         sc.Layered([(BALL, 1e-6 / 3)] * 3, BALL),
         grid, steel, relief, heat, simulation, state, state.track(), solver,
         sc.overrolling.Overrolling(state.track(), [state] * 50), collision, cycle, load,

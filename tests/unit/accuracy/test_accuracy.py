@@ -11,8 +11,8 @@ import pytest
 
 import samcontact as sc
 from samcontact import results
-from samcontact.accuracy import RefinableCase, estimate, increments
-from samcontact.accuracy.refinable_case import GridRun
+from samcontact.accuracy import estimate, increments
+from samcontact.accuracy.refinable_case import GridRun, RefinableCase
 from samcontact.cases import Case as SectionsOfCase
 from samcontact.cases import CaseError
 from samcontact.simulation import error_controlled_quantities

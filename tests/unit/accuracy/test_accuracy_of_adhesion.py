@@ -4,7 +4,7 @@
 import pytest
 
 import samcontact as sc
-from samcontact.accuracy import to_accuracy
+from samcontact.accuracy.prescribed import to_accuracy
 
 CASE = {
     "title": "tip",

@@ -9,7 +9,8 @@ import pytest
 
 import samcontact as sc
 from command import fields, invoke
-from samcontact.accuracy import RefinableCase, estimate
+from samcontact.accuracy import estimate
+from samcontact.accuracy.refinable_case import RefinableCase
 from samcontact.cases import Case, load_case
 
 E, LOAD, RADIUS, MU, PULL = 210e9, 100.0, 0.01, 0.4, 0.6

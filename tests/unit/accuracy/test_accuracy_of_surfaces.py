@@ -10,8 +10,9 @@ import pytest
 import samcontact as sc
 from command import fields, invoke
 from samcontact import report, surfaces
-from samcontact.accuracy import RefinableCase, estimate
+from samcontact.accuracy import estimate
 from samcontact.accuracy.grids import slope_between_samples
+from samcontact.accuracy.refinable_case import RefinableCase
 from samcontact.cases import Case
 
 SIDE, CELLS = 1e-4, 16

@@ -6,7 +6,8 @@ import pytest
 
 import samcontact as sc
 from command import invoke
-from samcontact.accuracy import RefinableCase, estimate
+from samcontact.accuracy import estimate
+from samcontact.accuracy.refinable_case import RefinableCase
 from samcontact.cases import Case
 from samcontact.results import open_results
 

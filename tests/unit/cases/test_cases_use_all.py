@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from pydantic import BaseModel
 
+import samcontact as sc
 from case_kinds import (
     ASPERITIES,
     BASE,
@@ -41,7 +42,6 @@ from samcontact.cases import (
     fatigue,
     film_studies,
     kind_of,
-    shakedown,
     sliding,
 )
 
@@ -145,7 +145,7 @@ def computed(tmp_path, monkeypatch):
     for name in fatigue.CRITERIA:
         monkeypatch.setattr(fatigue._criteria, name, lambda *seen, **given: repr((seen, given)))
     monkeypatch.setattr(wear, "run", record)
-    monkeypatch.setattr(shakedown, "run", lambda *given, **named: named)
+    monkeypatch.setattr(sc.shakedown, "run", lambda *given, **named: named)
     monkeypatch.setattr(wear, "fretting", record)
     monkeypatch.setattr(asperities, "collide", record)
     curve = SimpleNamespace(solutions=())

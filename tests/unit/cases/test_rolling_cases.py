@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import samcontact as sc
-from samcontact.accuracy import RefinableCase
+from samcontact.accuracy.refinable_case import RefinableCase
 from samcontact.cases import Case, CaseError, parse_case
 
 ELASTIC = {"law": "elastic", "E": 207e9, "nu": 0.3}
