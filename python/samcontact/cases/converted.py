@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -11,6 +12,7 @@ from typing import Any
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
+from .._util.checks import MAX_NUMBER
 from .._util.short_text import in_short
 from ..units import from_text
 
@@ -24,9 +26,17 @@ def convert(value: Any, unit: str) -> Any:
     if value == "inf":  # as a number, because `from_text` expects a unit
         return math.inf
     try:
-        return from_text(value, unit)
+        number = from_text(value, unit)
     except ImportError as error:  # pydantic collects ValueError only
         raise ValueError(f"{error}; got {in_short(value)}") from error
+    require_magnitude(number)
+    return number
+
+
+def require_magnitude(number: float) -> None:
+    """Raise ValueError for a finite number so large that products with it could overflow."""
+    if MAX_NUMBER < abs(number) <= sys.float_info.max:
+        raise ValueError(f"magnitude must be <= {MAX_NUMBER:g}, got {in_short(number)}")
 
 
 @dataclass(frozen=True)

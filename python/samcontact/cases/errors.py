@@ -5,14 +5,15 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import date, time
 from typing import Any, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
-from .._util.short_text import in_short
+from .._util.short_text import escaped, in_short
 from .allowed import described, discriminated, is_model, members, models_in, opened, tags, unit_of
+from .converted import require_magnitude
 
 MAX_LINES = 20
 """Maximum number of errors reported for one case."""
@@ -74,10 +75,40 @@ _SYNONYMS = {
 
 def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
     """Return each error of a case once, as "field: must be ALLOWED, got VALUE"."""
-    lines = dict.fromkeys(_explain(root, item, content) for item in error.errors())
+    return _first_lines(_explain(root, item, content) for item in error.errors())
+
+
+def refused_values(content: Any) -> list[str]:
+    """Return an error for each text or number that no field of a case allows.
+
+    Texts are written to terminals and file names, so that control characters are rejected. Numbers
+    are rejected if they are so large that their products could overflow.
+    """
+    return _first_lines(_refused_values(content, ()))
+
+
+def _refused_values(content: Any, names: tuple[str | int, ...]) -> Iterator[str]:
+    if isinstance(content, Mapping):
+        for name, value in content.items():
+            yield from _refused_values(value, (*names, name))
+    elif isinstance(content, list):
+        for index, item in enumerate(content):
+            place = (*names, index) if isinstance(item, Mapping) else names
+            yield from _refused_values(item, place)
+    elif isinstance(content, str) and escaped(content) != content:
+        yield f"{_dotted(names)}: must be text without control characters, got {in_short(content)}"
+    elif isinstance(content, (int, float)):
+        try:
+            require_magnitude(content)
+        except ValueError as error:
+            yield f"{_dotted(names)}: {error}"
+
+
+def _first_lines(errors: Iterable[str]) -> list[str]:
+    lines = list(dict.fromkeys(errors))
     if len(lines) > MAX_LINES:
-        return [*list(lines)[:MAX_LINES], f"and {len(lines) - MAX_LINES} more errors"]
-    return list(lines)
+        return [*lines[:MAX_LINES], f"and {len(lines) - MAX_LINES} more errors"]
+    return lines
 
 
 def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
