@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import date, time
@@ -11,66 +10,17 @@ from typing import Any, NamedTuple, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
 
+from .._util.likely_names import LIKELY, SYNONYMS, nearest
 from .._util.short_text import escaped, in_short
 from .allowed import described, discriminated, is_model, members, models_in, opened, tags, unit_of
 from .converted import require_magnitude
 
 MAX_LINES = 20
 """Maximum number of errors reported for one case."""
-_LIKELY = 0.75
-"""Similarity (0 to 1) above which one of two names is probably a misspelling of the other."""
 SHORT_FORMS = ("roller", "bearing")
 """Shapes that users may write as a section: [roller] for [surface] with shape = "roller"."""
 _NUMBER = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
 _NAME = re.compile(r"[\w-]{1,60}")
-
-# Names of fields by synonym; synonyms are in lower case and without separators.
-_SYNONYMS = {
-    "radius": ("R", "Rx", "R1"),
-    "radiusx": ("Rx",),
-    "radiusy": ("Ry",),
-    "r": ("Rx",),
-    "young": ("E",),
-    "youngsmodulus": ("E",),
-    "youngmodulus": ("E",),
-    "elasticmodulus": ("E",),
-    "modulus": ("E",),
-    "poisson": ("nu",),
-    "poissonratio": ("nu",),
-    "poissonsratio": ("nu",),
-    "sigmay": ("yield_stress",),
-    "yieldstrength": ("yield_stress",),
-    "mu": ("friction", "coulomb"),
-    "cof": ("friction", "coulomb"),
-    "coefficient": ("coulomb", "friction"),
-    "force": ("load", "radial_load", "tangential_load_x"),
-    "load": ("radial_load",),
-    "width": ("length", "face_width"),
-    "balls": ("elements",),
-    "rollers": ("elements",),
-    "hv": ("surface",),
-    "vickers": ("surface",),
-    "tolerances": ("tol",),
-    "forcex": ("tangential_load_x",),
-    "forcey": ("tangential_load_y",),
-    "moment": ("moment_x", "torque"),
-    "tilt": ("tilt_x",),
-    "misalignment": ("tilt_x",),
-    "rotation": ("twist",),
-    "creepage": ("slide_to_roll", "advance"),
-    "fretting": ("fret",),
-    "indentation": ("approach",),
-    "displacement": ("approach",),
-    "steps": ("increments",),
-    "tolerance": ("tol",),
-    "material": ("law",),
-    "type": ("law", "kind", "shape"),
-    "name": ("title",),
-    "file": ("path",),
-    "filename": ("path",),
-    "speed": ("velocity",),
-    "folder": ("directory",),
-}
 
 
 def explained(root: type[BaseModel], error: ValidationError, content: Any) -> list[str]:
@@ -148,7 +98,7 @@ def _explain(root: type[BaseModel], item: Any, content: Any) -> str:
 def _hint(root: type[BaseModel], place: _FieldLocation) -> str:
     """Return a hint at the field that an unknown name probably means; "" if none is similar."""
     name = str(place.names[-1])
-    if likely := nearest(name, place.fields, _LIKELY):
+    if likely := nearest(name, place.fields, LIKELY):
         return f"; did you mean {likely}?"
     for key in ("law", "shape", "kind"):
         forms = [one for one in place.forms if is_model(one) and name in one.model_fields]
@@ -190,29 +140,10 @@ def _value_at(content: Any, names: Sequence[str | int], otherwise: Any) -> Any:
     return content
 
 
-def nearest(name: str, fields: Sequence[str], cutoff: float = 0.5) -> str | None:
-    """Return the field probably meant by a wrong name (a synonym or misspelling), or None.
-
-    cutoff: minimum similarity of a misspelling, 1 for equal names. Names less similar than
-    `_LIKELY` must also have a word or their first three letters in common.
-    """
-    lower = {field.lower(): field for field in reversed(fields)}
-    word = re.sub(r"[^a-z]", "", name.lower())
-    for suggestion in _SYNONYMS.get(word, ()):
-        if suggestion in fields:
-            return suggestion
-    for found in difflib.get_close_matches(name.lower(), lower, len(lower) or 1, cutoff=cutoff):
-        similar = difflib.SequenceMatcher(None, name.lower(), found).ratio()
-        words = set(name.lower().split("_")) & set(found.split("_"))
-        if similar >= _LIKELY or words or found[:3] == name[:3].lower():
-            return lower[found]
-    return None
-
-
 def _elsewhere(root: type[BaseModel], name: str) -> str | None:
     """Return "section.field" of another section that has a field of this name, or None."""
     word = re.sub(r"[^a-z]", "", name.lower())
-    for suggestions in ((name,), _SYNONYMS.get(word, ())):
+    for suggestions in ((name,), SYNONYMS.get(word, ())):
         for section, field in root.model_fields.items():
             for model in models_in(field.annotation):
                 for suggestion in (*suggestions, name.removeprefix(f"{section}_")):

@@ -15,9 +15,9 @@ from click.testing import CliRunner
 
 import samcontact as sc
 from command import check_failure, invoke
+from samcontact._util.likely_names import nearest
 from samcontact._util.short_text import escaped
 from samcontact.cases import Case, CaseError, load_case, parse_case
-from samcontact.cases.errors import nearest
 from samcontact.commands.main import main
 
 GRID = sc.Grid(8, 8, 1e-5, 1e-5, 3, 1e-5)
