@@ -98,9 +98,10 @@ int StrainTiles::first_layer() const {
   for (const auto& [tile, part] : tiles_) {
     const Box& box = part->box;
     const std::size_t plane = box.surface_size(), fields = part->values.size() / box.volume_size();
+    const double* values = part->values.data();
     const auto is_empty = [&](int k) {
       for (std::size_t p = 0; p < fields; ++p) {
-        if (!is_zero(part->values.data() + (p * box.layers() + k) * plane, plane)) return false;
+        if (!is_zero(values + (p * box.layers() + k) * plane, plane)) return false;
       }
       return true;
     };
