@@ -95,7 +95,7 @@ class HalfSpace : public Medium {
       return std::make_unique<ResidualDisplacement>(grid, transform, nu, axis, tensor, shallower);
     }
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
-    const auto layer = [&](int k) {
+    const auto layer = [this, axis, grid, offsets](int k) {
       const auto cell = [&](const Grid& own, bool rotated) {
         return residual_influence(rotated ? exchanged(axis) : axis, own, grid.k0 + k);
       };

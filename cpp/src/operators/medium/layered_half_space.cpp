@@ -66,7 +66,7 @@ class LayeredHalfSpace : public Medium {
       const ResidualDisplacement* shallower) const override {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
     const auto lattice = CellOffsets::lattice(offsets.nx, offsets.ny);
-    const auto layer = [&](int k) {
+    const auto layer = [this, axis, grid, lattice](int k) {
       if (!grid.period.is_on()) {
         return layered_residual_displacement(stack_, axis, grid, lattice, grid.k0 + k);
       }

@@ -2,6 +2,8 @@
 #include "samcontact/operators/volume/traction_stress.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
@@ -29,7 +31,9 @@ TractionStress::TractionStress(const Grid& grid, const VolumeTransform& transfor
       medium_(std::move(medium)),
       heat_(std::move(heat)),
       depths_(std::move(depths)),
-      tensor_(tensor) {}
+      tensor_(tensor) {
+  for (Kernels& kernels : kernels_) kernels.resize(depths_.size());
+}
 
 kernels::Parity TractionStress::parity(Part part, int component) {
   auto p = kernels::component_parity(component);
@@ -50,55 +54,58 @@ std::vector<TractionStress::Part> TractionStress::parts(Traction traction) const
   return parts;
 }
 
-void TractionStress::prepare(Traction traction, const TractionStress* shallower) const {
+void TractionStress::prepare(Traction traction, std::span<const int> depths,
+                             const TractionStress* shallower) const {
   const std::lock_guard lock(mutex_);
   const auto needed = parts(traction);
-  if (!spectra_[static_cast<int>(needed[0])].empty()) return;
-  std::unique_lock<std::mutex> other;
-  if (shallower != nullptr) other = std::unique_lock(shallower->mutex_);
-  const Field none;
-  const auto known = [&](Part part) -> const Field& {
-    return shallower != nullptr ? shallower->spectra_[static_cast<int>(part)] : none;
-  };
-  const int first = known(needed[0]).empty() ? 0 : std::min(layers(), shallower->layers());
-  std::vector<std::vector<ParityParts>> heat;
-  if (heat_ && traction == Traction::pressure) {
-    heat.resize(first);
-    const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
-    // Not in parallel: the computation of a table checks for an interrupt, and may throw.
-    for (int k = first; k < layers(); ++k) {
-      heat.push_back(parts_of(heat_->at(depths_[k], grid_, offsets), tensor_));
+  const auto of = [&](Part part) -> Kernels& { return kernels_[static_cast<int>(part)]; };
+  if (shallower != nullptr) {
+    const std::lock_guard other(shallower->mutex_);
+    for (const Part part : needed) {
+      const Kernels& known = shallower->kernels_[static_cast<int>(part)];
+      for (int k = 0; k < std::min(layers(), shallower->layers()); ++k) {
+        if (!of(part)[k]) of(part)[k] = known[k];
+      }
     }
   }
-  std::array<Field, part_count> built;
-  for (const Part part : needed) {
-    built[static_cast<int>(part)] = build(part, heat, first, known(part));
-  }
-  for (const Part part : needed) {
-    spectra_[static_cast<int>(part)] = std::move(built[static_cast<int>(part)]);
-  }
-}
-
-Field TractionStress::build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
-                            const Field& known) const {
-  const fft::ParitySpectrum spectrum(transform_->mx(), transform_->my());
-  Field built(spectrum.size() * count(tensor_) * layers());
-  if (first > 0) copy_layers(known, first, built, layers(), spectrum.hx());
+  std::vector<int> missing;
+  std::ranges::copy_if(depths, std::back_inserter(missing),
+                       [&](int k) { return !of(needed[0])[k]; });
+  if (missing.empty()) return;
   check_interrupt();
-  const auto build_at = [&](int k) {
-    build(part, k, heat.empty() ? std::vector<ParityParts>{} : heat[k], spectrum, built);
-  };
-  if (layers() - first == 1) {  // threads share the work inside
-    build_at(first);
-    return built;
+  const int count = static_cast<int>(missing.size());
+  std::vector<std::vector<ParityParts>> heat(count);
+  if (heat_ && traction == Traction::pressure) {
+    const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
+    // Not in parallel: the computation of a table checks for an interrupt, and may throw.
+    for (int n = 0; n < count; ++n) {
+      heat[n] = parts_of(heat_->at(depths_[missing[n]], grid_, offsets), tensor_);
+    }
   }
+  const fft::ParitySpectrum spectrum(transform_->mx(), transform_->my());
+  std::array<Kernels, part_count> built;
+  for (const Part part : needed) {
+    Kernels& kernels = built[static_cast<int>(part)];
+    kernels.resize(count);
+    const auto build_at = [&](int n) {
+      kernels[n] = std::make_shared<const Field>(build(part, missing[n], heat[n], spectrum));
+    };
+    if (count == 1) {  // threads share the work inside
+      build_at(0);
+      continue;
+    }
 #pragma omp parallel for schedule(dynamic)
-  for (int k = first; k < layers(); ++k) build_at(k);
-  return built;
+    for (int n = 0; n < count; ++n) build_at(n);
+  }
+  for (const Part part : needed) {
+    for (int n = 0; n < count; ++n) {
+      of(part)[missing[n]] = std::move(built[static_cast<int>(part)][n]);
+    }
+  }
 }
 
-void TractionStress::build(Part part, int k, const std::vector<ParityParts>& heat,
-                           const fft::ParitySpectrum& spectrum, Field& built) const {
+Field TractionStress::build(Part part, int k, const std::vector<ParityParts>& heat,
+                            const fft::ParitySpectrum& spectrum) const {
   const int hx = spectrum.hx(), hy = spectrum.hy();
   const KernelOffsets offsets(grid_, transform_->mx(), transform_->my());
   const std::size_t plane = static_cast<std::size_t>(offsets.nx) * offsets.ny;
@@ -110,6 +117,7 @@ void TractionStress::build(Part part, int k, const std::vector<ParityParts>& hea
                                                     : Traction::pressure;
   const Field table =
       elastic ? medium_->stress(traction, grid_, offsets, depths_[k], tensor_) : Field{};
+  Field built(spectrum.size() * count);
   for (int c = 0; c < count; ++c) {
     Field quarter(spectrum.size(), 0.0);
     if (elastic) {
@@ -125,54 +133,83 @@ void TractionStress::build(Part part, int k, const std::vector<ParityParts>& hea
     const auto p = parity(part, places[c]);
     spectrum.transform(quarter.data(), p.odd_x, p.odd_y);
     for (int ky = 0; ky < hy; ++ky) {
-      const std::size_t row = (static_cast<std::size_t>(ky) * count + c) * layers() + k;
+      const std::size_t row = static_cast<std::size_t>(ky) * count + c;
       std::copy_n(quarter.data() + static_cast<std::size_t>(ky) * hx, hx, built.data() + row * hx);
     }
   }
+  return built;
 }
 
 void TractionStress::add(Part part, kernels::Parity input, const Field& traction, double scale,
-                         VolumeSpectrum& out) const {
-  const Field& spectra = spectra_[static_cast<int>(part)];
+                         Depths depths, VolumeSpectrum& out, int to) const {
+  const Kernels& kernels = kernels_[static_cast<int>(part)];
   const int hx = out.mx / 2 + 1;
   const auto places = components(tensor_);
 #pragma omp parallel for schedule(static) if (2.0 * out.data.size() > min_parallel_operations)
   for (int ky = 0; ky < out.mh; ++ky) {
     const double* in = traction.data() + ky * transform_->row_size();
     for (int c = 0; c < out.components; ++c) {
-      const double* quarter =
-          spectra.data() + (static_cast<std::size_t>(ky) * out.components + c) * layers() * hx;
+      const std::size_t row = (static_cast<std::size_t>(ky) * out.components + c) * hx;
       const auto own = parity(part, places[c]);
       const double signed_scale = scale * mirror_sign(out.symmetry, own, input);
-      for (int k = 0; k < std::min(out.nz, layers()); ++k, quarter += hx) {
-        add_parity_product(quarter, own, signed_scale, in, out.row(ky, c, k), *transform_);
+      for (int k = depths.first; k < depths.last; ++k) {
+        add_parity_product(kernels[k]->data() + row, own, signed_scale, in,
+                           out.row(ky, c, to + k - depths.first), *transform_);
       }
     }
   }
-  out.used.assign(out.nz, 1);
 }
 
-void TractionStress::add(Traction kind, const Field& spectrum, double shear_sign,
-                         VolumeSpectrum& out, const TractionStress* shallower) const {
-  prepare(kind, shallower);
-  for (const Part part : parts(kind)) {
-    add(part, vector_parity(kind), spectrum, sign_of(kind, shear_sign), out);
-  }
-}
-
-void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
-                         const TractionStress* shallower) const {
+TractionStress::Spectra TractionStress::spectra(const Tractions& tractions) const {
+  Spectra spectra;
   for (const Traction kind : all_tractions) {
     const Field& field = tractions.of(kind);
     if (field.empty()) continue;
-    add(kind, transform_->forward(field.data(), vector_parity(kind)), shear_sign, out, shallower);
+    spectra[static_cast<int>(kind)] = transform_->forward(field.data(), vector_parity(kind));
   }
+  return spectra;
+}
+
+void TractionStress::prepare(const Spectra& tractions, std::span<const int> depths,
+                             const TractionStress* shallower) const {
+  for (const Traction kind : all_tractions) {
+    if (!tractions[static_cast<int>(kind)].empty()) prepare(kind, depths, shallower);
+  }
+}
+
+void TractionStress::add(const Spectra& tractions, double shear_sign, Depths depths,
+                         VolumeSpectrum& out, int to) const {
+  for (const Traction kind : all_tractions) {
+    const Field& spectrum = tractions[static_cast<int>(kind)];
+    if (spectrum.empty()) continue;
+    for (const Part part : parts(kind)) {
+      add(part, vector_parity(kind), spectrum, sign_of(kind, shear_sign), depths, out, to);
+    }
+    out.used.assign(out.nz, 1);
+  }
+}
+
+void TractionStress::add_depth(const Spectra& tractions, double shear_sign, int depth,
+                               VolumeSpectrum& out) const {
+  add(tractions, shear_sign, {depth, depth + 1}, out, 0);
+}
+
+void TractionStress::add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
+                         const TractionStress* shallower, int first) const {
+  const Spectra known = spectra(tractions);
+  const int last = std::max(first, std::min(out.nz, layers()));
+  std::vector<int> depths(last - first);
+  std::iota(depths.begin(), depths.end(), first);
+  prepare(known, depths, shallower);
+  add(known, shear_sign, {first, last}, out, first);
 }
 
 std::size_t TractionStress::bytes() const {
   const std::lock_guard lock(mutex_);
   std::size_t values = 0;
-  for (const Field& spectrum : spectra_) values += spectrum.size();
+  for (const Kernels& kernels : kernels_) {
+    for (const auto& kernel : kernels) values += kernel ? kernel->size() : 0;
+  }
   return values * sizeof(double);
 }
 
@@ -183,7 +220,7 @@ Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heatin
                         ? std::make_shared<const HeatStress>(grid, heat_of(*medium), heating)
                         : nullptr;
   const std::size_t plane = grid.surface_size();
-  std::array<Field, all_tractions.size()> loads;
+  TractionStress::Spectra loads;
   for (const Traction kind : all_tractions) {
     const Field& field = tractions.of(kind);
     if (!field.empty()) loads[static_cast<int>(kind)] = transform.forward(field.data());
@@ -193,10 +230,8 @@ Field traction_stress(const Grid& grid, const SharedMedium& medium, const Heatin
   for (std::size_t d = 0; d < depths.size(); ++d) {
     VolumeSpectrum spectrum(transform, 1, Tensor::full);
     const TractionStress at(grid, transform, medium, heat, {depths[d]}, Tensor::full);
-    for (const Traction kind : all_tractions) {
-      const Field& load = loads[static_cast<int>(kind)];
-      if (!load.empty()) at.add(kind, load, 1.0, spectrum, nullptr);
-    }
+    at.prepare(loads, std::array{0});
+    at.add_depth(loads, 1.0, 0, spectrum);
     inverse(transform, spectrum, layer.data());
     for (int c = 0; c < 6; ++c) {
       std::copy(layer.begin() + c * plane, layer.begin() + (c + 1) * plane,

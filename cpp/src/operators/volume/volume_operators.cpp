@@ -94,8 +94,8 @@ void VolumeOperators::release_shallower() const {
 
 void VolumeOperators::for_each_layer(
     VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions, double shear_sign,
-    const std::function<void(int layer, const double* stress)>& use, int layers,
-    const Rows& rows) const {
+    const std::function<void(int layer, const double* stress)>& use, int layers, const Rows& rows,
+    int first) const {
   check_interrupt();
   Field far_field;
   if (strain != nullptr) {
@@ -109,7 +109,7 @@ void VolumeOperators::for_each_layer(
       other = shallower_;
     }
     traction_stress_.add(*tractions, shear_sign, spectrum,
-                         other ? &other->traction_stress_ : nullptr);
+                         other ? &other->traction_stress_ : nullptr, first);
     const std::lock_guard lock(mutex_);
     release_shallower();
   }
@@ -118,7 +118,7 @@ void VolumeOperators::for_each_layer(
   {
     Field layer(layer_size);
 #pragma omp for schedule(dynamic)
-    for (int k = 0; k < std::min(layers, spectrum.nz); ++k) {
+    for (int k = first; k < std::min(layers, spectrum.nz); ++k) {
       inverse(transform_, spectrum, k, layer.data(),
               rows ? rows(k) : std::span<const fft::RowRun>());
       if (strain != nullptr) residual_stress_->correct(options_.tensor, far_field, k, layer.data());

@@ -55,8 +55,8 @@ class BandMedium : public VolumeMedium {
       Axis axis, const Grid& grid, const VolumeTransform& transform, Tensor tensor,
       const ResidualDisplacement* shallower) const override {
     const KernelOffsets offsets(grid, transform.mx(), transform.my());
-    const auto layer = [&](int k) {
-      return tables_->residual_displacement(band_, axis, offsets, k);
+    const auto layer = [tables = tables_, band = band_, axis, offsets](int k) {
+      return tables->residual_displacement(band, axis, offsets, k);
     };
     return std::make_unique<ResidualDisplacement>(
         grid, transform, axis, layer, tables_->strained_layers(band_, grid), tensor, shallower);

@@ -98,7 +98,7 @@ void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
   // Not in the loop over zones: cached data are built once, by all threads.
   for (const Around& around : around_) {
     std::ignore = around.operators->residual_stress();
-    for (const Axis axis : axes) std::ignore = around.operators->residual_displacement(axis);
+    for (const Axis axis : axes) around.operators->residual_displacement(axis).build_all();
   }
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {

@@ -146,7 +146,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   } else if (!zones.empty()) {
     // While a body moves, a first guess may strain cells of an elastic matrix.
     const bool some = rests_ && zones.count() == 1 && !setup_.bodies[index_].is_plastic();
-    const Box needed = some ? acting_part(zones, strain_, number_, active) : zones.around();
+    Box needed = some ? acting_part(zones, strain_, number_, active) : zones.around();
+    needed.k0 += cells_.elastic_layers();
     volume_ = std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_,
                                           heating_, needed);
   }

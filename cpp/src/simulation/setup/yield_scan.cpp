@@ -72,16 +72,17 @@ std::vector<LayerRange> all_ranges(const Grid& grid, const Strength& strength) {
   return ranges_of(layers, 0, layers.size(), strength.is_graded());
 }
 
-/// Adds a deviator [component][k][i][j] of the grid, sampled in the middle of coarser cells.
-void add_sampled(const Field& fine, const Grid& grid, const Grid& coarse, int factor, Field& sum) {
+/// Adds one depth of a deviator [component][k][i][j] of the grid, sampled in the middle of coarser
+/// cells; step: numbers between its components.
+void add_sampled(const double* fine, std::size_t step, const Grid& grid, const Grid& coarse,
+                 int factor, Field& sum) {
   double* to = sum.data();
-  const std::size_t plane = grid.surface_size();
   const auto middle = [factor](int n, int cells) {
     return std::min(n * factor + factor / 2, cells - 1);
   };
-  for (const double* from = fine.data(); from != fine.data() + fine.size(); from += plane) {
+  for (const double* const end = sum.data() + sum.size(); to != end; fine += step) {
     for (int i = 0; i < coarse.nx; ++i) {
-      const double* row = from + static_cast<std::size_t>(middle(i, grid.nx)) * grid.ny;
+      const double* row = fine + static_cast<std::size_t>(middle(i, grid.nx)) * grid.ny;
       for (int j = 0; j < coarse.ny; ++j) *to++ += row[middle(j, grid.ny)];
     }
   }
@@ -145,36 +146,52 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
                            double shear_sign, const YieldLimit& limit, const Use& use) const {
   const Grid& grid = level.grid;
   const int nz = level.stress.layers();
-  operators::VolumeSpectrum spectrum(level.transform, nz, Tensor::deviator);
   const auto coarse = [&](const Field& field) {
     return field.empty() ? Field{} : average(field, grid_, grid, level.factor);
   };
-  level.stress.add(
-      {coarse(tractions.pressure), coarse(tractions.shear_x), coarse(tractions.shear_y)},
-      shear_sign, spectrum);
-  const std::size_t plane = grid.surface_size(), n = plane * nz;
-  Field s(5 * n);
-  operators::inverse(level.transform, spectrum, s.data());
-  if (limit.past) {
-    add_sampled(limit.past(depths(grid_, level.ranges)), grid_, grid, level.factor, s);
-  }
-
+  const auto loads = level.stress.spectra(
+      {coarse(tractions.pressure), coarse(tractions.shear_x), coarse(tractions.shear_y)});
+  const Field past = limit.past ? limit.past(depths(grid_, level.ranges)) : Field{};
   const std::vector<LayerLimit> limits = limit.of(level.ranges);
+  std::vector<int> searched;  // elastic material does not yield
   for (int k = 0; k < nz; ++k) {
-    const auto [strength, start] = limits[k];
-    const double bound = strength > 0 ? strength * strength / 3 : -1.0;
-    for (int i = 0; i < grid.nx; ++i) {
-      for (int j = 0; j < grid.ny; ++j) {
-        const std::size_t at = k * plane + static_cast<std::size_t>(i) * grid.ny + j;
-        if (second_invariant(s[at] + start[0], s[n + at] + start[1], s[2 * n + at], s[3 * n + at],
-                             s[4 * n + at] + start[2]) <= bound) {
+    if (limits[k].stress != INFINITY) searched.push_back(k);
+  }
+  level.stress.prepare(loads, searched);
+  const std::size_t plane = grid.surface_size(), all = grid_.surface_size();
+  // By depth: cells [i][j].
+  std::vector<std::vector<std::uint32_t>> beyond(nz);
+#pragma omp parallel
+  {
+    operators::VolumeSpectrum spectrum(level.transform, 1, Tensor::deviator);
+    Field s(5 * plane);
+#pragma omp for schedule(dynamic)
+    for (std::size_t n = 0; n < searched.size(); ++n) {
+      const int k = searched[n];
+      std::ranges::fill(spectrum.data, 0.0);
+      level.stress.add_depth(loads, shear_sign, k, spectrum);
+      operators::inverse(level.transform, spectrum, 0, s.data());
+      if (!past.empty()) {
+        add_sampled(past.data() + k * all, nz * all, grid_, grid, level.factor, s);
+      }
+      const auto [strength, start] = limits[k];
+      const double bound = strength > 0 ? strength * strength / 3 : -1.0;
+      for (std::size_t at = 0; at < plane; ++at) {
+        if (second_invariant(s[at] + start[0], s[plane + at] + start[1], s[2 * plane + at],
+                             s[3 * plane + at], s[4 * plane + at] + start[2]) <= bound) {
           continue;
         }
-        const int i0 = i * level.factor, j0 = j * level.factor;
-        // Down to the next searched depth.
-        use(Box{i0, j0, std::min(level.factor, grid_.nx - i0),
-                std::min(level.factor, grid_.ny - j0), level.ranges[k].end});
+        beyond[k].push_back(static_cast<std::uint32_t>(at));
       }
+    }
+  }
+  for (int k = 0; k < nz; ++k) {
+    for (const std::uint32_t at : beyond[k]) {
+      const int i0 = static_cast<int>(at / grid.ny) * level.factor;
+      const int j0 = static_cast<int>(at % grid.ny) * level.factor;
+      // Down to the next searched depth.
+      use(Box{i0, j0, std::min(level.factor, grid_.nx - i0), std::min(level.factor, grid_.ny - j0),
+              level.ranges[k].end});
     }
   }
 }

@@ -44,6 +44,7 @@ BoxVolume::BoxVolume(const Setup& setup, int body, const Zones& zones, operators
       box_(from_planes_on(zones.around(), setup.grid, symmetry)),
       surface_(box_.layer()),
       rows_{needed.i0 - box_.i0, needed.nx},
+      first_(needed.k0 - box_.k0),
       operators_(setup.cache.volume(body, whole_box(box_, setup.grid, symmetry), tensor, method,
                                     symmetry, heating,
                                     reach_in(setup, body, box_, needed, symmetry))),
@@ -79,7 +80,7 @@ void BoxVolume::for_each_layer(bool strained, const Field& strain,
     operators_->for_each_layer(
         spectrum_, strained ? strain.data() : nullptr, &here, sign,
         [&](int k, const double* stress) { use(0, k, stress); }, spectrum_.nz,
-        [this](int) { return std::span<const fft::RowRun>(&rows_, 1); });
+        [this](int) { return std::span<const fft::RowRun>(&rows_, 1); }, first_);
     return;
   }
   const Field spreaded = strained ? spread(strain) : Field{};

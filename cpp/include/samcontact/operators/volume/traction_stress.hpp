@@ -16,8 +16,8 @@
 
 namespace samcontact::operators {
 
-/// Quarter spectra per component and depth of each part of the stress, built on first use.
-/// Thread-safe.
+/// Quarter spectra per component and depth of each part of the stress; those of a depth are built on
+/// first use. Thread-safe.
 class TractionStress {
  public:
   /// heat: proportional to the pressure; null: none.
@@ -27,12 +27,19 @@ class TractionStress {
   /// out += stress due to tractions [i][j], their shear multiplied by shear_sign, at the first
   /// out.nz depths; their parities in mirrors are those of the components of a vector
   /// (vector_parity()). All layers of `out` are then marked as used. shallower: operator of the
-  /// first depths from which existing spectra are copied; null: no such operator.
+  /// first depths whose spectra are shared; null: no such operator. first: layers above it are left
+  /// out.
   void add(const Tractions& tractions, double shear_sign, VolumeSpectrum& out,
-           const TractionStress* shallower = nullptr) const;
-  /// Adds the stress due to one traction, from its spectrum.
-  void add(Traction kind, const Field& spectrum, double shear_sign, VolumeSpectrum& out,
-           const TractionStress* shallower) const;
+           const TractionStress* shallower = nullptr, int first = 0) const;
+
+  /// Spectra of tractions by kind, empty for those that are absent.
+  using Spectra = std::array<Field, all_tractions.size()>;
+  Spectra spectra(const Tractions& tractions) const;
+  /// Builds the missing kernels of tractions with these spectra at depths given by their indices.
+  void prepare(const Spectra& tractions, std::span<const int> depths,
+               const TractionStress* shallower = nullptr) const;
+  /// out += stress at one depth, in the only layer of `out`.
+  void add_depth(const Spectra& tractions, double shear_sign, int depth, VolumeSpectrum& out) const;
 
   int layers() const { return static_cast<int>(depths_.size()); }
   std::size_t bytes() const;
@@ -45,18 +52,23 @@ class TractionStress {
   static kernels::Parity parity(Part part, int component);
   std::vector<Part> parts(Traction traction) const;
 
-  /// Builds the kernel tables of a traction.
-  void prepare(Traction traction, const TractionStress* shallower) const;
-  /// heat: by depth, empty without heat. first: depths before it are taken over from `known`.
-  Field build(Part part, const std::vector<std::vector<ParityParts>>& heat, int first,
-              const Field& known) const;
-  /// Builds the tables at depth k, with the heat at that depth.
-  void build(Part part, int k, const std::vector<ParityParts>& heat,
-             const fft::ParitySpectrum& spectrum, Field& built) const;
+  /// Depths first..last-1.
+  struct Depths {
+    int first, last;
+  };
+
+  /// Builds the missing kernels of a traction.
+  void prepare(Traction traction, std::span<const int> depths,
+               const TractionStress* shallower) const;
+  /// heat: at the depth, empty without heat.
+  Field build(Part part, int k, const std::vector<ParityParts>& heat,
+              const fft::ParitySpectrum& spectrum) const;
   /// Adds the stress due to the spectrum of a traction with the given parity in mirrored
-  /// directions.
-  void add(Part part, kernels::Parity input, const Field& traction, double scale,
-           VolumeSpectrum& out) const;
+  /// directions; the first depth becomes layer `to`.
+  void add(Part part, kernels::Parity input, const Field& traction, double scale, Depths depths,
+           VolumeSpectrum& out, int to) const;
+  void add(const Spectra& tractions, double shear_sign, Depths depths, VolumeSpectrum& out,
+           int to) const;
 
   Grid grid_;
   const VolumeTransform* transform_;
@@ -65,7 +77,9 @@ class TractionStress {
   std::vector<double> depths_;
   Tensor tensor_;
   mutable std::mutex mutex_;
-  mutable std::array<Field, part_count> spectra_;  // [ky][component][layer][kx <= mx/2]
+  /// By part and depth, [ky][component][kx <= mx/2]; null: not built.
+  using Kernels = std::vector<std::shared_ptr<const Field>>;
+  mutable std::array<Kernels, part_count> kernels_;
 };
 
 /// Stress [component][depth][i][j] [Pa] due to tractions at any depths.

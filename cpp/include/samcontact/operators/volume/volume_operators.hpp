@@ -57,12 +57,14 @@ class VolumeOperators {
   /// Stress layer by layer, in any order and from several threads: calls use(layer, stress
   /// [component][i][j]) for the first layers. spectrum: that of the eigenstrain on entry, zero
   /// without one; destroyed. It may have fewer layers than the grid if the residual stress has no
-  /// far field. rows: the required rows of a layer, as in VolumeTransform::inverse.
+  /// far field. rows: the required rows of a layer, as in VolumeTransform::inverse. first: layers
+  /// above it are left out.
   using Rows = std::function<std::span<const fft::RowRun>(int layer)>;
   void for_each_layer(VolumeSpectrum& spectrum, const double* strain, const Tractions* tractions,
                       double shear_sign,
                       const std::function<void(int layer, const double* stress)>& use,
-                      int layers = std::numeric_limits<int>::max(), const Rows& rows = {}) const;
+                      int layers = std::numeric_limits<int>::max(), const Rows& rows = {},
+                      int first = 0) const;
 
   /// Memory of the kernels built so far [byte].
   std::size_t bytes() const;

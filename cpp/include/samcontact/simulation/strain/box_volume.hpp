@@ -38,6 +38,7 @@ class BoxVolume : public ZoneVolume {
   operators::Tensor tensor_;
   Box box_, surface_;
   fft::RowRun rows_;  // of the box, with needed stress
+  int first_;         // layer of the box with needed stress
   OperatorCache::Operators operators_;
   operators::VolumeSpectrum spectrum_;
 };
