@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "samcontact/kernels/ring_axis.hpp"
+#include "samcontact/kernels/ring_product.hpp"
 
 namespace samcontact::kernels {
 namespace {
@@ -36,11 +37,16 @@ void add_ring(const RingWaves& waves, const ring::Axis& x, const ring::Axis& y, 
       for (std::size_t c = 0; c < count; ++c) values[waves.exchanged[c]](n, m) = share * wave[c];
     }
   }
+  Matrix ring(x.even.rows(), y.even.rows());
   for (std::size_t c = 0; c < count; ++c) {
     const std::size_t other = symmetric ? waves.exchanged[c] : c;
     if (other < c) continue;  // known
     const auto& [odd_x, odd_y, odd_z] = waves.parities[c];
-    const Matrix ring = (odd_x ? x.odd : x.even) * values[c] * (odd_y ? y.odd : y.even).transpose();
+    const Matrix &left = odd_x ? x.odd : x.even, &right = odd_y ? y.odd : y.even;
+    ring_product({left.data(), values[c].data(), right.data(), static_cast<int>(left.rows()),
+                  static_cast<int>(left.cols()), static_cast<int>(right.cols()),
+                  static_cast<int>(right.rows())},
+                 ring.data());
     for (std::size_t n = 0; n < y.places.size(); ++n) {
       double* row = sums.data() + c * plane + y.places[n] * nx;
       for (std::size_t m = 0; m < x.places.size(); ++m) row[x.places[m]] += ring(m, n);

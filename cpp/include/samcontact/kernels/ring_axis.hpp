@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -67,11 +68,30 @@ struct Axis {
     odd.resize(rows, count);
     for (Eigen::Index m = 0; m < count; ++m) {
       const double weight = (m > 0 ? 2.0 : 1.0) * cell / period * sinc(0.5 * k[m] * cell);
-      for (Eigen::Index n = 0; n < rows; ++n) {
-        const double phase = k[m] * at[n];
-        even(n, m) = weight * std::cos(phase);
-        odd(n, m) = weight * std::sin(phase);
+      fill(m, weight, at);
+    }
+  }
+
+ private:
+  /// Offsets after which a phase is computed from scratch: the others follow from the last one by
+  /// the theorem of addition if they are equidistant.
+  static constexpr std::size_t fresh = 16;
+
+  void fill(Eigen::Index m, double weight, const std::vector<double>& at) {
+    double step = 0.0;
+    std::complex<double> wave, turn = 1.0;
+    for (std::size_t n = 0; n < at.size(); ++n) {
+      const double next = n > 0 ? at[n] - at[n - 1] : 0.0;
+      const bool same = std::fabs(next - step) <= 1e-15 * std::fabs(at[n]);
+      if (n % fresh == 0 || !same) {
+        wave = weight * std::polar(1.0, k[m] * at[n]);
+      } else {
+        wave = {wave.real() * turn.real() - wave.imag() * turn.imag(),
+                wave.real() * turn.imag() + wave.imag() * turn.real()};
       }
+      if (!same) turn = std::polar(1.0, k[m] * (step = next));
+      even(static_cast<Eigen::Index>(n), m) = wave.real();
+      odd(static_cast<Eigen::Index>(n), m) = wave.imag();
     }
   }
 };
