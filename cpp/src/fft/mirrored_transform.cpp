@@ -5,14 +5,57 @@
 #include <cmath>
 #include <numbers>
 
+#include "samcontact/base/multiversion.hpp"
+
 namespace samcontact::fft {
 namespace {
 
 /// Buffers of one thread, kept between calls.
 struct Work {
-  Field real, middle;
+  Field real, middle, zeros;
   ComplexField half;
+
+  /// The numbers, or zeros if there are none.
+  const double* or_zeros(const double* values, std::size_t count) {
+    if (values != nullptr) return values;
+    if (zeros.size() < count) zeros.assign(count, 0.0);
+    return zeros.data();
+  }
 };
+
+/// Spectrum z of a whole row, from those of its even and odd part.
+SAMCONTACT_MULTIVERSION
+void merge(const double* c, const double* s, const double* even, const double* odd, double* z,
+           int count) {
+  for (int k = 0; k < count; ++k) {
+    z[2 * k] = c[k] * even[k] + s[k] * odd[k];
+    z[2 * k + 1] = s[k] * even[k] - c[k] * odd[k];
+  }
+}
+SAMCONTACT_MULTIVERSION
+void take_even(const double* c, const double* s, const double* z, double* even, int count) {
+  for (int k = 0; k < count; ++k) even[k] = c[k] * z[2 * k] + s[k] * z[2 * k + 1];
+}
+SAMCONTACT_MULTIVERSION
+void take_odd(const double* c, const double* s, const double* z, double* odd, int count) {
+  for (int k = 0; k < count; ++k) odd[k] = s[k] * z[2 * k] - c[k] * z[2 * k + 1];
+}
+/// image: mirror image of the first number; those of the others are below.
+SAMCONTACT_MULTIVERSION
+void join_rows(const double* even, const double* odd, double* row, double* image, int count) {
+  for (int i = 0; i < count; ++i) {
+    image[-i] = even[i] - odd[i];
+    row[i] = even[i] + odd[i];
+  }
+}
+SAMCONTACT_MULTIVERSION
+void even_part(const double* row, const double* image, double* even, int count) {
+  for (int i = 0; i < count; ++i) even[i] = 0.5 * (row[i] + image[-i]);
+}
+SAMCONTACT_MULTIVERSION
+void odd_part(const double* row, const double* image, double* odd, int count) {
+  for (int i = 0; i < count; ++i) odd[i] = 0.5 * (row[i] - image[-i]);
+}
 
 Work& work() {
   static thread_local Work w;
@@ -45,20 +88,23 @@ MirroredTransform::Mirror::Mirror(int n, int m_)
 }
 
 void MirroredTransform::Mirror::join(const double* even, const double* odd, double* row) const {
-  for (int i = 0; i < stored; ++i) {
-    const double a = even ? even[i] : 0.0, b = odd ? odd[i] : 0.0;
-    row[image(i)] = a - b;
-    row[i] = a + b;
-  }
-  if (!shifted) row[0] = even ? even[0] : 0.0;
+  even = work().or_zeros(even, stored);
+  odd = work().or_zeros(odd, stored);
+  if (shifted) return join_rows(even, odd, row, row + m - 1, stored);
+  row[0] = even[0];
+  join_rows(even + 1, odd + 1, row + 1, row + m - 1, stored - 1);
 }
 
 void MirroredTransform::Mirror::divide(const double* row, int count, double* even,
                                        double* odd) const {
-  for (int i = 0; i < count; ++i) {
-    const double here = row[i], there = row[image(i)];
-    if (even) even[i] = 0.5 * (here + there);
-    if (odd) odd[i] = 0.5 * (here - there);
+  const int first = shifted ? 0 : 1;
+  if (even) {
+    if (!shifted) even[0] = row[0];
+    even_part(row + first, row + m - 1, even + first, count - first);
+  }
+  if (odd) {
+    if (!shifted) odd[0] = 0.0;
+    odd_part(row + first, row + m - 1, odd + first, count - first);
   }
 }
 
@@ -173,16 +219,12 @@ void MirroredTransform::forward_mirrored_columns(std::span<const Plane> planes,
       for (int r = 0; r < rows; ++r) {
         const Complex* z = w.half.data() + static_cast<std::size_t>(r) * mk_;
         if (even >= 0) {
-          double* to = planes[even].spectrum + (ky0 + r) * stride;
-          for (int k = 0; k < mk_; ++k) {
-            to[k] = x_.cos_[k] * z[k].real() + x_.sin_[k] * z[k].imag();
-          }
+          take_even(x_.cos_.data(), x_.sin_.data(), reinterpret_cast<const double*>(z),
+                    planes[even].spectrum + (ky0 + r) * stride, mk_);
         }
         if (odd >= 0) {
-          double* to = planes[odd].spectrum + (ky0 + r) * stride;
-          for (int k = 0; k < mk_; ++k) {
-            to[k] = x_.sin_[k] * z[k].real() - x_.cos_[k] * z[k].imag();
-          }
+          take_odd(x_.cos_.data(), x_.sin_.data(), reinterpret_cast<const double*>(z),
+                   planes[odd].spectrum + (ky0 + r) * stride, mk_);
         }
       }
     }
@@ -236,11 +278,8 @@ void MirroredTransform::inverse_mirrored_columns(std::span<const Plane> planes, 
       for (int r = 0; r < rows; ++r) {
         const double* e = even < 0 ? nullptr : planes[even].spectrum + (ky0 + r) * stride;
         const double* o = odd < 0 ? nullptr : planes[odd].spectrum + (ky0 + r) * stride;
-        Complex* z = w.half.data() + static_cast<std::size_t>(r) * mk_;
-        for (int k = 0; k < mk_; ++k) {
-          const double a = e ? e[k] : 0.0, b = o ? o[k] : 0.0;
-          z[k] = {x_.cos_[k] * a + x_.sin_[k] * b, x_.sin_[k] * a - x_.cos_[k] * b};
-        }
+        auto* z = reinterpret_cast<double*>(w.half.data() + static_cast<std::size_t>(r) * mk_);
+        merge(x_.cos_.data(), x_.sin_.data(), w.or_zeros(e, mk_), w.or_zeros(o, mk_), z, mk_);
       }
       fftw_execute_dft_c2r(columns_inverse_.get(), raw(w.half.data()), w.real.data());
       for (int r = 0; r < rows; ++r) {
@@ -272,11 +311,10 @@ void MirroredTransform::inverse_rows(std::span<const Plane> planes, int even, in
   double* const to_odd = odd < 0 ? nullptr : planes[odd].values;
   for (int ky = 0; ky < mh_; ++ky) {
     const double c = y_.cos_[ky], s = y_.sin_[ky];
-    for (int r = 0; r < rows; ++r) {
-      const std::size_t from = static_cast<std::size_t>(ky) * hx_ + i0 + r;
-      const double a = e ? e[from] : 0.0, b = o ? o[from] : 0.0;
-      w.half[static_cast<std::size_t>(r) * mh_ + ky] = {c * a + s * b, s * a - c * b};
-    }
+    const std::size_t from = static_cast<std::size_t>(ky) * hx_ + i0;
+    const double *a = w.or_zeros(moved(e, from), block), *b = w.or_zeros(moved(o, from), block);
+    Complex* to = w.half.data() + ky;
+    for (int r = 0; r < rows; ++r, to += mh_) *to = {c * a[r] + s * b[r], s * a[r] - c * b[r]};
   }
   fftw_execute_dft_c2r(rows_inverse_.get(), raw(w.half.data()), w.real.data());
   for (int r = 0; r < rows; ++r) {

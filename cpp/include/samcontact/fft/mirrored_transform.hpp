@@ -48,8 +48,6 @@ class MirroredTransform {
   /// Mirror along one direction: n cells padded to m.
   struct Mirror {
     Mirror(int n, int m);
-    /// Index of the mirror image of stored cell i in the padded row.
-    int image(int i) const { return shifted ? m - 1 - i : (m - i) % m; }
     /// Sum of an even and an odd row as a whole row, from the stored cells of each; null: no such
     /// row.
     void join(const double* even, const double* odd, double* row) const;

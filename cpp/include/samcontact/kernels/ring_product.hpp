@@ -5,8 +5,8 @@
 
 namespace samcontact::kernels {
 
-/// result [rows x columns] = left [rows x inner] middle [inner x across] right^T [across x columns];
-/// all stored by columns.
+/// result [rows x columns] = left [rows x inner] middle [inner x across] right^T [across x
+/// columns]; all stored by columns.
 struct RingProduct {
   const double* left;
   const double* middle;

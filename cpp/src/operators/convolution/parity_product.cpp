@@ -9,6 +9,12 @@
 namespace samcontact::operators {
 namespace {
 
+SAMCONTACT_MULTIVERSION
+void add_real_product(const double* quarter, double scale, const double* in, double* out,
+                      int count) {
+  for (int k = 0; k < count; ++k) out[k] += scale * quarter[k] * in[k];
+}
+
 /// out += scale quarter in, complex numbers interleaved, and the product times -i; quarters in
 /// ascending or descending order from the given one.
 SAMCONTACT_MULTIVERSION
@@ -78,7 +84,7 @@ void add_parity_product(const double* quarter, kernels::Parity parity, double sc
       return parity.odd_x ? add_rotated_product(quarter, scale, in, out, modes)
                           : add_product(quarter, scale, in, out, modes);
     default:
-      for (int k = 0; k < modes; ++k) out[k] += scale * quarter[k] * in[k];
+      return add_real_product(quarter, scale, in, out, modes);
   }
 }
 

@@ -30,7 +30,8 @@ int CellHistory::elastic_layers() const {
   const auto plastic = std::ranges::find_if(
       material_, [&](std::uint16_t number) { return body_.material(number).is_plastic(); });
   const Box& box = zones_.around();
-  const auto layers = (plastic - material_.begin()) / static_cast<std::ptrdiff_t>(box.surface_size());
+  const auto layers =
+      (plastic - material_.begin()) / static_cast<std::ptrdiff_t>(box.surface_size());
   return std::min(static_cast<int>(layers), box.layers() - 1);
 }
 

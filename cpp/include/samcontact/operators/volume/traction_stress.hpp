@@ -16,8 +16,8 @@
 
 namespace samcontact::operators {
 
-/// Quarter spectra per component and depth of each part of the stress; those of a depth are built on
-/// first use. Thread-safe.
+/// Quarter spectra per component and depth of each part of the stress; those of a depth are built
+/// on first use. Thread-safe.
 class TractionStress {
  public:
   /// heat: proportional to the pressure; null: none.

@@ -21,7 +21,7 @@ namespace samcontact::simulation {
 class CellHistory {
  public:
   CellHistory(const plasticity::Body& body, MixedCells mixed)
-      : body_(body), mixed_(std::move(mixed)) {}
+      : body_(body), strain_at_yield_(body.strain_at_yield()), mixed_(std::move(mixed)) {}
 
   /// Sets zones, hardening and backstress before the increment, and the strength of the cells.
   void take(const Zones& zones, Field equivalent, Field backstress, const Strength& strength);
@@ -62,7 +62,7 @@ class CellHistory {
     return sum;
   }
 
-  double strain_at_yield() const { return body_.strain_at_yield(); }
+  double strain_at_yield() const { return strain_at_yield_; }
   /// Radial return of a cell with an estimated plastic strain increment.
   plasticity::Return return_map(std::uint32_t cell, const plasticity::Tensor& deviator,
                                 const plasticity::Tensor& guess) const;
@@ -93,6 +93,7 @@ class CellHistory {
                                                    plasticity::Tensors& place) const;
 
   const plasticity::Body& body_;
+  double strain_at_yield_;
   MixedCells mixed_;
   Zones zones_;
   Field equivalent_;                     // before the increment
