@@ -150,6 +150,48 @@ TEST_CASE("kernels of a shallower box are taken over by a deeper one") {
   CHECK(stress_and_displacement(deep) == stress_and_displacement(fresh));
 }
 
+TEST_CASE("coefficients are computed only for layers with strain or with required stress") {
+  const Grid grid(11, 9, 1.0, 1.0, 6, 0.8);
+  const auto coated = medium_of(Stack{{{{300e9, 0.25}, 1.6}}, {210e9, 0.3}});
+  for (const SharedMedium& medium : {half_space({210e9, 0.3}), coated}) {
+    const VolumeOptions options{Tensor::deviator, Symmetry::none, ResidualMethod::fast, 1e-5};
+    const VolumeOperators some(grid, medium, options), all(grid, medium, options);
+    Field strain = symmetric_strain(grid, Symmetry::none, Tensor::deviator);
+    const std::size_t plane = grid.surface_size();
+    for (std::size_t n = 0; n < strain.size(); ++n) {
+      const std::size_t k = n / plane % grid.nz;
+      if (k != 2 && k != 4) strain[n] = 0;
+    }
+    const auto displacement = [&](const VolumeOperators& of) {
+      VolumeSpectrum spectrum = of.make_spectrum();
+      forward(of.transform(), strain.data(), spectrum);
+      Field u(plane);
+      of.residual_displacement(Axis::z).apply(spectrum, u.data());
+      return u;
+    };
+    all.residual_displacement(Axis::z).build_all();
+    CHECK(displacement(some) == displacement(all));
+    CHECK(3 * some.bytes() == all.bytes());
+
+    Tractions tractions;
+    tractions.pressure.assign(strain.begin() + 2 * plane, strain.begin() + 3 * plane);
+    const auto stress = [&](const VolumeOperators& of, int first) {
+      VolumeSpectrum spectrum = of.make_spectrum();
+      forward(of.transform(), strain.data(), spectrum);
+      std::vector<Field> layers(grid.nz);
+      of.for_each_layer(
+          spectrum, strain.data(), &tractions, 1.0,
+          [&](int k, const double* layer) { layers[k].assign(layer, layer + 5 * plane); }, grid.nz,
+          {}, first);
+      return layers;
+    };
+    const VolumeOperators lower(grid, medium, options), whole(grid, medium, options);
+    const auto own = stress(lower, 2), expected = stress(whole, 0);
+    for (int k = 0; k < grid.nz; ++k) CHECK(own[k] == (k < 2 ? Field{} : expected[k]));
+    CHECK(lower.bytes() < whole.bytes());
+  }
+}
+
 TEST_CASE("the effect of strain in a part of a box needs no coefficients beyond its reach") {
   const SharedMedium steel = half_space({210e9, 0.3});
   // With and without equal cell sides.
