@@ -25,16 +25,6 @@ void CellHistory::take(const Zones& zones, Field equivalent, Field backstress,
   }
 }
 
-int CellHistory::elastic_layers() const {
-  if (material_.empty() || mixed_.is_on() || zones_.count() != 1) return 0;
-  const auto plastic = std::ranges::find_if(
-      material_, [&](std::uint16_t number) { return body_.material(number).is_plastic(); });
-  const Box& box = zones_.around();
-  const auto layers =
-      (plastic - material_.begin()) / static_cast<std::ptrdiff_t>(box.surface_size());
-  return std::min(static_cast<int>(layers), box.layers() - 1);
-}
-
 void CellHistory::soften(std::shared_ptr<const BoxField> factor) {
   softening_ = std::move(factor);
   if (!softening_) return;

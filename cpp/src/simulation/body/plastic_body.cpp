@@ -79,6 +79,16 @@ Box acting_part(const Zones& zones, const Field& strain, std::uint8_t number,
   return part.empty() ? zones.around() : part;
 }
 
+/// Number of layers of a box above all cells that can yield, without inclusions.
+int elastic_layers(const plasticity::Body& body, const Strength& strength, const Box& box) {
+  const auto materials = strength.materials(box);
+  const auto plastic = std::ranges::find_if(
+      materials, [&](std::uint16_t number) { return body.material(number).is_plastic(); });
+  if (plastic == materials.end()) return 0;
+  return static_cast<int>(static_cast<std::size_t>(plastic - materials.begin()) /
+                          box.surface_size());
+}
+
 }  // namespace
 
 PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
@@ -147,7 +157,9 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     // While a body moves, a first guess may strain cells of an elastic matrix.
     const bool some = rests_ && zones.count() == 1 && !setup_.bodies[index_].is_plastic();
     Box needed = some ? acting_part(zones, strain_, number_, active) : zones.around();
-    needed.k0 += cells_.elastic_layers();
+    if (!cells_.mixed().is_on()) {
+      needed.k0 += elastic_layers(setup_.bodies[index_], strength_, needed);
+    }
     volume_ = std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_,
                                           heating_, needed);
   }

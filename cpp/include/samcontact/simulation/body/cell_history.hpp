@@ -29,9 +29,6 @@ class CellHistory {
   const MixedCells& mixed() const { return mixed_; }
   MixedCells& mixed() { return mixed_; }
 
-  /// Number of layers of a single zone above all cells that can yield.
-  int elastic_layers() const;
-
   /// Sets the factor on the yield stress in a box that contains the zones; null: 1.
   void soften(std::shared_ptr<const BoxField> factor);
   const std::shared_ptr<const BoxField>& softening() const { return softening_; }
