@@ -32,7 +32,7 @@ Field heat_displacement(const HeatSource& source, const HeatPoints& points, doub
       const double s2 = std::sin(phi) * std::sin(phi);
       sum.add(S * s2, width.v, {factor * s2 * weight});
     }
-    sum.flush();
+    sum.end_width();
   }
   sum.flush();
   return sum.table(0);

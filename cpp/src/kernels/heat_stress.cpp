@@ -72,7 +72,7 @@ void add_width(const HeatQuadrature& quadrature, const HeatSource& source, const
     }
   }
   if (source.is_moving()) {
-    sum.flush();
+    sum.end_width();
   } else {
     sum.add(0, width.v, at_rest);
   }

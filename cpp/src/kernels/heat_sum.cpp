@@ -35,6 +35,10 @@ SAMCONTACT_MULTIVERSION void add_products(const double* f, std::size_t f_stride,
   }
 }
 
+void unite(HeatProfile::Range range, HeatProfile::Range& all) {
+  all = {std::min(all.first, range.first), std::max(all.last, range.last)};
+}
+
 }  // namespace
 
 HeatProfile::HeatProfile(const std::vector<double>& x, double a, double period)
@@ -152,6 +156,13 @@ HeatSum::HeatSum(const HeatSource& source, const HeatPoints& points,
       ny_(points.y.size()),
       tables_(products_.size(), Field(nx_ * ny_)) {
   for (const auto& p : products_) orders_ = std::max({orders_, p.order_x + 1, p.order_y + 1});
+  if (!is_oblique()) {
+    const bool by_x = speed_y_ == 0;
+    along_.resize(products_.size() * max_widths * (by_x ? nx_ : ny_));
+    across_.resize(orders_ * max_widths * (by_x ? ny_ : nx_));
+    f_.resize(orders_ * std::max(nx_, ny_));
+    return;
+  }
   f_.resize(orders_ * batch * nx_);
   g_.resize(orders_ * batch * ny_);
   weighted_.resize(batch * nx_);
@@ -159,12 +170,90 @@ HeatSum::HeatSum(const HeatSource& source, const HeatPoints& points,
 }
 
 void HeatSum::add(double age, double v, const std::array<double, max_weights>& weights) {
+  if (!is_oblique()) {
+    if (widths_.empty() || widths_.back() != v) begin_width(v);
+    add_to_width({age, v, weights});
+    return;
+  }
   terms_.push_back({age, v, weights});
   if (terms_.size() == batch) flush();
 }
 
+void HeatSum::end_width() {
+  check_interrupt();
+  if (is_oblique()) flush();
+}
+
 void HeatSum::flush() {
   check_interrupt();
+  if (is_oblique()) {
+    flush_terms();
+  } else {
+    flush_widths();
+  }
+}
+
+/// Begins the sum of terms of width v.
+void HeatSum::begin_width(double v) {
+  if (widths_.size() == max_widths) flush();
+  const bool by_x = speed_y_ == 0;
+  const std::size_t width = widths_.size(), m = by_x ? ny_ : nx_;
+  if (width == 0) {
+    std::ranges::fill(along_, 0.0);
+    std::ranges::fill(across_, 0.0);
+    rows_ = {static_cast<int>(nx_), 0};
+    columns_ = {static_cast<int>(ny_), 0};
+  }
+  widths_.push_back(v);
+  HeatProfile& profile = by_x ? profile_y_ : profile_x_;
+  const Range range = profile.support(0, 0, reach_ * v);
+  if (range.empty()) return;
+  double* to[3];
+  for (int order = 0; order < orders_; ++order) {
+    to[order] = &across_[(order * max_widths + width) * m + range.first];
+  }
+  profile.evaluate(0, v, range, orders_, to);
+  unite(range, by_x ? columns_ : rows_);
+}
+
+/// Adds a term to the sums of the last width.
+void HeatSum::add_to_width(const Term& term) {
+  const bool by_x = speed_y_ == 0;
+  const std::size_t width = widths_.size() - 1, n = by_x ? nx_ : ny_;
+  const double shift = (by_x ? speed_x_ : speed_y_) * term.age;
+  HeatProfile& profile = by_x ? profile_x_ : profile_y_;
+  const Range range = profile.support(shift, shift, reach_ * term.v);
+  if (range.empty()) return;
+  double* to[3];
+  for (int order = 0; order < orders_; ++order) to[order] = &f_[order * n];
+  profile.evaluate(shift, term.v, range, orders_, to);
+  for (std::size_t p = 0; p < products_.size(); ++p) {
+    const auto [order_x, order_y, weight] = products_[p];
+    const double* from = to[by_x ? order_x : order_y];
+    double* sum = &along_[(p * max_widths + width) * n + range.first];
+    const double factor = term.weights[weight];
+    for (int i = 0; i < range.last - range.first; ++i) sum[i] += factor * from[i];
+  }
+  unite(range, by_x ? rows_ : columns_);
+}
+
+/// Adds the products of the sums along the motion and the profiles across it.
+void HeatSum::flush_widths() {
+  const bool by_x = speed_y_ == 0;
+  if (!widths_.empty() && !rows_.empty() && !columns_.empty()) {
+    for (std::size_t p = 0; p < products_.size(); ++p) {
+      const auto [order_x, order_y, weight] = products_[p];
+      const double* f = by_x ? &along_[p * max_widths * nx_] : &across_[order_x * max_widths * nx_];
+      const double* g = by_x ? &across_[order_y * max_widths * ny_] : &along_[p * max_widths * ny_];
+      add_products(f + rows_.first, nx_, g + columns_.first, ny_, max_widths,
+                   rows_.last - rows_.first, columns_.last - columns_.first,
+                   &tables_[p][rows_.first * ny_ + columns_.first], ny_);
+    }
+  }
+  widths_.clear();
+}
+
+void HeatSum::flush_terms() {
   if (terms_.empty()) return;
   double youngest = terms_[0].age, oldest = youngest, widest = 0;
   for (const Term& term : terms_) {

@@ -55,7 +55,9 @@ struct HeatProduct {
 };
 
 /// Sum of terms for several tables at once. Terms are collected and added a few at a time, so that
-/// a table is read and written once for all of them.
+/// a table is read and written once for all of them. If the source moves along an axis of the grid
+/// or rests, terms of one width have the same profile across the motion: their profiles along the
+/// motion are summed first.
 class HeatSum {
  public:
   static constexpr int max_weights = 3;
@@ -66,6 +68,8 @@ class HeatSum {
   /// Adds a Gaussian of width v; the body has moved for `age` = kappa tau since the heat entered
   /// it.
   void add(double age, double v, const std::array<double, max_weights>& weights);
+  /// States that the following terms differ in width and support from the previous ones.
+  void end_width();
   /// Adds the collected terms; checks for an interrupt (base/interrupt.hpp).
   void flush();
   /// Age above which terms of width v reach no point; infinity for a stationary source.
@@ -77,11 +81,18 @@ class HeatSum {
   const Field& table(int product) const { return tables_[product]; }
 
  private:
-  static constexpr std::size_t batch = 16;
+  static constexpr std::size_t batch = 16, max_widths = 4;
   struct Term {
     double age, v;
     std::array<double, max_weights> weights;
   };
+  using Range = HeatProfile::Range;
+
+  bool is_oblique() const { return speed_x_ != 0 && speed_y_ != 0; }
+  void flush_terms();
+  void begin_width(double v);
+  void add_to_width(const Term& term);
+  void flush_widths();
 
   double speed_x_, speed_y_, reach_;
   HeatProfile profile_x_, profile_y_;
@@ -91,6 +102,11 @@ class HeatSum {
   std::vector<Term> terms_;
   std::vector<Field> tables_;
   Field f_, g_, weighted_;  // [order][term][point]
+  // Of a source that is not oblique: weighted sums of the profiles along the motion,
+  // [product][width][point], and profiles across it, [order][width][point].
+  std::vector<double> widths_;
+  Field along_, across_;
+  Range rows_{}, columns_{};
 };
 
 }  // namespace samcontact::kernels

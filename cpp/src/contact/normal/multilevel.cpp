@@ -49,8 +49,8 @@ constexpr int max_attempts = 4;
 
 class Multilevel::Level {
  public:
-  Level(const Grid& grid, operators::SurfaceInfluence influence)
-      : grid_(grid), influence_(std::move(influence)), displacement_(grid, influence_) {}
+  Level(const Grid& grid, const operators::SurfaceInfluence& influence)
+      : grid_(grid), displacement_(grid, influence) {}
 
   /// Counts the work in units of fft::filter_cost. is_start: the solution only serves as a start,
   /// for which its pressure suffices.
@@ -69,7 +69,6 @@ class Multilevel::Level {
   double rounding(const Field& gap, double lowest, const RigidModes& modes) const;
 
   Grid grid_;
-  operators::SurfaceInfluence influence_;
   operators::SurfaceDisplacement displacement_;
   mutable std::mutex mutex_;
   mutable std::shared_ptr<const NearOperators> near_;  // of the last box size
@@ -221,8 +220,8 @@ class Rounds {
 std::shared_ptr<const NearOperators> Multilevel::Level::near(int nx, int ny) const {
   const std::lock_guard lock(mutex_);
   if (!near_ || near_->displacement.nx() != nx || near_->displacement.ny() != ny) {
-    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_), influence_,
-                                                  displacement_.ends());
+    near_ = std::make_shared<const NearOperators>(Box{0, 0, nx, ny, 0}.grid(grid_),
+                                                  displacement_.influence(), displacement_.ends());
   }
   return near_;
 }
@@ -231,7 +230,7 @@ Field Multilevel::Level::coarse_start(const Field& gap, const RigidModes& modes,
                                       double& work) const {
   {
     const std::lock_guard lock(mutex_);
-    if (!coarser_) coarser_ = std::make_unique<Level>(coarsened(grid_), influence_);
+    if (!coarser_) coarser_ = std::make_unique<Level>(coarsened(grid_), displacement_.influence());
   }
   const Grid& coarse = coarser_->grid();
   const Solution start =
@@ -249,7 +248,8 @@ double Multilevel::Level::rounding(const Field& gap, double lowest, const RigidM
   const double area = grid_.cell_area() * static_cast<double>(grid_.surface_size());
   return rounding_error(
       gap, lowest,
-      normal.value / area * influence_.wave_compliance(2 * std::numbers::pi / longest));
+      normal.value / area *
+          displacement_.influence().wave_compliance(2 * std::numbers::pi / longest));
 }
 
 Solution Multilevel::Level::solve(const Field& initial_gap, const RigidModes& modes, Field pressure,

@@ -9,12 +9,13 @@ namespace samcontact::operators {
 
 SurfaceDisplacement::SurfaceDisplacement(const Grid& grid, const SurfaceInfluence& influence)
     : convolution_(grid),
-      rest_(influence.rest(grid, convolution_.offsets())),
-      ends_(influence.ends(grid)),
-      self_influence_(influence.elastic(grid, CellOffsets::lattice(1, 1))[0]) {
+      influence_(influence.tabulated(grid, convolution_.offsets())),
+      rest_(influence_.rest(grid, convolution_.offsets())),
+      ends_(influence_.ends(grid)),
+      self_influence_(influence_.elastic(grid, CellOffsets::lattice(1, 1))[0]) {
   even_.push_back({compliance_parity(Traction::pressure, Axis::z),
-                   influence.even(grid, CellOffsets::lattice(convolution_.offsets().nx,
-                                                             convolution_.offsets().ny))});
+                   influence_.even(grid, CellOffsets::lattice(convolution_.offsets().nx,
+                                                              convolution_.offsets().ny))});
   convolution_.transform(even_[0]);
   for (ParityKernel& kernel : rest_) convolution_.transform(kernel);
 }

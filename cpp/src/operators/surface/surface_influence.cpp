@@ -75,25 +75,57 @@ double SurfaceInfluence::wave_compliance(double wavenumber) const {
   return sum;
 }
 
+bool SurfaceInfluence::HeatTable::contains(const Grid& grid, const CellOffsets& offsets) const {
+  const auto within = [](const std::vector<int>& values, int n) {
+    return std::ranges::all_of(values, [n](int value) { return value >= 0 && value < n; });
+  };
+  return grid.dx == dx && grid.dy == dy && within(offsets.x, nx) && within(offsets.y, ny);
+}
+
+ParityParts SurfaceInfluence::heat(const Grid& grid, const Offsets& offsets) const {
+  ParityParts sums;
+  for (const auto& [medium, shear_x, heating] : bodies_) {
+    if (!heating.is_on()) continue;
+    auto parts = heat_of(*medium)->displacement(heating, grid.dx, grid.dy, offsets);
+    for (int flip = 0; flip < 4; ++flip) {
+      if (!parts[flip].empty()) add_table(std::move(parts[flip]), sums[flip]);
+    }
+  }
+  return sums;
+}
+
+SurfaceInfluence SurfaceInfluence::tabulated(const Grid& grid, const KernelOffsets& offsets) const {
+  SurfaceInfluence copy = *this;
+  copy.heat_.reset();
+  if (is_heated()) {
+    const auto [nx, ny] = std::pair{offsets.nx, offsets.ny};
+    copy.heat_ = std::make_shared<const HeatTable>(HeatTable{
+        grid.dx, grid.dy, nx, ny, heat(grid, Offsets::lattice(grid.dx, grid.dy, nx, ny))});
+  }
+  return copy;
+}
+
 Field SurfaceInfluence::even(const Grid& grid, const CellOffsets& offsets) const {
   Field table = elastic(grid, offsets);
   if (!is_heated()) return table;
+  if (heat_ && heat_->contains(grid, offsets)) {
+    std::size_t at = 0;
+    for (const int y : offsets.y) {
+      const double* row = heat_->parts[0].data() + static_cast<std::size_t>(y) * heat_->nx;
+      for (const int x : offsets.x) table[at++] += row[x];
+    }
+    return table;
+  }
   // Tables of heat need ascending offsets.
   const CellOffsets sorted{ascending(offsets.x), ascending(offsets.y)};
   const auto place = [](const std::vector<int>& values, int n) {
     return std::lower_bound(values.begin(), values.end(), n) - values.begin();
   };
-  for (const auto& [medium, shear_x, heating] : bodies_) {
-    if (!heating.is_on()) continue;
-    const Field heat =
-        heat_of(*medium)
-            ->displacement(heating, grid.dx, grid.dy, sorted.in_metres(grid.dx, grid.dy))
-            .front();
-    std::size_t at = 0;
-    for (const int y : offsets.y) {
-      const double* row = heat.data() + place(sorted.y, y) * sorted.x.size();
-      for (const int x : offsets.x) table[at++] += row[place(sorted.x, x)];
-    }
+  const Field found = heat(grid, sorted.in_metres(grid.dx, grid.dy)).front();
+  std::size_t at = 0;
+  for (const int y : offsets.y) {
+    const double* row = found.data() + place(sorted.y, y) * sorted.x.size();
+    for (const int x : offsets.x) table[at++] += row[place(sorted.x, x)];
   }
   return table;
 }
@@ -113,10 +145,14 @@ std::vector<ParityKernel> SurfaceInfluence::rest(const Grid& grid,
   std::array<Field, 4> sums;
   sums[1] = sum(Traction::shear_x, grid, CellOffsets::lattice(offsets.nx, offsets.ny),
                 [](const Body& body) { return body.shear_x; });
-  for (const auto& [medium, shear_x, heating] : bodies_) {
-    if (!heating.is_on() || !heating.is_moving()) continue;
-    auto parts = heat_of(*medium)->displacement(
-        heating, grid.dx, grid.dy, Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
+  const bool moving = std::ranges::any_of(
+      bodies_, [](const Body& body) { return body.heating.is_on() && body.heating.is_moving(); });
+  if (moving) {
+    const bool known = heat_ && heat_->dx == grid.dx && heat_->dy == grid.dy &&
+                       heat_->nx == offsets.nx && heat_->ny == offsets.ny;
+    ParityParts parts =
+        known ? heat_->parts
+              : heat(grid, Offsets::lattice(grid.dx, grid.dy, offsets.nx, offsets.ny));
     for (int flip = 1; flip < 4; ++flip) {
       if (!parts[flip].empty()) add_table(std::move(parts[flip]), sums[flip]);
     }

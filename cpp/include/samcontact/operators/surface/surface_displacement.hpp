@@ -47,12 +47,16 @@ class SurfaceDisplacement : public NormalDisplacement {
   /// Effect of free faces, contained in apply(); null: no faces.
   const SharedEndEffects& ends() const { return ends_; }
 
+  /// The influence, with tables of this grid.
+  const SurfaceInfluence& influence() const { return influence_; }
+
   bool has_rest() const { return !rest_.empty(); }
   double self_influence() const override { return self_influence_; }
   double cost() const override { return convolution_.cost() + (ends_ ? ends_->cost() : 0.0); }
 
  private:
   SurfaceConvolution convolution_;
+  SurfaceInfluence influence_;
   std::vector<ParityKernel> even_, rest_;  // spectra
   SharedEndEffects ends_;
   double self_influence_;

@@ -3,6 +3,7 @@
 // coefficients of all contact operators, on any grid.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "samcontact/operators/convolution/surface_convolution.hpp"
@@ -17,6 +18,10 @@ class SurfaceInfluence {
   /// Adds a body. shear_x: shear on it over the pressure [-]. Throws std::invalid_argument for
   /// shear or heat on a body with free faces.
   void add(const SharedMedium& medium, double shear_x = 0.0, const Heating& heating = {});
+
+  /// The same influence with the effect of heat tabulated for the offsets of a grid: other members
+  /// then read it from the table, for all offsets that the table contains.
+  SurfaceInfluence tabulated(const Grid& grid, const KernelOffsets& offsets) const;
 
   /// Part that is even in x and y, [j][i] [m/Pa].
   Field even(const Grid& grid, const CellOffsets& offsets) const;
@@ -39,12 +44,21 @@ class SurfaceInfluence {
     double shear_x;
     Heating heating;
   };
+  /// Effect of heat of all bodies at consecutive offsets, by parity, [j][i] [m/Pa].
+  struct HeatTable {
+    double dx, dy;
+    int nx, ny;
+    ParityParts parts;
+    bool contains(const Grid& grid, const CellOffsets& offsets) const;
+  };
+  ParityParts heat(const Grid& grid, const Offsets& offsets) const;
   /// u_z due to a traction, summed over all bodies with their weights; empty: zero.
   template <class Weight>
   Field sum(Traction traction, const Grid& grid, const CellOffsets& offsets,
             const Weight& weight) const;
 
   std::vector<Body> bodies_;  // those that are not rigid
+  std::shared_ptr<const HeatTable> heat_;
 };
 
 }  // namespace samcontact::operators
