@@ -110,19 +110,22 @@ Box BodySurface::seen() const {
   return seen;
 }
 
-bool BodySurface::may_touch_outside(const Field& gap, double reach) const {
-  if (rim_displacement_ == 0) return false;
+Box BodySurface::possible_contact_outside(const Field& gap, double reach) const {
+  if (rim_displacement_ == 0) return {};
   const Grid& grid = setup_.grid;
   const Box whole = known(), seen = this->seen();
   // A row of the grid between two rows of the body needs both.
   const int first = whole.i0 - seen.i0, end = first + whole.nx - (seen.nx - grid.nx);
-  for (int i = 0; i < grid.nx; ++i) {
-    for (int j = 0; j < grid.ny; ++j) {
-      const bool inside = i >= first && i < end && j >= whole.j0 && j < whole.j0 + whole.ny;
-      if (!inside && gap[static_cast<std::size_t>(i) * grid.ny + j] < reach) return true;
-    }
-  }
-  return false;
+  return bounding_box(grid, [&](std::size_t cell) {
+    if (!(gap[cell] < reach)) return false;
+    const int i = static_cast<int>(cell / grid.ny), j = static_cast<int>(cell % grid.ny);
+    return i < first || i >= end || j < whole.j0 || j >= whole.j0 + whole.ny;
+  });
+}
+
+Box BodySurface::below(const Box& part) const {
+  const Box seen = this->seen();
+  return {part.i0 + seen.i0, part.j0, part.nx + seen.nx - setup_.grid.nx, part.ny, 0};
 }
 
 }  // namespace samcontact::simulation

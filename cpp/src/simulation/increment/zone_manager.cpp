@@ -138,19 +138,19 @@ void ZoneManager::set_zones(PlasticBody& body, const Zones& zones, bool split) {
   softening_.extend(body, whole);
 }
 
-/// Whole box around its zones; empty if there are none.
-bool ZoneManager::may_touch_outside(const Field& gap) const {
-  if (gap.empty()) return false;
+Box ZoneManager::possible_contact_outside(const Field& gap) const {
+  Box outside;
+  if (gap.empty()) return outside;
   double reach = 0.0;
   for (const PlasticBody& body : bodies_) reach += body.surface().rim_displacement();
-  return std::any_of(bodies_.begin(), bodies_.end(), [&](const PlasticBody& body) {
-    return body.surface().may_touch_outside(gap, reach);
-  });
+  for (const PlasticBody& body : bodies_)
+    outside = outside.united(body.surface().possible_contact_outside(gap, reach));
+  return outside;
 }
 
 bool ZoneManager::fit(const Field& gap) {
   const Grid& grid = task_.setup().grid;
-  const bool touches = may_touch_outside(gap);
+  const Box outside = possible_contact_outside(gap);
   bool grown = false;
   for (PlasticBody& body : bodies_) {
     grown = fit_zones(body) || grown;
@@ -170,11 +170,7 @@ bool ZoneManager::fit(const Field& gap) {
     if (needed.empty()) continue;
     // The stress is that of the tractions over the box: it must contain all of them.
     needed = needed.united(window);
-    if (touches) {
-      Box seen = body.surface().seen();
-      seen.nz = 0;
-      needed = needed.united(seen);
-    }
+    if (!outside.empty()) needed = needed.united(body.surface().below(outside));
     if (body.zones().count() == 1 && now.contains(needed)) continue;
     Box around = choice_.with_margin(window);
     if (needed.k0 > 0) around.nz = 0;  // only wider

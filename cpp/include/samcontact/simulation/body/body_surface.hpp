@@ -43,9 +43,11 @@ class BodySurface {
   /// Adds the slip of body 1 relative to body 2 due to the plastic strain of this increment
   /// [2][i][j].
   void add_tangential_displacement_to(Field& free_slip) const;
-  /// Whether residual displacement could close the gap in cells where it is not known, if no
-  /// displacement exceeds `reach` [m].
-  bool may_touch_outside(const Field& gap, double reach) const;
+  /// Box around the cells of the grid in which residual displacement that is not known could close
+  /// the gap, if no displacement exceeds `reach` [m]; empty if there are none.
+  Box possible_contact_outside(const Field& gap, double reach) const;
+  /// Cells of the body that lie in a part of the grid, at least partly; without layers.
+  Box below(const Box& part) const;
   /// Largest residual displacement in the outermost known cells [m], sum over all copies.
   double rim_displacement() const { return copies_ * rim_displacement_; }
 

@@ -72,8 +72,9 @@ class ZoneManager {
   std::vector<Box> rims_with_flow(std::size_t b) const;
   /// Grows the zones for cells outside that yield.
   bool grow_for_yield(PlasticBody& body);
-  /// Whether a body may be in contact where its residual displacement is not known.
-  bool may_touch_outside(const Field& gap) const;
+  /// Box around the cells in which the bodies may be in contact where the residual displacement of
+  /// one of them is not known.
+  Box possible_contact_outside(const Field& gap) const;
   /// Stored box that elastic-plastic body number b needs because of plastic flow in the outermost
   /// cells above `negligible`.
   Box needed_at_rim(std::size_t b, double negligible) const;
