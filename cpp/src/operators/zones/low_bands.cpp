@@ -34,7 +34,36 @@ struct LowBands::Lattice {
   const NodeSpread& nodes() const { return planes.nodes(); }
   std::size_t plane_size() const { return planes.plane_size(); }
   int layers() const { return spectrum.nz; }
+
+  /// Stores the stress of a layer [component][node] in the place of its spectrum, which is used up.
+  void keep(int layer, const double* stress);
+  /// Stored stress of the nodes of a box.
+  void cut(int component, int layer, const Box& box, double* to) const;
 };
+
+void LowBands::Lattice::keep(int layer, const double* stress) {
+  const std::size_t size = plane_size(), length = spectrum.row_size();
+  for (int c = 0; c < spectrum.components; ++c) {
+    for (std::size_t at = 0; at < size; at += length) {
+      std::copy_n(stress + c * size + at, std::min(length, size - at),
+                  spectrum.row(static_cast<int>(at / length), c, layer));
+    }
+  }
+}
+
+void LowBands::Lattice::cut(int component, int layer, const Box& box, double* to) const {
+  const std::size_t length = spectrum.row_size();
+  planes.for_each_piece(box, [&](std::size_t in_box, std::size_t in_plane, std::size_t count) {
+    while (count > 0) {
+      const std::size_t place = in_plane % length, some = std::min(length - place, count);
+      std::copy_n(spectrum.row(static_cast<int>(in_plane / length), component, layer) + place, some,
+                  to + in_box);
+      in_box += some;
+      in_plane += some;
+      count -= some;
+    }
+  });
+}
 
 LowBands::LowBands(std::shared_ptr<const ZoneTables> tables, const std::vector<Box>& zones)
     : tables_(std::move(tables)),
@@ -57,8 +86,6 @@ LowBands::LowBands(std::shared_ptr<const ZoneTables> tables, const std::vector<B
   far_ = std::make_unique<Lattice>(far, of_far, of_far->grid().nz, *tables_);
   find_rows();
   far_strain_ = tables_->borrow(far_->plane_size() * count(tensor_) * far_->layers());
-  far_stress_ = tables_->borrow(far_->planes.sheet_size() * count(tensor_) * layers_);
-  stress_ = tables_->borrow(count(tensor_) * cells_);
 }
 
 void LowBands::find_rows() {
@@ -75,8 +102,7 @@ void LowBands::find_rows() {
 }
 
 LowBands::~LowBands() {
-  for (Field* field :
-       {&middle_->spectrum.data, &far_->spectrum.data, &far_strain_, &far_stress_, &stress_}) {
+  for (Field* field : {&middle_->spectrum.data, &far_->spectrum.data, &far_strain_}) {
     tables_->give_back(std::move(*field));
   }
 }
@@ -126,59 +152,47 @@ void LowBands::add_displacement(Axis axis, double* out) const {
   Field middle(middle_->plane_size()), far(far_->plane_size()), far_room, middle_room;
   far_->operators->residual_displacement(axis).apply(far_->spectrum, far.data());
   middle_->operators->residual_displacement(axis).apply(middle_->spectrum, middle.data());
-  gather(far_->planes.sheet_of(far.data(), far_room),
-         middle_->planes.sheet_of(middle.data(), middle_room), Box::surface(grid_), out);
-}
-
-void LowBands::gather(const double* far, const double* middle, const Box& box,
-                      double* cells) const {
-  const Box nodes = middle_->nodes().reached(box);
+  const Box box = Box::surface(grid_), nodes = middle_->nodes().reached(box);
   Field sum(nodes.surface_size());
-  extract(middle, middle_->planes.sheet(), sum.data(), nodes);
-  far_->nodes().gather(far, far_->planes.sheet(), nodes, sum.data());
-  middle_->nodes().gather(sum.data(), nodes, box, cells);
+  extract(middle_->planes.sheet_of(middle.data(), middle_room), middle_->planes.sheet(), sum.data(),
+          nodes);
+  far_->nodes().gather(far_->planes.sheet_of(far.data(), far_room), far_->planes.sheet(), nodes,
+                       sum.data());
+  middle_->nodes().gather(sum.data(), nodes, box, out);
 }
 
 void LowBands::find_stress(bool strained, const Tractions& tractions, double shear_sign) {
-  const int parts = count(tensor_);
-  const NodePlanes &nodes = middle_->planes, &far_nodes = far_->planes;
-  const std::size_t middle = nodes.plane_size(), far = far_nodes.sheet_size();
+  const NodePlanes& nodes = middle_->planes;
   const Tractions on_middle = spread(tractions, Box::surface(grid_), grid_.ny, nodes);
-  const Tractions on_far = spread(on_middle, nodes.own(), nodes.pitch(), far_nodes);
+  const Tractions on_far = spread(on_middle, nodes.own(), nodes.pitch(), far_->planes);
   if (!strained) {
     for (Lattice* lattice : {middle_.get(), far_.get()}) {
       std::fill(lattice->spectrum.data.begin(), lattice->spectrum.data.end(), 0.0);
     }
   }
   const double* some = strained ? far_strain_.data() : nullptr;
-  far_->operators->for_each_layer(
-      far_->spectrum, some, &on_far, shear_sign,
-      [&](int k, const double* stress) {
-        Field room;
-        for (int c = 0; c < parts; ++c) {
-          std::copy_n(far_nodes.sheet_of(stress + c * far_nodes.plane_size(), room), far,
-                      far_stress_.data() + (static_cast<std::size_t>(k) * parts + c) * far);
-        }
-      },
-      layers_, [&](int k) { return std::span<const fft::RowRun>(far_->rows[k]); });
-  middle_->operators->for_each_layer(
-      middle_->spectrum, some, &on_middle, shear_sign,
-      [&](int k, const double* stress) {
-        Field room;
-        for (int c = 0; c < parts; ++c) {
-          const double* sheet = nodes.sheet_of(stress + c * middle, room);
-          const double* of_far =
-              far_stress_.data() + (static_cast<std::size_t>(k) * parts + c) * far;
-          for (std::size_t z = 0; z < zones_.size(); ++z) {
-            if (k >= zones_[z].nz) continue;
-            const std::size_t size = zones_[z].surface_size();
-            double* to = stress_.data() + c * cells_ + first_[z] + k * size;
-            std::fill_n(to, size, 0.0);
-            gather(of_far, sheet, zones_[z], to);
-          }
-        }
-      },
-      layers_, [&](int k) { return std::span<const fft::RowRun>(middle_->rows[k]); });
+  const auto find = [&](Lattice& lattice, const Tractions& on) {
+    lattice.operators->for_each_layer(
+        lattice.spectrum, some, &on, shear_sign,
+        [&](int k, const double* stress) { lattice.keep(k, stress); }, layers_,
+        [&](int k) { return std::span<const fft::RowRun>(lattice.rows[k]); });
+  };
+  find(*far_, on_far);
+  find(*middle_, on_middle);
+}
+
+void LowBands::stress(std::size_t zone, int layer, double* out) const {
+  const Box& box = zones_[zone];
+  const Box nodes = middle_->nodes().reached(box), far_nodes = far_->nodes().reached(nodes);
+  Field sum(nodes.surface_size()), far(far_nodes.surface_size());
+  const std::size_t size = box.surface_size();
+  std::fill_n(out, count(tensor_) * size, 0.0);
+  for (int c = 0; c < count(tensor_); ++c) {
+    middle_->cut(c, layer, nodes, sum.data());
+    far_->cut(c, layer, far_nodes, far.data());
+    far_->nodes().gather(far.data(), far_nodes, nodes, sum.data());
+    middle_->nodes().gather(sum.data(), nodes, box, out + c * size);
+  }
 }
 
 }  // namespace samcontact::operators

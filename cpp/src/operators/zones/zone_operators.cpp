@@ -222,13 +222,13 @@ void ZoneOperators::stress_of_zone(std::size_t zone, const Field* strain,
   const fft::RowRun rows{box.i0 - around.box.i0, box.nx};
   // A periodic plane needs no image correction from the strain.
   const double unused = 0.0;
-  Field sum(parts * size);
+  Field near_part(size), sum(parts * size);
   const auto with_low = [&](int k, const double* stress) {
+    low_.stress(zone, k, sum.data());
     for (int c = 0; c < parts; ++c) {
-      const double* given = low_.stress().data() + c * cells_ + first_[zone] + k * size;
       double* to = sum.data() + c * size;
-      extract(stress + c * plane_size, plane, to, layer);
-      for (std::size_t n = 0; n < size; ++n) to[n] += given[n];
+      extract(stress + c * plane_size, plane, near_part.data(), layer);
+      for (std::size_t n = 0; n < size; ++n) to[n] += near_part[n];
     }
     use(zone, k, sum.data());
   };

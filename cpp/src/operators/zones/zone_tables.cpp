@@ -15,23 +15,6 @@ constexpr int layers_at_once = 8;
 /// Index of a node within its period.
 int folded(int node, int period) { return ((node % period) + period) % period; }
 
-/// Calls use(first value of the sheet, first value of the plane, number of values) for each piece
-/// of the rows of a sheet that lies in one period.
-template <class Use>
-void for_each_piece(const Box& sheet, const Grid& lattice, const Use& use) {
-  std::size_t from = 0;
-  for (int a = 0; a < sheet.nx; ++a) {
-    const std::size_t row = static_cast<std::size_t>(folded(sheet.i0 + a, lattice.nx)) * lattice.ny;
-    for (int b = 0; b < sheet.ny;) {
-      const int at = folded(sheet.j0 + b, lattice.ny),
-                count = std::min(lattice.ny - at, sheet.ny - b);
-      use(from, row + at, count);
-      from += count;
-      b += count;
-    }
-  }
-}
-
 }  // namespace
 
 NodePlanes::NodePlanes(NodeSpread nodes, const Grid& lattice, bool periodic)
@@ -43,8 +26,23 @@ Box NodePlanes::own() const {
   return periodic_ ? Box{0, 0, lattice_.nx, lattice_.ny, 1} : nodes_.box();
 }
 
+void NodePlanes::for_each_piece(const Box& box, const UsePiece& use) const {
+  const int i0 = periodic_ ? 0 : sheet_.i0, j0 = periodic_ ? 0 : sheet_.j0;
+  std::size_t from = 0;
+  for (int a = box.i0 - i0; a < box.i0 - i0 + box.nx; ++a) {
+    const std::size_t row = static_cast<std::size_t>(folded(a, lattice_.nx)) * lattice_.ny;
+    for (int b = 0; b < box.ny;) {
+      const int at = folded(box.j0 - j0 + b, lattice_.ny),
+                count = std::min(lattice_.ny - at, box.ny - b);
+      use(from, row + at, count);
+      from += count;
+      b += count;
+    }
+  }
+}
+
 void NodePlanes::fold(const double* sheet, double* plane) const {
-  for_each_piece(sheet_, lattice_, [&](std::size_t from, std::size_t to, int count) {
+  for_each_piece(sheet_, [&](std::size_t from, std::size_t to, int count) {
     for (int n = 0; n < count; ++n) plane[to + n] += sheet[from + n];
   });
 }
@@ -59,7 +57,7 @@ void NodePlanes::spread(const double* cells, int pitch, const Box& box, double* 
 const double* NodePlanes::sheet_of(const double* plane, Field& room) const {
   if (!periodic_) return plane;
   room.resize(sheet_size());
-  for_each_piece(sheet_, lattice_, [&](std::size_t to, std::size_t from, int count) {
+  for_each_piece(sheet_, [&](std::size_t to, std::size_t from, int count) {
     std::copy_n(plane + from, count, room.data() + to);
   });
   return room.data();
@@ -195,9 +193,8 @@ Field ZoneTables::borrow(std::size_t count) const {
     field = std::move(*found);
     spare_.erase(found);
   } else {
-    // They are too small for the present zones, which continue to grow slightly.
+    // They are too small for the present zones.
     spare_.clear();
-    field.reserve(count + count / 4);
   }
   field.resize(count);
   return field;

@@ -28,8 +28,8 @@ class LowBands {
   /// Stress due to the transformed strain, or without strain, and to tractions on the grid. The
   /// transformed strain is then used up.
   void find_stress(bool strained, const Tractions& tractions, double shear_sign);
-  /// Stress in the zones: [component][cell] [Pa].
-  const Field& stress() const { return stress_; }
+  /// Stress in a layer of a zone: [component][i][j] [Pa]. Thread-safe.
+  void stress(std::size_t zone, int layer, double* out) const;
 
  private:
   struct Lattice;
@@ -37,8 +37,6 @@ class LowBands {
   /// Finds the rows of the lattice planes that zones read.
   void find_rows();
   void spread_layer(int k, const Field& strain);
-  /// Adds values of far and middle nodes to the cells of a box, one layer.
-  void gather(const double* far, const double* middle, const Box& box, double* cells) const;
 
   std::shared_ptr<const ZoneTables> tables_;
   const Grid& grid_;
@@ -49,8 +47,6 @@ class LowBands {
   Tensor tensor_;
   std::unique_ptr<Lattice> middle_, far_;
   Field far_strain_;  // [component][k][node] of the far lattice
-  Field far_stress_;  // [k][component][node]
-  Field stress_;
 };
 
 /// Zero-initialised numbers of the calling thread, reused between calls.

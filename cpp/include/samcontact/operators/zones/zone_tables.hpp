@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -39,6 +40,10 @@ class NodePlanes {
   Box own() const;
   int pitch() const { return lattice_.ny; }
   bool is_periodic() const { return periodic_; }
+  /// Calls use(first value of the box, first value of the plane, number of values) for each piece
+  /// of the rows of a box in the sheet that is contiguous in the plane.
+  using UsePiece = std::function<void(std::size_t in_box, std::size_t in_plane, int count)>;
+  void for_each_piece(const Box& box, const UsePiece& use) const;
   /// Adds a sheet to the plane, including the parts beyond joined ends.
   void fold(const double* sheet, double* plane) const;
   /// Sheet of a plane, in `room` if they differ.
