@@ -9,6 +9,19 @@ namespace samcontact::simulation {
 
 using operators::Tensor;
 
+void CellHistory::take(const Zones& zones, const PlasticState* history, std::size_t terms,
+                       const Strength& strength) {
+  // Release the old fields first.
+  equivalent_ = Field{};
+  backstress_ = Field{};
+  const std::size_t cells = zones.cells();
+  if (history != nullptr) {
+    take(zones, history->equivalent(zones), history->backstress(zones), strength);
+  } else {
+    take(zones, Field(cells, 0.0), Field(5 * terms * cells, 0.0), strength);
+  }
+}
+
 void CellHistory::take(const Zones& zones, Field equivalent, Field backstress,
                        const Strength& strength) {
   zones_ = zones;

@@ -125,24 +125,14 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   require_memory_of(zones, bytes(zones, split), bytes(this->zones(), split_));
   // Release the old one first: both together may exceed the memory.
   volume_.reset();
-  const int parts = operators::count(tensor_);
-  const std::size_t cells = zones.cells();
-  PlasticFields fields = history_ ? history_->fields(zones)
-                                  : PlasticFields{zones, Field(parts * cells, 0.0),
-                                                  Field(cells, 0.0), Field(cells * 5 * terms, 0.0)};
+  move_strain(zones, active);
   const Field before = met_ && surface_.axes().size() > 1 ? met_->strain(zones) : Field{};
-  // Strain in the zones at this stage includes the last estimate.
-  const Zones& old = cells_.zones();
-  for (int c = 0; c < parts; ++c) {
-    copy_common(strain_.data() + c * old.cells(), old, fields.strain.data() + c * cells, zones);
-  }
-  strain_ = std::move(fields.strain);
-  active.move(number_, old, zones);
-  active_.assign(cells, -1);
+  active_ = std::vector<int>{};
+  active_.assign(zones.cells(), -1);
   for (std::size_t n = 0; n < active.size(); ++n) {
     if (active.cells[n].body == number_) active_[active.cells[n].cell] = static_cast<int>(n);
   }
-  cells_.take(zones, std::move(fields.equivalent), std::move(fields.backstress), strength_);
+  cells_.take(zones, history_.get(), terms, strength_);
   // Cells with inclusions always have unknowns.
   for (const std::uint32_t cell : cells_.mixed().numbers()) {
     if (active_number(cell) >= 0) continue;
@@ -177,6 +167,26 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
   surface_.take(std::move(outside));
+}
+
+void PlasticBody::move_strain(const Zones& zones, ActiveCells& active) {
+  // Strain that includes the last estimate: only unknowns differ from the history. Fields of the
+  // old and the new zones are not kept at the same time.
+  const std::size_t parts = operators::count(tensor_), old = cells_.zones().cells(),
+                    cells = zones.cells();
+  Field estimates;
+  for (const ActiveCells::Cell& own : active.cells) {
+    if (own.body != number_) continue;
+    for (std::size_t c = 0; c < parts; ++c) estimates.push_back(strain_[c * old + own.cell]);
+  }
+  strain_ = Field{};
+  strain_ = history_ ? history_->strain(zones) : Field(parts * cells, 0.0);
+  active.move(number_, cells_.zones(), zones);
+  auto estimate = estimates.begin();
+  for (const ActiveCells::Cell& own : active.cells) {
+    if (own.body != number_) continue;
+    for (std::size_t c = 0; c < parts; ++c) strain_[c * cells + own.cell] = *estimate++;
+  }
 }
 
 void PlasticBody::set_zones(const Zones& zones, std::shared_ptr<const PlasticState> history,

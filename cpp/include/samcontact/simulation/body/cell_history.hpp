@@ -25,6 +25,9 @@ class CellHistory {
 
   /// Sets zones, hardening and backstress before the increment, and the strength of the cells.
   void take(const Zones& zones, Field equivalent, Field backstress, const Strength& strength);
+  /// With hardening and this number of backstresses from the history of the body; null: none.
+  void take(const Zones& zones, const PlasticState* history, std::size_t terms,
+            const Strength& strength);
   const Zones& zones() const { return zones_; }
   const MixedCells& mixed() const { return mixed_; }
   MixedCells& mixed() { return mixed_; }
