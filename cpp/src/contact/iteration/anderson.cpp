@@ -14,8 +14,8 @@ double norm(const Field& v) { return std::sqrt(ordered_dot(v.data(), v.data(), v
 
 template <class Number>
 void AndersonOf<Number>::reset() {
-  last_f_ = {};
-  last_dx_ = {};
+  last_f_ = Field{};
+  last_dx_ = std::vector<Number>{};
   steps_.clear();
   gram_.resize(0, 0);
 }

@@ -5,6 +5,12 @@
 
 namespace samcontact::simulation {
 
+void ActiveCells::reserve(std::size_t count) {
+  cells.reserve(count);
+  stress.reserve(count);
+  before_.reserve(count * components_);
+}
+
 void ActiveCells::append(const Cell& cell, const plasticity::Tensor& strain_before,
                          const plasticity::Tensor& deviator) {
   cells.push_back(cell);

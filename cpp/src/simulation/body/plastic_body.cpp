@@ -242,6 +242,11 @@ double PlasticBody::find_stress(ActiveCells& active) {
   };
   volume_->for_each_layer(strained_, strain_, tractions(), operators::shear_sign(index_), check);
   double largest = 0.0;
+  std::size_t count = active.size();
+  for (const auto& layers : checked) {
+    for (const LayerCheck& layer : layers) count += layer.yielding.size();
+  }
+  active.reserve(count);
   for (const auto& layers : checked) {
     for (const LayerCheck& layer : layers) {
       largest = std::max(largest, layer.largest);

@@ -199,8 +199,12 @@ Target Division::part_of(const State& from, double start, double end) const {
   return part;
 }
 
+Travel Division::travel_at(double end) const {
+  return advanced(from_.travel, scaled(target_.advance, end));
+}
+
 State Division::moved_to(const State& from, double end) const {
-  const Travel to = advanced(from_.travel, scaled(target_.advance, end));
+  const Travel to = travel_at(end);
   return from.travel == to ? from : from.moved(to);
 }
 
@@ -213,7 +217,9 @@ State Division::increment(const State& from, const Target& part) {
 
 State Division::solve(const State& from, double start, double end) {
   const Target part = part_of(from, start, end);
-  State state = increment(moved_to(from, end), part);
+  const Travel to = travel_at(end);
+  // The fields of a body at rest are not copied.
+  State state = from.travel == to ? increment(from, part) : increment(from.moved(to), part);
   const bool passes = from.setup().has_time() && std::isfinite(part.duration);
   if (passes) state.time = from.time + part.duration;
   return state;

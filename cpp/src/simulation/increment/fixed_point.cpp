@@ -209,8 +209,8 @@ class FixedPoint {
     } else if (change_ < best_) {
       best_ = change_;
       is_best_ = true;
-      best_x_ = {};
-      best_f_ = {};
+      best_x_ = Field{};
+      best_f_ = Field{};
     } else if (std::exchange(is_best_, false)) {
       accelerate([&](const auto& anderson) {
         best_x_ = anderson.last_x(x_);
@@ -249,7 +249,7 @@ class FixedPoint {
 
   State finish(int iterations) {
     reset_acceleration();
-    x_ = {};
+    x_ = best_x_ = best_f_ = Field{};
     State state = problem_.finish(mapped_, result_);
     state.plastic_iterations = iterations;
     state.plastic_residual = iterations > 0 ? residual_ : 0.0;

@@ -305,7 +305,7 @@ State PlasticIncrement::finish(const Field& mapped, const Result& result) {
   if (!active_.mixed.empty()) state.largest_mismatch = {largest_mismatch_};
   guess_.remember(bodies_, active_, mapped, state);
   scatter(mapped);
-  active_.stress = {};
+  active_.stress = std::vector<plasticity::Tensor>{};
   bool known = !task_.target.is_prescribed();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const bool moves = bodies_[b].surface().known().contains(bodies_[b].surface().seen());

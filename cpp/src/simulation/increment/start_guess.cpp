@@ -101,6 +101,8 @@ Field StartGuess::find(std::vector<PlasticBody>& bodies, ActiveCells& active) co
     const auto& flow = task_.from.last_flow->bodies[body.index()];
     if (flow.strain.size() != parts * flow.cells.size()) return {};
     const int steps = static_cast<int>(std::lround(task_.from.advance.x[body.index()]));
+    active.reserve(active.size() + flow.cells.size());
+    guess.reserve(guess.size() + flow.strain.size());
     for (std::size_t n = 0; n < flow.cells.size(); ++n) {
       // Inclusions move with the body, the flow of the matrix stays with the contact.
       Cell moved = flow.cells[n];

@@ -35,6 +35,8 @@ class ActiveCells {
   /// Uses all six components, for strain with a trace.
   void keep_trace() { components_ = 6; }
 
+  /// Makes room for a number of cells: without it, appended cells take up to twice their memory.
+  void reserve(std::size_t count);
   void append(const Cell& cell, const plasticity::Tensor& strain_before,
               const plasticity::Tensor& deviator);
   /// Moves to other zones of a body, which contain all its unknowns.

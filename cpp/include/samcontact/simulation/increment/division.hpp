@@ -34,6 +34,7 @@ class Division {
   // Positions along the increment: 0 at its start, 1 at the target.
 
   Target part_of(const State& from, double start, double end) const;
+  Travel travel_at(double end) const;
   State moved_to(const State& from, double end) const;
   State increment(const State& from, const Target& part);
   State solve(const State& from, double start, double end);
