@@ -12,10 +12,21 @@ namespace samcontact::contact {
 
 double norm(const Field& v) { return std::sqrt(ordered_dot(v.data(), v.data(), v.size())); }
 
+namespace {
+
+/// Without room for further growth, which would double the memory.
+template <class Vector>
+void lengthen(Vector& v, std::size_t n) {
+  v.reserve(n);
+  v.resize(n);
+}
+
+}  // namespace
+
 template <class Number>
 void AndersonOf<Number>::reset() {
   last_f_ = Field{};
-  last_dx_ = std::vector<Number>{};
+  last_dx_ = Vector{};
   steps_.clear();
   gram_.resize(0, 0);
 }
@@ -23,10 +34,10 @@ void AndersonOf<Number>::reset() {
 template <class Number>
 void AndersonOf<Number>::remember(const Field& f) {
   const std::size_t n = f.size();
-  last_f_.resize(n, 0.0);
+  lengthen(last_f_, n);
   for (Step& step : steps_) {
-    step.dx.resize(n, Number{0});
-    step.df.resize(n, Number{0});
+    lengthen(step.dx, n);
+    lengthen(step.df, n);
   }
   Eigen::Index m = gram_.rows();
   Step step{std::move(last_dx_), {}};
@@ -37,8 +48,8 @@ void AndersonOf<Number>::remember(const Field& f) {
     gram_ = gram_.bottomRightCorner(m - 1, m - 1).eval();
     --m;
   }
-  step.dx.resize(n, Number{0});
-  step.df.resize(n);
+  lengthen(step.dx, n);
+  lengthen(step.df, n);
   for_each_cell(std::ssize(f),
                 [&](std::ptrdiff_t i) { step.df[i] = static_cast<Number>(f[i] - last_f_[i]); });
   steps_.push_back(std::move(step));
@@ -78,7 +89,7 @@ void AndersonOf<Number>::advance(Field& x) {
     solver.compute(scale.asDiagonal() * gram_ * scale.asDiagonal());
     gamma = scale.asDiagonal() * solver.solve(Eigen::VectorXd(scale.asDiagonal() * gamma));
   }
-  last_dx_.resize(n);
+  lengthen(last_dx_, n);
   for_each_cell(std::ssize(x), [&](std::ptrdiff_t i) {
     double next = x[i] + f[i];
     for (int a = 0; a < m; ++a) {

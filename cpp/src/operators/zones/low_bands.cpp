@@ -25,9 +25,7 @@ struct LowBands::Lattice {
   Lattice(NodePlanes given, ZoneTables::Operators of, int layers, const ZoneTables& tables)
       : planes(std::move(given)),
         operators(std::move(of)),
-        spectrum(operators->transform(), layers, operators->tensor(),
-                 tables.borrow(operators->transform().mh() * operators->transform().row_size() *
-                               count(operators->tensor()) * layers)) {}
+        spectrum(tables.borrow_spectrum(operators->transform(), layers, operators->tensor())) {}
 
   std::vector<std::vector<fft::RowRun>> rows;  // that zones read, by layer
 
@@ -107,6 +105,19 @@ LowBands::~LowBands() {
   }
 }
 
+void LowBands::lend() {
+  for (Lattice* lattice : {middle_.get(), far_.get()}) {
+    tables_->give_back(std::exchange(lattice->spectrum.data, Field{}));
+  }
+}
+
+void LowBands::take_back() {
+  for (Lattice* lattice : {middle_.get(), far_.get()}) {
+    VolumeSpectrum& spectrum = lattice->spectrum;
+    if (spectrum.data.empty()) spectrum.data = tables_->borrow(spectrum.mh * spectrum.stride());
+  }
+}
+
 void LowBands::spread_layer(int k, const Field& strain) {
   const int parts = count(tensor_);
   const std::size_t sheet = middle_->planes.sheet_size();
@@ -142,6 +153,7 @@ void LowBands::spread_layer(int k, const Field& strain) {
 
 void LowBands::transform(const Field& strain) {
   check_interrupt();
+  take_back();
   std::fill(far_strain_.begin(), far_strain_.end(), 0.0);
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < layers_; ++k) spread_layer(k, strain);
@@ -166,6 +178,7 @@ void LowBands::find_stress(bool strained, const Tractions& tractions, double she
   const Tractions on_middle = spread(tractions, Box::surface(grid_), grid_.ny, nodes);
   const Tractions on_far = spread(on_middle, nodes.own(), nodes.pitch(), far_->planes);
   if (!strained) {
+    take_back();
     for (Lattice* lattice : {middle_.get(), far_.get()}) {
       std::fill(lattice->spectrum.data.begin(), lattice->spectrum.data.end(), 0.0);
     }

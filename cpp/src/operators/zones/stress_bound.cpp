@@ -180,7 +180,8 @@ void StressBound::evaluate(const Group& group, const Loads& loads, double shear_
   const int count = static_cast<int>(group.depths.size());
   const auto spectrum_of = [&](const VolumeTransform& transform, const TractionStress& stress,
                                const Tractions& tractions) {
-    VolumeSpectrum spectrum(transform, count, Tensor::deviator);
+    VolumeSpectrum spectrum = tables_->borrow_spectrum(transform, count, Tensor::deviator);
+    std::fill(spectrum.data.begin(), spectrum.data.end(), 0.0);
     stress.add(tractions, shear_sign, spectrum);
     return spectrum;
   };
@@ -231,6 +232,8 @@ void StressBound::evaluate(const Group& group, const Loads& loads, double shear_
     }
     use(group.first + k, bound.data());
   }
+  tables_->give_back(std::move(far.data));
+  if (group.has_middle) tables_->give_back(std::move(middle.data));
 }
 
 void StressBound::for_each_depth(const Tractions& tractions, double shear_sign, const Given& given,

@@ -246,6 +246,7 @@ void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractio
     const Uninterrupted quiet;
     stress_of_zone(z, strain, tractions, shear_sign, use);
   }
+  low_.lend();
 }
 
 }  // namespace samcontact::operators

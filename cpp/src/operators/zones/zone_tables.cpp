@@ -9,8 +9,9 @@
 namespace samcontact::operators {
 namespace {
 
-/// Tables have a multiple of this number of layers, so that they can be reused for zones that grow.
-constexpr int layers_at_once = 8;
+/// Tables have a multiple of this number of layers, so that they can be reused for zones that grow;
+/// those of the near band are many and small.
+constexpr int layers_at_once = 4, near_layers_at_once = 8;
 
 /// Index of a node within its period.
 int folded(int node, int period) { return ((node % period) + period) % period; }
@@ -152,7 +153,8 @@ NodePlanes ZoneTables::planes(Band band, NodeSpread nodes, int layers) const {
 }
 
 ZoneTables::Operators ZoneTables::of(Band band, Grid lattice) const {
-  lattice.nz = (lattice.nz + layers_at_once - 1) / layers_at_once * layers_at_once;
+  const int some = band == Band::near ? near_layers_at_once : layers_at_once;
+  lattice.nz = (lattice.nz + some - 1) / some * some;
   const std::lock_guard lock(mutex_);
   const auto at =
       kept_.try_emplace({static_cast<int>(band), lattice.nx, lattice.ny, lattice.nz}).first;
@@ -198,6 +200,12 @@ Field ZoneTables::borrow(std::size_t count) const {
   }
   field.resize(count);
   return field;
+}
+
+VolumeSpectrum ZoneTables::borrow_spectrum(const VolumeTransform& transform, int layers,
+                                           Tensor tensor) const {
+  const std::size_t plane = transform.mh() * transform.row_size();
+  return {transform, layers, tensor, borrow(plane * count(tensor) * layers)};
 }
 
 void ZoneTables::give_back(Field field) const {

@@ -31,17 +31,18 @@ class AndersonOf {
   Field last_x(const Field& x) const;
 
  private:
+  using Vector = std::vector<Number, AlignedAllocator<Number>>;
   struct Step {
-    std::vector<Number> dx, df;
+    Vector dx, df;
   };
   void remember(const Field& f);
   void advance(Field& x);
 
   int depth_;
   Field last_f_;
-  std::vector<Number> last_dx_;  // of the last step
-  std::deque<Step> steps_;       // oldest first
-  Eigen::MatrixXd gram_;         // of the df
+  Vector last_dx_;          // of the last step
+  std::deque<Step> steps_;  // oldest first
+  Eigen::MatrixXd gram_;    // of the df
 };
 
 extern template class AndersonOf<float>;

@@ -30,10 +30,13 @@ class LowBands {
   void find_stress(bool strained, const Tractions& tractions, double shear_sign);
   /// Stress in a layer of a zone: [component][i][j] [Pa]. Thread-safe.
   void stress(std::size_t zone, int layer, double* out) const;
+  /// Returns most of the memory to the tables until the next call of transform() or find_stress().
+  void lend();
 
  private:
   struct Lattice;
 
+  void take_back();
   /// Finds the rows of the lattice planes that zones read.
   void find_rows();
   void spread_layer(int k, const Field& strain);

@@ -97,6 +97,8 @@ class ZoneTables {
   /// Number array, to be returned for the next set of zones: the system would clear large new
   /// arrays page by page each time.
   Field borrow(std::size_t count) const;
+  /// Spectrum in a borrowed array, with its content.
+  VolumeSpectrum borrow_spectrum(const VolumeTransform& transform, int layers, Tensor tensor) const;
   void give_back(Field field) const;
   /// Memory of the tables [byte], without lent arrays, whose number depends on earlier solutions.
   std::size_t bytes() const;
