@@ -205,8 +205,13 @@ void PlasticIncrement::step_mixed(const Field& guess, Field& mapped, Result& res
 
 PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact_tol,
                                                     Field& mapped) {
+  // Without room for further growth, which would double the memory.
+  const auto lengthen = [&] {
+    guess.reserve(active_.size() * active_.components());
+    guess.resize(active_.size() * active_.components(), 0.0);
+  };
   // Zones that have grown contain further inclusions.
-  guess.resize(active_.size() * active_.components(), 0.0);
+  lengthen();
   scatter(guess);
   gap_.assign(task_.setup().grid.surface_size(), 0.0);
   if (!task_.target.is_prescribed()) {
@@ -233,7 +238,7 @@ PlasticIncrement::Result PlasticIncrement::evaluate(Field& guess, double contact
     if (body.zones().empty()) continue;
     result.headroom = std::min(result.headroom, body.find_stress(active_));
   }
-  guess.resize(active_.size() * active_.components(), 0.0);
+  lengthen();
   return_map(guess, mapped, result);
   result.grown = zones_.grow_at_rim() || result.grown;
   return result;
