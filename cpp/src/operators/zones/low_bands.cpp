@@ -2,6 +2,7 @@
 #include "samcontact/operators/zones/low_bands.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
@@ -174,6 +175,7 @@ void LowBands::add_displacement(Axis axis, double* out) const {
 }
 
 void LowBands::find_stress(bool strained, const Tractions& tractions, double shear_sign) {
+  assert(!strained || !middle_->spectrum.data.empty());
   const NodePlanes& nodes = middle_->planes;
   const Tractions on_middle = spread(tractions, Box::surface(grid_), grid_.ny, nodes);
   const Tractions on_far = spread(on_middle, nodes.own(), nodes.pitch(), far_->planes);

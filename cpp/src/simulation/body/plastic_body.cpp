@@ -23,7 +23,7 @@ constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 150, back
                  exact_bytes = 1200;
 
 /// Per cell of zones, total, and per cell of the grid above them.
-constexpr double zone_bytes = 450, lattice_bytes = 40;
+constexpr double zone_bytes = 300, lattice_bytes = 30;
 
 /// Called before the volume operators of zones replace others, which are released.
 void require_memory_of(const Zones& zones, double bytes, double before) {
