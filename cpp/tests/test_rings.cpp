@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <utility>
 #include <vector>
 
 #include "samcontact/kernels/ring_axis.hpp"
@@ -43,7 +43,7 @@ TEST_CASE("phases do not depend on the order of the offsets") {
   std::vector<double> offsets(150);
   for (std::size_t n = 0; n < offsets.size(); ++n) offsets[n] = 0.37 * static_cast<double>(n);
   std::vector<double> mixed = offsets;
-  std::shuffle(mixed.begin(), mixed.end(), std::minstd_rand(5));
+  for (std::size_t n = 0; n < mixed.size(); n += 2) std::swap(mixed[n], mixed[n + 1]);
   const ring::Axis ascending(offsets, 0.37, 100.0, 2.5, false),
       other(mixed, 0.37, 100.0, 2.5, false);
   REQUIRE(ascending.k == other.k);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include "samcontact/base/multiversion.hpp"
@@ -27,18 +28,18 @@ struct Work {
 SAMCONTACT_MULTIVERSION
 void merge(const double* c, const double* s, const double* even, const double* odd, double* z,
            int count) {
-  for (int k = 0; k < count; ++k) {
+  for (std::ptrdiff_t k = 0; k < count; ++k) {
     z[2 * k] = c[k] * even[k] + s[k] * odd[k];
     z[2 * k + 1] = s[k] * even[k] - c[k] * odd[k];
   }
 }
 SAMCONTACT_MULTIVERSION
 void take_even(const double* c, const double* s, const double* z, double* even, int count) {
-  for (int k = 0; k < count; ++k) even[k] = c[k] * z[2 * k] + s[k] * z[2 * k + 1];
+  for (std::ptrdiff_t k = 0; k < count; ++k) even[k] = c[k] * z[2 * k] + s[k] * z[2 * k + 1];
 }
 SAMCONTACT_MULTIVERSION
 void take_odd(const double* c, const double* s, const double* z, double* odd, int count) {
-  for (int k = 0; k < count; ++k) odd[k] = s[k] * z[2 * k] - c[k] * z[2 * k + 1];
+  for (std::ptrdiff_t k = 0; k < count; ++k) odd[k] = s[k] * z[2 * k] - c[k] * z[2 * k + 1];
 }
 /// image: mirror image of the first number; those of the others are below.
 SAMCONTACT_MULTIVERSION
