@@ -89,6 +89,28 @@ int elastic_layers(const plasticity::Body& body, const Strength& strength, const
                           box.surface_size());
 }
 
+/// Moves the active cells of a body, and its strain including the last estimate, to other zones.
+/// Only unknowns differ from the history (null: none): fields of the old and the new zones are not
+/// kept at the same time.
+void move_strain(std::uint8_t number, const PlasticState* history, const Zones& from,
+                 const Zones& to, std::size_t parts, ActiveCells& active, Field& strain) {
+  Field estimates;
+  for (const ActiveCells::Cell& own : active.cells) {
+    if (own.body != number) continue;
+    for (std::size_t c = 0; c < parts; ++c) {
+      estimates.push_back(strain[c * from.cells() + own.cell]);
+    }
+  }
+  strain = Field{};
+  strain = history != nullptr ? history->strain(to) : Field(parts * to.cells(), 0.0);
+  active.move(number, from, to);
+  auto estimate = estimates.begin();
+  for (const ActiveCells::Cell& own : active.cells) {
+    if (own.body != number) continue;
+    for (std::size_t c = 0; c < parts; ++c) strain[c * to.cells() + own.cell] = *estimate++;
+  }
+}
+
 }  // namespace
 
 PlasticBody::PlasticBody(const State& from, int index, std::uint8_t number, int copies,
@@ -125,7 +147,8 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   require_memory_of(zones, bytes(zones, split), bytes(this->zones(), split_));
   // Release the old one first: both together may exceed the memory.
   volume_.reset();
-  move_strain(zones, active);
+  move_strain(number_, history_.get(), cells_.zones(), zones, operators::count(tensor_), active,
+              strain_);
   const Field before = met_ && surface_.axes().size() > 1 ? met_->strain(zones) : Field{};
   active_ = std::vector<int>{};
   active_.assign(zones.cells(), -1);
@@ -167,26 +190,6 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     add_to(given_stress_[zone], std::move(outside.stress[zone]));
   }
   surface_.take(std::move(outside));
-}
-
-void PlasticBody::move_strain(const Zones& zones, ActiveCells& active) {
-  // Strain that includes the last estimate: only unknowns differ from the history. Fields of the
-  // old and the new zones are not kept at the same time.
-  const std::size_t parts = operators::count(tensor_), old = cells_.zones().cells(),
-                    cells = zones.cells();
-  Field estimates;
-  for (const ActiveCells::Cell& own : active.cells) {
-    if (own.body != number_) continue;
-    for (std::size_t c = 0; c < parts; ++c) estimates.push_back(strain_[c * old + own.cell]);
-  }
-  strain_ = Field{};
-  strain_ = history_ ? history_->strain(zones) : Field(parts * cells, 0.0);
-  active.move(number_, cells_.zones(), zones);
-  auto estimate = estimates.begin();
-  for (const ActiveCells::Cell& own : active.cells) {
-    if (own.body != number_) continue;
-    for (std::size_t c = 0; c < parts; ++c) strain_[c * cells + own.cell] = *estimate++;
-  }
 }
 
 void PlasticBody::set_zones(const Zones& zones, std::shared_ptr<const PlasticState> history,

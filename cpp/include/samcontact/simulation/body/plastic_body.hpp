@@ -71,8 +71,6 @@ class PlasticBody {
   std::shared_ptr<const PlasticState> finish();
 
  private:
-  /// Moves the strain and the active cells to new zones.
-  void move_strain(const Zones& zones, ActiveCells& active);
   /// Result of the yield check of a layer: inactive cells that yield, and the maximum of the
   /// squared von Mises stress over its limit for the other inactive cells.
   struct LayerCheck {
