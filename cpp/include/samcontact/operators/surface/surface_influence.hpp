@@ -46,8 +46,8 @@ class SurfaceInfluence {
   };
   /// Effect of heat of all bodies at consecutive offsets, by parity, [j][i] [m/Pa].
   struct HeatTable {
-    double dx, dy;
-    int nx, ny;
+    double dx = 0.0, dy = 0.0;
+    int nx = 0, ny = 0;
     ParityParts parts;
     bool contains(const Grid& grid, const CellOffsets& offsets) const;
   };
