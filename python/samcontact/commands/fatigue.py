@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import xarray as xr
-from rich.console import Console
 
 from .. import results
 from .._util.display import quantity
@@ -15,13 +14,16 @@ from .._util.version import version
 from .tables import Sheet
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from ..cases import Case
     from ..fatigue import Exposure, FatigueField, Life
     from ..solutions.state import State
+    from .tables import Silence
 
 
 def write_fatigue(
-    case: Case, states: list[State], directory: Path, console: Console, *, figures: bool
+    case: Case, states: list[State], directory: Path, console: Console | Silence, *, figures: bool
 ) -> list[Path]:
     """Print the maximum of each criterion, write fatigue.nc and figures, and return their paths."""
     assert case.fatigue is not None

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from ..cases import AnyCase
+    from .tables import Silence
 
 
 @click.command()
@@ -64,7 +65,7 @@ def run(
 def _solve(
     case: AnyCase,
     directory: Path,
-    console: Console,
+    console: Console | Silence,
     *,
     figures: bool,
     animate: bool,

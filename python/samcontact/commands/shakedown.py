@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import xarray as xr
-from rich.console import Console
 
 from .. import results
 from .._util.display import rows_of
@@ -16,14 +15,17 @@ from .interrupted import Checkpoints
 from .tables import Sheet
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from ..cases import Case
     from ..shakedown import ShakedownResult
+    from .tables import Silence
 
 
 def write_shakedown(
     case: Case,
     checkpoints: Checkpoints,
-    console: Console,
+    console: Console | Silence,
     *,
     figures: bool,
     found: ShakedownResult | None = None,

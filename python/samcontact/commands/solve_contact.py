@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 
 import click
 import numpy as np
-from rich.console import Console
 
 from .. import hertz, results
 from ..accuracy.grid_errors import (
@@ -38,17 +37,25 @@ from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers, values_she
 
 if TYPE_CHECKING:
     import xarray as xr
+    from rich.console import Console
 
     from ..accuracy.outcome import AccuracyResult
     from ..cases import Case
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
+    from .tables import Silence
 
 MAX_FRAMES = 120  # maximum number of frames of an animation
 
 
 def solve_contact(
-    case: Case, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
+    case: Case,
+    directory: Path,
+    console: Console | Silence,
+    *,
+    figures: bool,
+    animate: bool,
+    resume: bool,
 ) -> list[Path]:
     """Solve a case with one contact, write results.nc and figures, and return their paths.
 
@@ -97,7 +104,7 @@ def solve_contact(
 
 
 def solve_to_accuracy(
-    case: Case, directory: Path, console: Console, *, figures: bool, resume: bool
+    case: Case, directory: Path, console: Console | Silence, *, figures: bool, resume: bool
 ) -> list[Path]:
     """Solve a case to the prescribed accuracy, write results and figures, and return their paths.
 
@@ -149,7 +156,7 @@ class _ContactRun:
 
     case: Case
     checkpoints: Checkpoints
-    console: Console
+    console: Console | Silence
     simulation: Simulation
     states: list[State]
     accurate: AccuracyResult | None = None
@@ -240,7 +247,7 @@ class _ContactRun:
             return None
         try:
             text = "repeating the run on a coarsened grid"
-            with nullcontext() if self.console.quiet else self.console.status(text):
+            with self.console.status(text):
                 return estimate_errors(self.simulation, self.case.steps(), self.states)
         except Exception as error:
             text = f"could not estimate the grid errors: {error}"

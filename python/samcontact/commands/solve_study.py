@@ -15,7 +15,6 @@ import numpy as np
 from matplotlib.animation import FuncAnimation
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from rich.console import Console
 
 from .._util.film_quantities import FILMS
 from .._util.quantities import ASPERITIES
@@ -44,6 +43,7 @@ from .tables import Sheet, values_sheet
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
+    from rich.console import Console
 
     from ..asperities import CollisionResult
     from ..cases import Case
@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from ..lubrication import FilmSolution
     from ..sliding import FrictionCurve
     from ..wear import FrettingResult, WearResult
+    from .tables import Silence
 
 _PASS_COLUMNS = (
     "max_force_x", "min_force_x", "max_force_z", "net_energy", "dissipation", "residual_energy",
@@ -92,7 +93,13 @@ class _StudyKind(NamedTuple):
 
 
 def solve_study(
-    case: AnyCase, directory: Path, console: Console, *, figures: bool, animate: bool, resume: bool
+    case: AnyCase,
+    directory: Path,
+    console: Console | Silence,
+    *,
+    figures: bool,
+    animate: bool,
+    resume: bool,
 ) -> list[Path]:
     """Solve a study, write .nc and .csv files, figures and animation, and return their paths."""
     kind = _KINDS[case.study](case, not console.quiet)
@@ -210,7 +217,7 @@ def _solve(
     case: AnyCase,
     kind: _StudyKind,
     directory: Path,
-    console: Console,
+    console: Console | Silence,
     *,
     figures: bool,
     resume: bool,

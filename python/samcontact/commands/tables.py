@@ -5,19 +5,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
-from rich.console import Console, ConsoleOptions
-from rich.table import Table
-from rich.text import Text
 
 from .._util.quantities import CONTACT, Quantity
 
 if TYPE_CHECKING:
     import xarray as xr
+    from rich.console import Console, ConsoleOptions
+    from rich.table import Table
+    from rich.text import Text
 
 UNLIMITED_WIDTH = 10_000
 """Width of tables that are written to a file or a pipe, in characters."""
@@ -27,9 +28,26 @@ _MAX_WORD_WIDTH = 24  # width of a float with all digits; longer words are folde
 _FRAME_WIDTH = 3  # width of a cell's frame: a line, and a space on either side
 
 
-def new_console(quiet: bool = False) -> Console:
+class Silence:
+    """Console that prints nothing; it spares a quiet command the time to load rich."""
+
+    quiet = True
+
+    def print(self, *objects: Any, **settings: Any) -> None:
+        """Print nothing."""
+
+    def status(self, text: str) -> AbstractContextManager[Any]:
+        """Return a context manager that shows nothing."""
+        return nullcontext()
+
+
+def new_console(quiet: bool = False) -> Console | Silence:
     """Return a console as wide as the terminal, or of unlimited width for a file or pipe."""
-    console = Console(quiet=quiet)
+    if quiet:
+        return Silence()
+    from rich.console import Console
+
+    console = Console()
     console.width = max(console.width, MIN_WIDTH) if console.is_terminal else UNLIMITED_WIDTH
     return console
 
@@ -74,6 +92,8 @@ class Sheet:
         self.columns.append((heading, list(cells)))
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> Iterator[Text | Table]:
+        from rich.text import Text
+
         available = options.max_width
         for number, part in enumerate(self._parts(available)):
             # on a separate line, because Table would wrap a title at the width of the table
@@ -99,6 +119,9 @@ class Sheet:
         return next(p for n in range(available + 1) if len(p := filled(n)) == len(fewest))
 
     def _part(self, chosen: list[int], available: int) -> Table:
+        from rich.table import Table
+        from rich.text import Text
+
         widths = {i: _narrowest(*self.columns[i]) for i in chosen}
         left = available - 1 - sum(_FRAME_WIDTH + width for width in widths.values())
         table = Table()
