@@ -19,11 +19,11 @@ using operators::Tensor;
 /// Memory of an increment with plastic flow in the whole box that is subdivided, measured (parts in
 /// docs/developer/data_layout.md): per stored cell; per plane wavenumber and layer; per coefficient
 /// there, which mirrors do not reduce; per backstress; for the exact method.
-constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 150, backstress_bytes = 80,
+constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 120, backstress_bytes = 80,
                  exact_bytes = 1200;
 
 /// Per cell of zones, total, and per cell of the grid above them.
-constexpr double zone_bytes = 300, lattice_bytes = 30;
+constexpr double zone_bytes = 340, lattice_bytes = 33;
 
 /// Called before the volume operators of zones replace others, which are released.
 void require_memory_of(const Zones& zones, double bytes, double before) {
