@@ -14,16 +14,14 @@ from .._util.version import version
 from .tables import Sheet
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from ..cases import Case
     from ..fatigue import Exposure, FatigueField, Life
     from ..solutions.state import State
-    from .tables import Silence
+    from .tables import Printer
 
 
 def write_fatigue(
-    case: Case, states: list[State], directory: Path, console: Console | Silence, *, figures: bool
+    case: Case, states: list[State], directory: Path, console: Printer, *, figures: bool
 ) -> list[Path]:
     """Print the maximum of each criterion, write fatigue.nc and figures, and return their paths."""
     assert case.fatigue is not None

@@ -14,10 +14,8 @@ from .loading import uncollected
 from .signals import exit_code
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from ..cases import AnyCase
-    from .tables import Silence
+    from .tables import Printer
 
 
 @click.command()
@@ -63,13 +61,7 @@ def run(
 
 
 def _solve(
-    case: AnyCase,
-    directory: Path,
-    console: Console | Silence,
-    *,
-    figures: bool,
-    animate: bool,
-    resume: bool,
+    case: AnyCase, directory: Path, console: Printer, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
     """Solve a case of any kind, and return the files written."""
     from ..cases import Case

@@ -15,17 +15,15 @@ from .interrupted import Checkpoints
 from .tables import Sheet
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from ..cases import Case
     from ..shakedown import ShakedownResult
-    from .tables import Silence
+    from .tables import Printer
 
 
 def write_shakedown(
     case: Case,
     checkpoints: Checkpoints,
-    console: Console | Silence,
+    console: Printer,
     *,
     figures: bool,
     found: ShakedownResult | None = None,

@@ -37,25 +37,18 @@ from .tables import CONTACT_COLUMNS, Sheet, contact_columns, numbers, values_she
 
 if TYPE_CHECKING:
     import xarray as xr
-    from rich.console import Console
 
     from ..accuracy.outcome import AccuracyResult
     from ..cases import Case
     from ..simulation.simulation import Simulation
     from ..solutions.state import State
-    from .tables import Silence
+    from .tables import Printer
 
 MAX_FRAMES = 120  # maximum number of frames of an animation
 
 
 def solve_contact(
-    case: Case,
-    directory: Path,
-    console: Console | Silence,
-    *,
-    figures: bool,
-    animate: bool,
-    resume: bool,
+    case: Case, directory: Path, console: Printer, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
     """Solve a case with one contact, write results.nc and figures, and return their paths.
 
@@ -104,7 +97,7 @@ def solve_contact(
 
 
 def solve_to_accuracy(
-    case: Case, directory: Path, console: Console | Silence, *, figures: bool, resume: bool
+    case: Case, directory: Path, console: Printer, *, figures: bool, resume: bool
 ) -> list[Path]:
     """Solve a case to the prescribed accuracy, write results and figures, and return their paths.
 
@@ -156,7 +149,7 @@ class _ContactRun:
 
     case: Case
     checkpoints: Checkpoints
-    console: Console | Silence
+    console: Printer
     simulation: Simulation
     states: list[State]
     accurate: AccuracyResult | None = None

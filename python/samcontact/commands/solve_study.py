@@ -43,7 +43,6 @@ from .tables import Sheet, values_sheet
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-    from rich.console import Console
 
     from ..asperities import CollisionResult
     from ..cases import Case
@@ -54,7 +53,7 @@ if TYPE_CHECKING:
     from ..lubrication import FilmSolution
     from ..sliding import FrictionCurve
     from ..wear import FrettingResult, WearResult
-    from .tables import Silence
+    from .tables import Printer
 
 _PASS_COLUMNS = (
     "max_force_x", "min_force_x", "max_force_z", "net_energy", "dissipation", "residual_energy",
@@ -93,13 +92,7 @@ class _StudyKind(NamedTuple):
 
 
 def solve_study(
-    case: AnyCase,
-    directory: Path,
-    console: Console | Silence,
-    *,
-    figures: bool,
-    animate: bool,
-    resume: bool,
+    case: AnyCase, directory: Path, console: Printer, *, figures: bool, animate: bool, resume: bool
 ) -> list[Path]:
     """Solve a study, write .nc and .csv files, figures and animation, and return their paths."""
     kind = _KINDS[case.study](case, not console.quiet)
@@ -217,7 +210,7 @@ def _solve(
     case: AnyCase,
     kind: _StudyKind,
     directory: Path,
-    console: Console | Silence,
+    console: Printer,
     *,
     figures: bool,
     resume: bool,

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -41,7 +41,10 @@ class Silence:
         return nullcontext()
 
 
-def new_console(quiet: bool = False) -> Console | Silence:
+Printer: TypeAlias = "Console | Silence"
+
+
+def new_console(quiet: bool = False) -> Printer:
     """Return a console as wide as the terminal, or of unlimited width for a file or pipe."""
     if quiet:
         return Silence()
