@@ -166,8 +166,7 @@ void YieldScan::for_beyond(const Level& level, const operators::Tractions& tract
     operators::VolumeSpectrum spectrum(level.transform, 1, Tensor::deviator);
     Field s(5 * plane);
 #pragma omp for schedule(dynamic)
-    for (int k = 0; k < nz; ++k) {
-      if (limits[k].stress == INFINITY) continue;
+    for (const int k : searched) {
       std::ranges::fill(spectrum.data, 0.0);
       level.stress.add_depth(loads, shear_sign, k, spectrum);
       operators::inverse(level.transform, spectrum, 0, s.data());
