@@ -13,9 +13,7 @@ struct Portable {};
 
 const DenseProducts& dense_products() {
 #if SAMCONTACT_HAS_VERSIONS
-  static const bool has_avx =
-      __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  if (has_avx) return dense_products_by_avx();
+  if (has_avx()) return dense_products_by_avx();
 #endif
   return ByEigen<Portable>::products;
 }

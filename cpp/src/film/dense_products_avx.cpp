@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The products for processors with AVX2 and FMA. Eigen has another name in this file, so that the
-// linker does not choose its functions for other processors.
+// The products for processors with AVX2 and FMA.
 #include "samcontact/film/dense_products.hpp"  // IWYU pragma: keep
 
-#include "samcontact/base/multiversion.hpp"
+#include "samcontact/base/eigen_for_avx.hpp"  // IWYU pragma: keep
 
 #if SAMCONTACT_HAS_VERSIONS
-#pragma GCC target("avx2,fma")
-#define Eigen EigenForAvx
 #include "dense_products_by_eigen.hpp"
 
 namespace samcontact::film {

@@ -13,9 +13,7 @@ struct PortableRings {};
 
 void ring_product(const RingProduct& of, double* result) {
 #if SAMCONTACT_HAS_VERSIONS
-  static const bool has_avx =
-      __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
-  if (has_avx) return ring_product_by_avx(of, result);
+  if (has_avx()) return ring_product_by_avx(of, result);
 #endif
   ring_product_by_eigen<PortableRings>(of, result);
 }
