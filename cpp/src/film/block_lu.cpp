@@ -99,8 +99,8 @@ bool BlockLu::decompose(const NearMatrix& matrix, const std::vector<char>& free)
     const DenseView dense{front_.data(), n, n, n};
     std::fill_n(front_.data(), square(n), 0.0F);
     assemble(matrix, front, dense);
-    for (auto child = front.children.rbegin(); child != front.children.rend(); ++child) {
-      const Front& of = order_.fronts[*child];
+    for (std::size_t c = front.children.size(); c-- > 0;) {
+      const Front& of = order_.fronts[front.children[c]];
       const std::size_t begin = stack_.size() - square(of.boundary.size());
       extend(of, stack_.data() + begin, dense);
       stack_.resize(begin);
