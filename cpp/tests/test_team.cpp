@@ -6,6 +6,10 @@
 
 #include "samcontact/base/team.hpp"
 
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
 using samcontact::TeamSize;
 using namespace std::chrono_literals;
 
@@ -42,3 +46,24 @@ TEST_CASE("a team tries more threads after a pause proportional to the cost of t
     CHECK(team.size() == more);
   }
 }
+
+#ifdef _OPENMP
+TEST_CASE("a team keeps its size inside a parallel region, also in one of a single thread") {
+  const int given = omp_get_max_threads();
+  omp_set_num_threads(4);
+  {
+    const samcontact::Team team;
+    int after = 0;
+#pragma omp parallel num_threads(1)
+    {
+      omp_set_num_threads(1);
+      samcontact::adjust_team();
+      after = omp_get_max_threads();
+    }
+    CHECK(after == 1);
+    samcontact::adjust_team();
+    CHECK(omp_get_max_threads() == 4);
+  }
+  omp_set_num_threads(given);
+}
+#endif

@@ -90,7 +90,9 @@ class TeamControl {
   }
 
   void adjust() {
-    if (depth_ == 0 || size_.max_size() == 1 || keeps_number() || omp_in_parallel()) return;
+    if (depth_ == 0 || size_.max_size() == 1 || keeps_number()) return;
+    // A region of one thread counts too: loops inside it share the work space of that thread.
+    if (omp_get_level() > 0) return;
     const auto now = Clock::now();
     if (size_.size() == 1) {
       members_.clear();
