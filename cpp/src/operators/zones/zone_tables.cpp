@@ -186,6 +186,13 @@ std::size_t ZoneTables::bytes() const {
   return bytes;
 }
 
+std::size_t ZoneTables::held_bytes() const {
+  std::size_t sum = bytes();
+  const std::lock_guard lock(mutex_);
+  for (const Field& field : spare_) sum += field.capacity() * sizeof(double);
+  return sum;
+}
+
 Field ZoneTables::borrow(std::size_t count) const {
   Field field;
   const std::lock_guard lock(mutex_);

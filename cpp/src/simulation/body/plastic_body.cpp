@@ -22,8 +22,8 @@ using operators::Tensor;
 constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 120, backstress_bytes = 80,
                  exact_bytes = 1200;
 
-/// Per cell of zones, total, and per cell of the grid above them.
-constexpr double zone_bytes = 340, lattice_bytes = 33;
+/// Per cell of zones, total; per cell of the grid above them; tables of close cells.
+constexpr double zone_bytes = 220, lattice_bytes = 22, close_bytes = 1e7;
 
 /// Called before the volume operators of zones replace others, which are released.
 void require_memory_of(const Zones& zones, double bytes, double before) {
@@ -42,7 +42,7 @@ double bytes_of(const Zones& zones, bool split, const Grid& grid, fft::Symmetry 
   if (split) {
     const auto surface = static_cast<double>(Box::surface(grid).united(box).surface_size());
     return static_cast<double>(zones.cells()) * (zone_bytes + backstresses) +
-           surface * box.nz * lattice_bytes;
+           surface * box.nz * lattice_bytes + close_bytes;
   }
   const auto stored = static_cast<double>(box.volume_size()),
              whole = static_cast<double>(whole_box(box, grid, symmetry).volume_size());
@@ -144,12 +144,16 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
   const auto bytes = [&](const Zones& of, bool are_split) {
     return bytes_of(of, are_split, setup_.grid, symmetry_, terms, method_);
   };
-  require_memory_of(zones, bytes(zones, split), bytes(this->zones(), split_));
+  const auto tables = split ? setup_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
+  double before = bytes(this->zones(), split_);
+  // The tables of the last increment are kept.
+  if (split && this->zones().empty()) before = static_cast<double>(tables->held_bytes());
+  require_memory_of(zones, bytes(zones, split), before);
   // Release the old one first: both together may exceed the memory.
   volume_.reset();
   move_strain(number_, history_.get(), cells_.zones(), zones, operators::count(tensor_), active,
               strain_);
-  const Field before = met_ && surface_.axes().size() > 1 ? met_->strain(zones) : Field{};
+  const Field strain_before = met_ && surface_.axes().size() > 1 ? met_->strain(zones) : Field{};
   active_ = std::vector<int>{};
   active_.assign(zones.cells(), -1);
   for (std::size_t n = 0; n < active.size(); ++n) {
@@ -163,7 +167,6 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     activate(cell, {}, active);
   }
   split_ = split;
-  const auto tables = split ? setup_.cache.zone_tables(index_, tensor_, heating_) : nullptr;
   if (split) {
     volume_ = std::make_unique<SplitVolume>(tables, zones);
   } else if (!zones.empty()) {
@@ -176,7 +179,7 @@ void PlasticBody::set_zones(const Zones& zones, bool split, const Sources& sourc
     volume_ = std::make_unique<BoxVolume>(setup_, index_, zones, tensor_, method_, symmetry_,
                                           heating_, needed);
   }
-  surface_.begin(volume_.get(), split, before);
+  surface_.begin(volume_.get(), split, strain_before);
   given_stress_.assign(zones.count(), {});
   for (std::size_t zone = 0; zone < zones.count(); ++zone) {
     sources.stress(index_, zones.boxes()[zone], tensor_, given_stress_[zone]);

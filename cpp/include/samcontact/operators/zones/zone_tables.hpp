@@ -102,6 +102,8 @@ class ZoneTables {
   void give_back(Field field) const;
   /// Memory of the tables [byte], without lent arrays, whose number depends on earlier solutions.
   std::size_t bytes() const;
+  /// Memory of the tables and of the arrays that are not lent [byte].
+  std::size_t held_bytes() const;
 
  private:
   NodePlanes planes(Band band, NodeSpread nodes, int layers) const;
