@@ -37,8 +37,7 @@ std::vector<int> BoxIndex::overlapping(const Box& box) const {
     }
   });
   std::ranges::sort(found);
-  const auto repeated = std::ranges::unique(found);
-  found.erase(repeated.begin(), repeated.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }
 
