@@ -8,7 +8,10 @@ from pathlib import Path
 
 
 def own(count):
-    """Return environment variables for exactly this number of threads."""
+    """Return environment variables for exactly this number of threads.
+
+    "1,3": one thread, and three in loops inside a parallel loop, which OpenMP allows.
+    """
     return {"OMP_NUM_THREADS": str(count), "OMP_DYNAMIC": "false"}
 
 

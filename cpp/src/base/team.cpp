@@ -155,6 +155,8 @@ TeamControl& team_control() {
 
 Team::Team() { team_control().enter(); }
 Team::~Team() { team_control().leave(); }
+SingleThread::SingleThread() : given_(omp_get_max_threads()) { omp_set_num_threads(1); }
+SingleThread::~SingleThread() { omp_set_num_threads(given_); }
 void adjust_team() { team_control().adjust(); }
 void reset_team() { team_control().lose(); }
 
@@ -166,6 +168,8 @@ namespace samcontact {
 
 Team::Team() = default;
 Team::~Team() = default;
+SingleThread::SingleThread() : given_(1) {}
+SingleThread::~SingleThread() = default;
 void adjust_team() {}
 void reset_team() {}
 

@@ -23,6 +23,21 @@ class Team {
 /// Adjusts the number of threads, at most every ten milliseconds. To be called between loops.
 void adjust_team();
 
+/// Restricts loops inside an iteration of a parallel loop, while it exists, to the thread of this
+/// iteration, because they share its work space. By default OpenMP does so, but a user may allow
+/// nested threads (OMP_MAX_ACTIVE_LEVELS, OMP_NUM_THREADS=4,2), and a team of one thread does not
+/// count as a level.
+class SingleThread {
+ public:
+  SingleThread();
+  ~SingleThread();
+  SingleThread(const SingleThread&) = delete;
+  SingleThread& operator=(const SingleThread&) = delete;
+
+ private:
+  int given_;
+};
+
 /// Called in the child after a fork: the threads of OpenMP do not exist there, and OpenMP would
 /// wait for them forever. From then on loops of this thread have one thread.
 void reset_team();

@@ -8,6 +8,7 @@
 #include "samcontact/base/deviator.hpp"
 #include "samcontact/base/interrupt.hpp"
 #include "samcontact/base/multiversion.hpp"
+#include "samcontact/base/team.hpp"
 
 namespace samcontact::operators {
 namespace {
@@ -197,6 +198,7 @@ void StressBound::evaluate(const Group& group, const Loads& loads, double shear_
 #pragma omp parallel for schedule(dynamic)
   for (int k = 0; k < count; ++k) {
     const Uninterrupted quiet;
+    const SingleThread alone;
     Field far_layer(parts * far_plane), nodes(parts * rows.surface_size(), 0.0), room;
     inverse(far_transform_, far, k, far_layer.data());
     if (group.has_middle) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "samcontact/base/interrupt.hpp"
+#include "samcontact/base/team.hpp"
 #include "samcontact/fft/plan.hpp"
 
 namespace samcontact::operators {
@@ -103,6 +104,7 @@ void ZoneOperators::transform(const Field& strain, std::span<const Axis> axes) {
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
+    const SingleThread alone;
     transform_zone(static_cast<int>(z), strain, axes);
   }
 }
@@ -244,6 +246,7 @@ void ZoneOperators::for_each_layer(const Field* strain, const Tractions& tractio
 #pragma omp parallel for schedule(dynamic)
   for (std::size_t z = 0; z < zones_.size(); ++z) {
     const Uninterrupted quiet;
+    const SingleThread alone;
     stress_of_zone(z, strain, tractions, shear_sign, use);
   }
   low_.lend();
