@@ -182,6 +182,14 @@ def test_what_is_not_known_is_refused(make, message):
         make()
 
 
+def test_stress_at_several_depths_is_refused():
+    """Each thread computes a depth; an error that left the loop over them would end the process."""
+    grid = sc.Grid(24, 20, 10e-6, 10e-6, 3, 10e-6)
+    state = sc.Simulation(grid, OTHER, ENDED, ball).step(load=LOAD)
+    with pytest.raises(ValueError, match="stress is not known in a body with free faces"):
+        state.stress(2)
+
+
 def test_faces_in_millimetres_are_refused():
     with pytest.raises(ValueError, match=r"free_faces must be within 2 m .* y = -5\.0 m: milli"):
         sc.Material.elastic(210e9, 0.3).with_free_faces(-5.0, 5.0)

@@ -2,6 +2,7 @@
 #include "samcontact/operators/volume/traction_stress.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -94,8 +95,17 @@ void TractionStress::prepare(Traction traction, std::span<const int> depths,
       build_at(0);
       continue;
     }
+    std::exception_ptr failure;  // must not leave the loop, e.g. if the stress is not known
 #pragma omp parallel for schedule(dynamic)
-    for (int n = 0; n < count; ++n) build_at(n);
+    for (int n = 0; n < count; ++n) {
+      try {
+        build_at(n);
+      } catch (...) {
+#pragma omp critical
+        failure = std::current_exception();
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
   }
   for (const Part part : needed) {
     for (int n = 0; n < count; ++n) {
