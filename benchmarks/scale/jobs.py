@@ -54,7 +54,7 @@ JOBS = (
     Job("partial slip to 1e-4", "slipping", "surface", SURFACES, 500),
     Job("partial slip to 1e-6", "slipping_fine", "surface", SURFACES, 500),
     Job(
-        "elastic-plastic rough contact, subdomains", "zones", "surface", (32, *SURFACES[:-1]), 2500
+        "elastic-plastic rough contact, subdomains", "zones", "surface", (32, *SURFACES[:-1]), 1700
     ),
     Job("elastic-plastic ball", "ball", "volume", RADII, 400),
     Job("rolling elastic-plastic ball", "rolling", "volume", (4, 6, 8, 12, 16, 24, 32, 40), 500),
