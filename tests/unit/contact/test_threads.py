@@ -109,7 +109,7 @@ def test_same_digits_for_any_number_of_openmp_threads(name, answers):
 
 
 def test_a_thread_for_the_last_column_of_coefficients_changes_no_digit():
-    """With four threads, the last of the 41 columns of the spectrum has a thread of its own."""
+    """The last of the 41 columns of the spectrum has a thread of its own if there are four."""
     one, four = outputs_with(DISPLACEMENT, 1, 4)
     assert len(one.strip()) == 64
     assert four == one
