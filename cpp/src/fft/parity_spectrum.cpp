@@ -48,8 +48,8 @@ void transform_columns(double* first, int count, int width, Lines& columns, doub
   for (std::size_t j = 0; j < h; ++j) {
     for (int c = 0; c < count; ++c) rotated[c * h + j] = first[j * width + c];
   }
-  // The rounding of a column depends on its partner: none of another block, which depends on the
-  // number of threads.
+  // Columns are transformed in pairs, and the rounding of one depends on the other. Zeros complete
+  // the last pair: what the last block left here would depend on the number of threads.
   if (count % 2 == 1) std::fill_n(rotated.data() + count * h, h, 0.0);
   for (int c = 0; c < count; c += 2) {
     double* column = rotated.data() + c * h;

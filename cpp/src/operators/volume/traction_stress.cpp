@@ -95,7 +95,8 @@ void TractionStress::prepare(Traction traction, std::span<const int> depths,
       build_at(0);
       continue;
     }
-    std::exception_ptr failure;  // must not leave the loop, e.g. if the stress is not known
+    // An exception that leaves a parallel loop ends the process.
+    std::exception_ptr failure;
 #pragma omp parallel for schedule(dynamic)
     for (int n = 0; n < count; ++n) {
       try {

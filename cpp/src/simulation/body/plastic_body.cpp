@@ -22,7 +22,8 @@ using operators::Tensor;
 constexpr double cell_bytes = 290, spectrum_bytes = 160, table_bytes = 120, backstress_bytes = 80,
                  exact_bytes = 1200;
 
-/// Per cell of zones, total; per cell of the grid above them; tables of close cells.
+/// Memory of zones [byte]: per cell of a zone; per cell of the grid in each of their layers; of the
+/// tables of close cells.
 constexpr double zone_bytes = 220, lattice_bytes = 22, close_bytes = 1e7;
 
 /// Called before the volume operators of zones replace others, which are released.
